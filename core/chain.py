@@ -1,0 +1,117 @@
+"""Forward kinematics and Jacobian of a chain of hinges, compiled. Pinocchio is the oracle in the tests; this is for inner loops.
+
+Compiled code is cached beside the sources or in `NUMBA_CACHE_DIR`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+class Chain(NamedTuple):
+    """A chain of n hinges.
+
+    Args:
+        placements: (n + 1, 4, 4), each joint's frame in the previous one (the first in the world); the last is the sensor's in the last joint.
+        axes: (n, 3), unit axis of each joint in its own frame.
+    """
+
+    placements: Array
+    axes: Array
+
+
+@njit(cache=True)
+def _joint_frames(placements: Array, axes: Array, q: Array, R: Array, p: Array) -> None:
+    """Fills R (n+1, 3, 3) and p (n+1, 3) with the joints' frames after their rotation, and the sensor's, in the world."""
+    n = len(q)
+    Rc = np.eye(3)
+    pc = np.zeros(3)
+    A = np.empty((3, 3))
+    for j in range(n + 1):
+        for r in range(3):
+            s = pc[r]
+            for c in range(3):
+                s += Rc[r, c] * placements[j, c, 3]
+            p[j, r] = s
+        for r in range(3):
+            for c in range(3):
+                A[r, c] = Rc[r, 0] * placements[j, 0, c] + Rc[r, 1] * placements[j, 1, c] + Rc[r, 2] * placements[j, 2, c]
+        if j < n:
+            x, y, z = axes[j, 0], axes[j, 1], axes[j, 2]
+            s, c = np.sin(q[j]), np.cos(q[j])
+            v = 1.0 - c
+            for r in range(3):
+                a0, a1, a2 = A[r, 0], A[r, 1], A[r, 2]
+                Rc[r, 0] = a0 * (x * x * v + c) + a1 * (x * y * v + z * s) + a2 * (x * z * v - y * s)
+                Rc[r, 1] = a0 * (x * y * v - z * s) + a1 * (y * y * v + c) + a2 * (y * z * v + x * s)
+                Rc[r, 2] = a0 * (x * z * v + y * s) + a1 * (y * z * v - x * s) + a2 * (z * z * v + c)
+        else:
+            Rc[:] = A
+        for r in range(3):
+            pc[r] = p[j, r]
+            for c in range(3):
+                R[j, r, c] = Rc[r, c]
+
+
+@njit(cache=True)
+def _forward(placements: Array, axes: Array, q: Array) -> Array:
+    n = len(q)
+    R = np.empty((n + 1, 3, 3))
+    p = np.empty((n + 1, 3))
+    _joint_frames(placements, axes, q, R, p)
+    T = np.zeros((4, 4))
+    T[:3, :3] = R[n]
+    T[:3, 3] = p[n]
+    T[3, 3] = 1.0
+    return T
+
+
+@njit(cache=True)
+def _forward_many(placements: Array, axes: Array, q: Array) -> Array:
+    T = np.empty((len(q), 4, 4))
+    for k in range(len(q)):
+        T[k] = _forward(placements, axes, q[k])
+    return T
+
+
+@njit(cache=True)
+def _jacobian(placements: Array, axes: Array, q: Array) -> Array:
+    n = len(q)
+    R = np.empty((n + 1, 3, 3))
+    p = np.empty((n + 1, 3))
+    _joint_frames(placements, axes, q, R, p)
+    J = np.empty((6, n))
+    w = np.empty(3)
+    v = np.empty(3)
+    for j in range(n):
+        for r in range(3):
+            w[r] = R[j, r, 0] * axes[j, 0] + R[j, r, 1] * axes[j, 1] + R[j, r, 2] * axes[j, 2]
+        dx, dy, dz = p[n, 0] - p[j, 0], p[n, 1] - p[j, 1], p[n, 2] - p[j, 2]
+        v[0] = w[1] * dz - w[2] * dy
+        v[1] = w[2] * dx - w[0] * dz
+        v[2] = w[0] * dy - w[1] * dx
+        for c in range(3):
+            J[c, j] = R[n, 0, c] * v[0] + R[n, 1, c] * v[1] + R[n, 2, c] * v[2]
+            J[3 + c, j] = R[n, 0, c] * w[0] + R[n, 1, c] * w[1] + R[n, 2, c] * w[2]
+    return J
+
+
+def forward(chain: Chain, q: Array) -> Array:
+    """(4, 4) sensor frame in the world at q (n,)."""
+    return np.asarray(_forward(chain.placements, chain.axes, q))
+
+
+def forward_many(chain: Chain, q: Array) -> Array:
+    """(N, 4, 4) sensor frames in the world at q (N, n)."""
+    return np.asarray(_forward_many(chain.placements, chain.axes, q))
+
+
+def jacobian(chain: Chain, q: Array) -> Array:
+    """(6, n) Jacobian of the sensor origin in sensor axes, linear over angular, at q (n,)."""
+    return np.asarray(_jacobian(chain.placements, chain.axes, q))

@@ -1,0 +1,146 @@
+"""The tree of errors. Every sentence says what, where, the value against the limit, and what to do next.
+
+    HeftError                      exit code 1
+    ├── BadInput                   2   a file, key or value that cannot be used; nothing was written
+    │   ├── BadCell                    cell.toml contradicts itself or is malformed
+    │   ├── BadRobot                   the URDF is malformed, hostile or lacks what is needed
+    │   ├── BadPayload                 a payload that no rigid body can have
+    │   └── BadRecording               a recording that cannot be read
+    ├── Refused                    3   the cell leaves no safe way to do it; the robot has not moved
+    │   ├── NoStartConfiguration       no start configuration for an axis (Algorithm 6)
+    │   └── NoPath                     no collision-free path, or none that can be timed
+    ├── Stopped                    4   the guard stopped the robot; carries the last samples
+    │   ├── TooClose                   to an obstacle, a protected zone or itself
+    │   ├── TooFast                    a link, a corner of the payload box, or a joint
+    │   ├── OutOfLimits                joint position
+    │   ├── OverLoad                   the wrist wrench
+    │   └── BadState                   stale, non-finite or inconsistent robot state
+    └── Interrupted                130 Ctrl-C or SIGTERM; the robot was stopped and the recording closed
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, ClassVar
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+class HeftError(Exception):
+    """Root of all errors that a user can meet; `str(error)` is one sentence meant for them."""
+
+    exit_code: ClassVar[int] = 1
+
+
+class BadInput(HeftError):
+    """What the user gave cannot be used.
+
+    Args:
+        where: the file, with the key, column or row in it.
+        found: the value that was found.
+        expected: what would have been right.
+    """
+
+    exit_code = 2
+
+    def __init__(self, where: str, found: str, expected: str) -> None:
+        super().__init__(f"{where}: found {found}, expected {expected}")
+        self.where = where
+        self.found = found
+        self.expected = expected
+
+
+class BadCell(BadInput):
+    """A cell.toml that is malformed or contradicts itself."""
+
+
+class BadRobot(BadInput):
+    """A URDF that is malformed, hostile, or lacks limits, masses or frames."""
+
+
+class BadPayload(BadInput):
+    """Inertial parameters that no rigid body can have, or an unknown payload name."""
+
+
+class BadRecording(BadInput):
+    """A recording folder that cannot be read."""
+
+
+class Refused(HeftError):
+    """The cell leaves no safe way to do what was asked. The robot has not moved."""
+
+    exit_code = 3
+
+
+class NoStartConfiguration(Refused):
+    """Algorithm 6 found no start configuration for an axis.
+
+    Args:
+        axis: sensor axis with its sign, for example "x+" (along gravity).
+        reasons: how many candidates each check rejected, the most frequent first.
+        best_clearance_m: largest distance to anything that was met among reachable candidates, None if none was reachable.
+        in_the_way: name of the obstacle, zone or link that was nearest in that best candidate.
+    """
+
+    def __init__(
+        self, axis: str, reasons: dict[str, int], best_clearance_m: float | None = None, in_the_way: str | None = None
+    ) -> None:
+        counts = ", ".join(f"{name} {count}" for name, count in sorted(reasons.items(), key=lambda item: -item[1]))
+        best = "" if best_clearance_m is None else f"; the best clearance met was {best_clearance_m:.3f} m to {in_the_way!r}"
+        super().__init__(
+            f"no start configuration with sensor axis {axis} along gravity: rejected {counts or 'nothing, no candidate'}"
+            f"{best}. Move what is in the way, reduce the payload box or the clearance, and plan again."
+        )
+        self.axis = axis
+        self.reasons = reasons
+        self.best_clearance_m = best_clearance_m
+        self.in_the_way = in_the_way
+
+
+class NoPath(Refused):
+    """No collision-free path was found between two configurations, or none that keeps the limits."""
+
+
+class Stopped(HeftError):
+    """The guard stopped the robot.
+
+    Args:
+        message: what, where, value against limit, and the next step.
+        value: the measured value, SI.
+        limit: what it was compared with, SI.
+        samples: the last robot states before the stop, oldest first.
+    """
+
+    exit_code = 4
+
+    def __init__(self, message: str, *, value: float, limit: float, samples: Sequence[object] = ()) -> None:
+        super().__init__(message)
+        self.value = value
+        self.limit = limit
+        self.samples = tuple(samples)
+
+
+class TooClose(Stopped):
+    """The robot or the payload box came, or could no longer stop before coming, nearer than the clearance."""
+
+
+class TooFast(Stopped):
+    """A point of a link or of the payload box exceeds the Cartesian limit, or a joint its own."""
+
+
+class OutOfLimits(Stopped):
+    """A joint left its position limits."""
+
+
+class OverLoad(Stopped):
+    """The wrist wrench exceeds the sensor's range or the cell's limit."""
+
+
+class BadState(Stopped):
+    """The robot state is stale, not finite, or does not follow the command."""
+
+
+class Interrupted(HeftError):
+    """The operator interrupted the run; the robot was stopped and the recording closed."""
+
+    exit_code = 130

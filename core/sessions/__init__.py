@@ -1,0 +1,1 @@
+"""Robot sessions, one driver per file."""

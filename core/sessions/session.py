@@ -1,0 +1,71 @@
+"""What the control loop needs of a robot, simulated, replayed or real."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class RobotState:
+    """One sample of the robot, SI.
+
+    Args:
+        t: robot's own clock, s.
+        q, dq: (n,) measured joint positions and velocities.
+        q_cmd: (n,) joint positions commanded at this moment.
+        wrench: (6,) raw wrist wrench in the paper's sign, offsets included.
+        tau: (n,) joint torques, None where the robot does not give them.
+        temperature: of the sensor, degC, None where unknown.
+    """
+
+    t: float
+    q: Array
+    dq: Array
+    q_cmd: Array
+    wrench: Array
+    tau: Array | None = None
+    temperature: float | None = None
+
+
+class RobotSession(ABC):
+    """Owns the robot from entry to exit; one control cycle is `state()`, then `command(q)`.
+
+    `state()` waits for the next control period and returns the sample taken then. A cycle without a command holds the last one.
+    """
+
+    period: float
+    """Control period, s."""
+
+    @abstractmethod
+    def __enter__(self) -> Self: ...
+
+    @abstractmethod
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        """Stops the robot if it moves and lets it go."""
+
+    @abstractmethod
+    def state(self) -> RobotState:
+        """Waits for the next period and returns the robot's state at it."""
+
+    @abstractmethod
+    def command(self, q: Array) -> None:
+        """Sets the joint positions (n,) to be reached by the next period, rad."""
+
+    @abstractmethod
+    def stop(self) -> None:
+        """Brakes to standstill within the robot's own limits, from whatever it does. Further commands are refused until a new entry
+        or `release()`."""
+
+    @abstractmethod
+    def release(self) -> None:
+        """Allows commands again after a stop, from the position the robot stands at."""

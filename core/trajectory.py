@@ -1,0 +1,54 @@
+"""A timed sequence of joint positions, sampled at the control period."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class JointTrajectory:
+    """Joint positions at constant period, starting and ending at rest.
+
+    Args:
+        period: s.
+        q: (N, n), rad; row k is the position at `k * period`.
+    """
+
+    period: float
+    q: NDArray[np.float64]
+
+    @property
+    def duration(self) -> float:
+        """s."""
+        return self.period * (len(self.q) - 1)
+
+    @property
+    def t(self) -> NDArray[np.float64]:
+        """(N,), s."""
+        return self.period * np.arange(len(self.q))
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+
+@dataclass(frozen=True)
+class AngularProfile:
+    """The task of a decoupling motion: rotation about one sensor axis through the sensor origin, at constant period.
+
+    Args:
+        period: s.
+        angle: (N,), rad, relative to the start configuration; starts at 0.
+        rate: (N,), rad/s, derivative of `angle`; starts and ends at 0.
+    """
+
+    period: float
+    angle: NDArray[np.float64]
+    rate: NDArray[np.float64]
+
+    @property
+    def duration(self) -> float:
+        """s."""
+        return self.period * (len(self.angle) - 1)
