@@ -1,85 +1,42 @@
-"""A cell: robot, sensor, obstacles, protected zones and limits. Data only, read from `cells/<name>/cell.toml` and validated.
+"""A cell: robot, sensor, obstacles, protected zones and limits; data only, read from `cells/<name>/cell.toml`.
 
 Everything that stands in the cell is given in the world frame; the robot's base is placed in it by `robot.base`.
 """
 
 from __future__ import annotations
 
+import difflib
 import tomllib
+from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Literal, NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
-from scipy.spatial.transform import Rotation
+from pydantic import Field, ValidationError, model_validator
+from pydantic_core import ErrorDetails
 
-from core.errors import BadCell
+from core.errors import BadCell, BadRobot
 from core.inertia import InertialParameters
+from core.jail import read_inside
+from core.shapes import Angle, Box, Capsule, Model, Number, Pose, Positive, Shape, Six, SixPositive, Sphere, Vector3
+from core.urdf import Urdf, check_urdf
+from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
+
+__all__ = [
+    "Box", "Capsule", "Cell", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape", "Sphere", "Zone",
+    "check_robot", "find_cell", "list_cells", "load_cell",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
-Vector3 = tuple[float, float, float]
-Six = tuple[float, float, float, float, float, float]
-Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
+Text = Annotated[str, Field(min_length=1, max_length=200)]
 
-
-class Model(BaseModel):
-    """Frozen; unknown keys, NaN and infinity are refused."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
-
-
-class Pose(Model):
-    """Placement of a frame: translation, then roll, pitch, yaw about the fixed axes."""
-
-    xyz_m: Vector3 = (0.0, 0.0, 0.0)
-    rpy_rad: Vector3 = (0.0, 0.0, 0.0)
-
-    @property
-    def translation(self) -> Array:
-        """(3,), m."""
-        return np.array(self.xyz_m)
-
-    @property
-    def rotation(self) -> Array:
-        """(3, 3)."""
-        return np.asarray(Rotation.from_euler("xyz", self.rpy_rad).as_matrix())
-
-
-class Box(Model):
-    """A cuboid with its centre at `pose`."""
-
-    kind: Literal["box"] = "box"
-    size_m: tuple[Positive, Positive, Positive]
-    pose: Pose = Pose()
-
-    @cached_property
-    def corners(self) -> Array:
-        """(8, 3) in the frame that `pose` refers to, m."""
-        signs = np.array(np.meshgrid([-0.5, 0.5], [-0.5, 0.5], [-0.5, 0.5])).reshape(3, -1).T
-        return np.asarray(signs * np.array(self.size_m) @ self.pose.rotation.T + self.pose.translation)
-
-
-class Sphere(Model):
-    """A ball with its centre at `pose`."""
-
-    kind: Literal["sphere"]
-    radius_m: Positive
-    pose: Pose = Pose()
-
-
-class Capsule(Model):
-    """A cylinder along the z axis of `pose` with round ends; `length_m` without the ends."""
-
-    kind: Literal["capsule"]
-    radius_m: Positive
-    length_m: Positive
-    pose: Pose = Pose()
-
-
-Shape = Annotated[Box | Sphere | Capsule, Field(discriminator="kind")]
+CELL_FILE = "cell.toml"
+MAX_CELL_BYTES = 1_000_000
+BASE_IN_ZONE = 0.001  # m; a robot may stand at the border of a zone
+BASE_IN_OBSTACLE = 0.05  # m; or be sunk into the table that carries it
 
 
 class Obstacle(Model):
@@ -90,7 +47,7 @@ class Obstacle(Model):
 
 
 class Zone(Model):
-    """A protected zone: people may be anywhere in it, so neither the robot nor a load that comes off may get into it."""
+    """A protected zone: people may be anywhere in it; neither the robot nor a load that comes off may get into it."""
 
     name: Name
     shape: Shape
@@ -102,7 +59,7 @@ class Robot(Model):
     urdf: str = "robot.urdf"
     base_frame: str
     sensor_frame: str
-    home_rad: tuple[float, ...]
+    home_rad: tuple[Angle, ...]
     acceleration_rad_s2: tuple[Positive, ...]
     velocity_rad_s: tuple[Positive, ...] | None = None
     """The URDF's limits where absent."""
@@ -112,10 +69,10 @@ class Robot(Model):
 class Sensor(Model):
     """The wrist force/torque sensor; six values each, force (N), then torque (N m)."""
 
-    name: str
-    noise_std: tuple[Positive, Positive, Positive, Positive, Positive, Positive]
-    range: tuple[Positive, Positive, Positive, Positive, Positive, Positive]
-    resolution: tuple[Positive, Positive, Positive, Positive, Positive, Positive]
+    name: Text
+    noise_std: SixPositive
+    range: SixPositive
+    resolution: SixPositive
 
 
 class Limits(Model):
@@ -135,45 +92,40 @@ class Limits(Model):
 class Payload(Model):
     """A payload that the cell knows: what the simulated robot carries, and the reference to compare with."""
 
-    title: str
+    title: Text
     mass_kg: Positive
     first_moment_kg_m: Vector3
     inertia_kg_m2: Six
     """Ixx Ixy Ixz Iyy Iyz Izz about the sensor origin."""
     box: Box
     """Bounding box in the sensor frame."""
-    source: str = "unknown"
+    source: Text = "unknown"
 
     @property
     def parameters(self) -> InertialParameters:
         """The payload's ten parameters in the sensor frame."""
         return InertialParameters(np.array([self.mass_kg, *self.first_moment_kg_m, *self.inertia_kg_m2]))
 
-    @model_validator(mode="after")
-    def _is_a_body(self) -> Payload:
-        if not self.parameters.consistent:
-            raise ValueError("no rigid body has this mass, first moment and inertia (pseudo-inertia not positive definite)")
-        return self
-
 
 class Cell(Model):
     """One robot cell, everything the procedure needs to know of it."""
 
     name: Name
-    title: str
+    title: Text
     robot: Robot
     sensor: Sensor
     limits: Limits = Limits()
     gravity_m_s2: Vector3 = (0.0, 0.0, -9.81)
     """In the world frame."""
-    floor_z_m: float = 0.0
+    floor_z_m: Number = 0.0
     """Height at which a load that comes off stops falling, in the world frame."""
     payload_box: Box
     """Used where a payload is not known by name; in the sensor frame."""
     obstacles: tuple[Obstacle, ...] = ()
     zones: tuple[Zone, ...] = ()
-    payloads: dict[Name, Payload] = {}
+    payloads: dict[Name, Payload] = Field(default_factory=dict)
     folder: Path = Field(default=Path(), exclude=True)
+    """Where cell.toml and the URDF are."""
 
     @property
     def gravity(self) -> Array:
@@ -183,53 +135,180 @@ class Cell(Model):
     @cached_property
     def urdf(self) -> str:
         """Text of the robot's URDF."""
-        return (self.folder / self.robot.urdf).read_text(encoding="utf-8")
+        where = f"{self.folder / CELL_FILE}: robot.urdf"
+        return read_inside(self.folder, self.robot.urdf, BadRobot, max_bytes=MAX_URDF_BYTES, where=where)
 
     @model_validator(mode="after")
-    def _is_consistent(self) -> Cell:
-        names = [item.name for item in (*self.obstacles, *self.zones)]
-        twice = sorted({name for name in names if names.count(name) > 1})
-        if twice:
-            raise ValueError(f"the name {twice[0]!r} is given twice among obstacles and zones")
-        if not 9.0 < float(np.linalg.norm(self.gravity)) < 10.5:
-            raise ValueError(f"gravity_m_s2 has the norm {np.linalg.norm(self.gravity):.3f}, expected that of the earth")
+    def _contradicts_nothing(self) -> Cell:
+        for contradiction in contradictions(self):
+            raise BadCell(f"{self.folder / CELL_FILE}: {contradiction.key}", contradiction.found, contradiction.expected)
         return self
 
 
-class Jailed(NamedTuple):
-    """A file inside a folder that it must not leave."""
+class Contradiction(NamedTuple):
+    """A key whose value does not go with another."""
 
-    folder: Path
-    name: str
+    key: str
+    found: str
+    expected: str
 
-    @property
-    def path(self) -> Path:
-        """The file's path; raises BadCell when it leads outside the folder or is not there."""
-        path = (self.folder / self.name).resolve()
-        if not path.is_relative_to(self.folder.resolve()):
-            raise BadCell(f"{self.folder}: {self.name}", "a path that leads outside the folder", "a file inside it")
-        if not path.is_file():
-            raise BadCell(f"{self.folder}: {self.name}", "no such file", "a file inside the cell's folder")
-        return path
+
+def contradictions(cell: Cell) -> Iterator[Contradiction]:
+    """What is wrong with a cell whose every value is right by itself."""
+    yield from _name_contradictions(cell)
+    yield from _place_contradictions(cell)
+    yield from _sensor_contradictions(cell.sensor)
+    for name, payload in cell.payloads.items():
+        yield from _payload_contradictions(f"payloads.{name}", payload, cell)
+
+
+def _name_contradictions(cell: Cell) -> Iterator[Contradiction]:
+    names = [obstacle.name for obstacle in cell.obstacles] + [zone.name for zone in cell.zones]
+    for name in sorted({name for name in names if names.count(name) > 1}):
+        yield Contradiction("obstacles, zones", f"the name {name!r} {names.count(name)} times", "each name once")
+
+
+def _place_contradictions(cell: Cell) -> Iterator[Contradiction]:
+    strength = float(np.linalg.norm(cell.gravity))
+    if not 9.0 < strength < 10.5:
+        yield Contradiction("gravity_m_s2", f"{list(cell.gravity_m_s2)}, {strength:.3f} m/s2 strong", "that of the earth")
+    base = cell.robot.base.translation
+    if base[2] < cell.floor_z_m:
+        yield Contradiction("floor_z_m", f"{cell.floor_z_m} above the robot's base at {base[2]}", "a floor below the base")
+    for key, items, allowed in (("obstacles", cell.obstacles, BASE_IN_OBSTACLE), ("zones", cell.zones, BASE_IN_ZONE)):
+        for item in items:
+            depth = item.shape.depth(base)
+            if depth > allowed:
+                found = f"the robot's base {depth:.3f} m inside it"
+                yield Contradiction(f"{key}.{item.name}.shape", found, f"the base outside (at most {allowed} m inside)")
+
+
+def _sensor_contradictions(sensor: Sensor) -> Iterator[Contradiction]:
+    for key in ("noise_std", "resolution"):
+        for value, limit in zip(getattr(sensor, key), sensor.range, strict=True):
+            if value >= 0.1 * limit:
+                yield Contradiction(f"sensor.{key}", f"{value}", f"less than a tenth of sensor.range, {limit}")
+
+
+def _payload_contradictions(key: str, payload: Payload, cell: Cell) -> Iterator[Contradiction]:
+    parameters = payload.parameters
+    if not parameters.consistent:
+        found = f"mass {payload.mass_kg}, first_moment {payload.first_moment_kg_m}, inertia {payload.inertia_kg_m2}"
+        yield Contradiction(f"{key}.inertia_kg_m2", found, "values that a rigid body can have (pseudo-inertia positive definite)")
+        return
+    depth = payload.box.depth(parameters.com)
+    if depth < 0:
+        found = f"a centre of mass at {np.round(parameters.com, 4).tolist()} m, {-depth:.3f} m outside the box"
+        yield Contradiction(f"{key}.box", found, "a box that contains the payload")
+    g = float(np.linalg.norm(cell.gravity))
+    c = parameters.first_moment
+    static = g * np.array([parameters.mass] * 3 + [np.hypot(c[1], c[2]), np.hypot(c[0], c[2]), np.hypot(c[0], c[1])])
+    for axis, load, limit, unit in zip(
+        ("fx", "fy", "fz", "tx", "ty", "tz"), static, cell.sensor.range, ["N"] * 3 + ["N m"] * 3, strict=True
+    ):
+        if load > limit:
+            found = f"{limit} {unit} for {axis}"
+            yield Contradiction("sensor.range", found, f"more than the weight of {key} puts on it, {load:.3g} {unit}")
 
 
 def load_cell(folder: Path) -> Cell:
     """Reads and validates `cell.toml` and the URDF beside it.
 
     Raises:
-        BadCell: cell.toml is malformed or contradicts itself.
-        BadRobot: the URDF is malformed, hostile, or does not fit the cell.
+        BadCell: cell.toml is malformed or contradicts itself or the URDF.
+        BadRobot: the URDF is malformed or hostile.
     """
-    file = Jailed(folder, "cell.toml").path
+    where = str(folder / CELL_FILE)
+    text = read_inside(folder, CELL_FILE, BadCell, max_bytes=MAX_CELL_BYTES)
     try:
-        content = tomllib.loads(file.read_text(encoding="utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise BadCell(str(file), str(error), "TOML in UTF-8") from error
+        content = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise BadCell(where, f"TOML that does not parse ({str(error)[:120]})", "TOML") from error
     try:
         cell = Cell.model_validate({**content, "folder": folder})
     except ValidationError as error:
-        first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"]) or "cell"
-        raise BadCell(f"{file}: {key}", repr(first.get("input"))[:80], first["msg"]) from error
-    Jailed(folder, cell.robot.urdf).path  # noqa: B018  raises when it leads outside
+        raise _sentence(error.errors()[0], where) from error
+    urdf = check_urdf(cell.urdf, str(folder / cell.robot.urdf))
+    check_robot(cell, urdf)
+    urdf.check_bodies(cell.robot.base_frame, cell.robot.sensor_frame)
+    urdf.check_meshes(folder)
     return cell
+
+
+def check_robot(cell: Cell, urdf: Urdf) -> None:
+    """The cell's robot fits its URDF: frames, a value for each joint, home and velocities within the URDF's limits.
+
+    Raises:
+        BadCell: it does not.
+        BadRobot: the joints between the two frames are no chain of hinges with limits.
+    """
+    where = f"{cell.folder / CELL_FILE}: robot"
+    robot = cell.robot
+    for key in ("base_frame", "sensor_frame"):
+        if getattr(robot, key) not in urdf.links:
+            raise BadCell(f"{where}.{key}", repr(getattr(robot, key)), f"a link of {robot.urdf}, {list(urdf.links)}")
+    joints = urdf.hinges(robot.base_frame, robot.sensor_frame)
+    for key in ("home_rad", "acceleration_rad_s2", "velocity_rad_s"):
+        values = getattr(robot, key)
+        if values is not None and len(values) != len(joints):
+            raise BadCell(f"{where}.{key}", f"{len(values)} values", f"{len(joints)}, for {[joint.name for joint in joints]}")
+    for home, joint in zip(robot.home_rad, joints, strict=True):
+        if not joint.lower < home < joint.upper:
+            raise BadCell(f"{where}.home_rad", f"{home} for {joint.name!r}", f"a position in ({joint.lower}, {joint.upper})")
+    for velocity, joint in zip(robot.velocity_rad_s or (), joints, strict=robot.velocity_rad_s is not None):
+        if velocity > joint.velocity:
+            raise BadCell(f"{where}.velocity_rad_s", f"{velocity} for {joint.name!r}", f"at most the URDF's {joint.velocity}")
+
+
+def _sentence(error: ErrorDetails, where: str) -> BadCell:
+    """One of pydantic's errors as one of ours."""
+    key = ".".join(str(part) for part in error["loc"])
+    found, expected = repr(error.get("input"))[:80], error["msg"].removeprefix("Input should be ")
+    if error["type"] == "extra_forbidden":
+        close = difflib.get_close_matches(str(error["loc"][-1]), _keys(), n=1)
+        found, expected = (
+            "an unknown key",
+            f"{close[0]!r}, if that is what was meant" if close else "a key of the format",
+        )
+    elif error["type"] == "missing":
+        found, expected = "no such key", "it"
+    elif error["type"] in ("union_tag_not_found", "union_tag_invalid"):
+        key, expected = f"{key}.kind", "box, sphere or capsule"
+        found = repr(error["input"].get("kind")) if isinstance(error["input"], dict) else found
+    elif error["type"] in ("too_long", "too_short"):
+        expected = error["msg"].removeprefix("Tuple should have ")
+    return BadCell(f"{where}: {key}", found, expected)
+
+
+def _keys() -> list[str]:
+    """Every key of the format."""
+    models = (Cell, Robot, Sensor, Limits, Payload, Obstacle, Zone, Box, Sphere, Capsule, Pose)
+    return sorted({key for model in models for key in model.model_fields} - {"folder"})
+
+
+def list_cells() -> list[Path]:
+    """Folders of the known cells: those in `./cells`, then those that come with the program; a name counts once."""
+    known: dict[str, Path] = {}
+    for place in (Path("cells"), Path(__file__).parent.parent / "cells"):
+        for file in sorted(place.glob(f"*/{CELL_FILE}")):
+            known.setdefault(file.parent.name, file.parent)
+    return sorted(known.values(), key=lambda folder: folder.name)
+
+
+def find_cell(name: str | Path) -> Path:
+    """Folder of a cell, given by its name (see `list_cells`) or by its path.
+
+    Raises:
+        BadCell: there is no such cell.
+    """
+    path = Path(name)
+    if path.name == CELL_FILE and path.is_file():
+        return path.parent
+    if (path / CELL_FILE).is_file():
+        return path
+    known = {folder.name: folder for folder in list_cells()}
+    if str(name) in known:
+        return known[str(name)]
+    close = difflib.get_close_matches(str(name), known, n=1)
+    hint = f"{close[0]!r}, if that is what was meant" if close else f"one of {list(known)}, or a folder with {CELL_FILE}"
+    raise BadCell("cell", repr(str(name)), hint)

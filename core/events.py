@@ -1,1 +1,87 @@
-"""What happens during a run, one frozen model per event. The command line prints them, the server will store and broadcast them."""
+"""What happens during a run, one frozen model per event. The command line prints them; a server can store and broadcast them."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict
+
+
+class Event(BaseModel):
+    """Something that happened; `kind` tells which."""
+
+    model_config = ConfigDict(frozen=True)
+
+
+class StartConfigurationFound(Event):
+    """Algorithm 6 found where a pose or a rotation starts."""
+
+    kind: Literal["start_configuration_found"] = "start_configuration_found"
+    axis: str
+    clearance_m: float
+    nearest: str
+    manipulability: float
+    candidates: int
+
+
+class TransferPlanned(Event):
+    """A collision-free, timed path to a start configuration was found."""
+
+    kind: Literal["transfer_planned"] = "transfer_planned"
+    axis: str
+    robot_s: float
+    least_margin_m: float
+
+
+class Planned(Event):
+    """The whole procedure is planned; nothing has moved yet."""
+
+    kind: Literal["planned"] = "planned"
+    robot_s: float
+    plan_s: float
+    least_margin_m: float
+
+
+class PhaseStarted(Event):
+    """The robot begins a step of the plan."""
+
+    kind: Literal["phase_started"] = "phase_started"
+    phase: str
+    toward: str
+    step: int
+    steps: int
+
+
+class Progress(Event):
+    """Some more samples were taken; `estimate_phi` is the paper's estimate so far, None where nothing is known yet."""
+
+    kind: Literal["progress"] = "progress"
+    phase: str
+    done_s: float
+    total_s: float
+    estimate_phi: tuple[float | None, ...] | None = None
+
+
+class RobotStopped(Event):
+    """The guard stopped the robot; the procedure goes on from a new start configuration unless `final`."""
+
+    kind: Literal["robot_stopped"] = "robot_stopped"
+    error: str
+    message: str
+    restart: int
+    final: bool
+
+
+class RecordingWritten(Event):
+    """The samples are on disk; also after an interruption."""
+
+    kind: Literal["recording_written"] = "recording_written"
+    folder: str
+    samples: int
+
+
+class Finished(Event):
+    """The end of a run that came through."""
+
+    kind: Literal["finished"] = "finished"
+    verdict: str

@@ -12,9 +12,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.cell import Cell
+from core.cell import Cell, check_robot
 from core.chain import Chain, forward, forward_many, jacobian
-from core.errors import BadCell, BadRobot
+from core.errors import BadRobot
 from core.recording import RobotDescription
 from core.urdf import check_urdf
 
@@ -49,26 +49,22 @@ class RobotModel:
         base_position: Array | None = None,
         where: str = "robot.urdf",
     ) -> None:
-        check_urdf(description.urdf, where)
+        chain = check_urdf(description.urdf, where).chain(description.base_frame, description.sensor_frame)
+        if description.joints != chain:
+            raise BadRobot(f"{where}: joints", str(list(description.joints)), f"the chain's joints in its order, {list(chain)}")
         self.description = description
-        full = pin.buildModelFromXML(description.urdf)
-        missing = [name for name in description.joints if not full.existJointName(name)]
-        if missing:
-            raise BadRobot(f"{where}: joint", repr(missing[0]), f"one of {list(full.names)[1:]}")
-        for frame in (description.base_frame, description.sensor_frame):
-            if not full.existFrame(frame):
-                raise BadRobot(f"{where}: frame", repr(frame), "a link of the URDF")
+        try:
+            full = pin.buildModelFromXML(description.urdf)
+        except (ValueError, RuntimeError) as error:
+            raise BadRobot(where, f"a URDF that Pinocchio does not take ({error})", "a robot") from error
         others = [full.getJointId(name) for name in full.names[1:] if name not in description.joints]
         model = pin.buildReducedModel(full, others, pin.neutral(full))
-        if list(model.names)[1:] != list(description.joints):
-            raise BadRobot(f"{where}: joints", str(list(description.joints)), f"the chain's order {list(model.names)[1:]}")
-        if model.nq != len(description.joints):
-            raise BadRobot(f"{where}: joints", "a joint that is not a hinge with limits", "revolute joints")
         data = model.createData()
         pin.framesForwardKinematics(model, data, pin.neutral(model))
         urdf_to_base = data.oMf[model.getFrameId(description.base_frame)].inverse()
         world = pin.SE3(
-            np.eye(3) if base_rotation is None else base_rotation, np.zeros(3) if base_position is None else base_position
+            np.eye(3) if base_rotation is None else base_rotation,
+            np.zeros(3) if base_position is None else base_position,
         )
         self.root = world * urdf_to_base
         """Placement of the URDF's root link in the world."""
@@ -92,17 +88,12 @@ class RobotModel:
             BadCell, BadRobot.
         """
         where = str(cell.folder / cell.robot.urdf)
-        joints = check_urdf(cell.urdf, where).chain(cell.robot.base_frame, cell.robot.sensor_frame)
+        urdf = check_urdf(cell.urdf, where)
+        check_robot(cell, urdf)
+        joints = urdf.chain(cell.robot.base_frame, cell.robot.sensor_frame)
         description = RobotDescription(cell.urdf, joints, cell.robot.base_frame, cell.robot.sensor_frame)
-        robot = cls(description, base_rotation=cell.robot.base.rotation, base_position=cell.robot.base.translation, where=where)
-        for key in ("home_rad", "acceleration_rad_s2", "velocity_rad_s"):
-            values = getattr(cell.robot, key)
-            if values is not None and len(values) != robot.n:
-                raise BadCell(f"{cell.folder}/cell.toml: robot.{key}", f"{len(values)} values", f"one for each of {joints}")
-        home = np.array(cell.robot.home_rad)
-        if ((home <= robot.lower) | (home >= robot.upper)).any():
-            raise BadCell(f"{cell.folder}/cell.toml: robot.home_rad", str(cell.robot.home_rad), "a position within the joint limits")
-        return robot
+        base = cell.robot.base
+        return cls(description, base_rotation=base.rotation, base_position=base.translation, where=where)
 
     @property
     def n(self) -> int:

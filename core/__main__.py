@@ -1,0 +1,5 @@
+"""`python -m core` is `heft`."""
+
+from core.command_line import main
+
+main()

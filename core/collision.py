@@ -1,0 +1,392 @@
+"""Distances of the robot and the payload box to obstacles, protected zones and themselves: Coal through Pinocchio.
+
+Meshes are replaced by their convex hulls. Every pair has a required distance: the cell's clearance to obstacles and
+zones, its self-clearance between links. A *margin* is a distance minus what is required; margins are signed, negative
+where a pair is too close.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import inf
+from typing import Any
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from core.cell import BASE_IN_OBSTACLE, Box, Capsule, Cell, Obstacle, Pose, Shape, Sphere, Zone
+from core.errors import BadCell
+from core.robot import RobotModel
+
+Array = NDArray[np.float64]
+
+PAYLOAD = "payload"
+CONTACT_M = 0.001  # links that provably stay this far apart cannot touch
+MOST_DIVISIONS = 20_000  # of the joints' ranges in such a proof; a pair that needs more is kept
+
+
+@dataclass(frozen=True)
+class Nearest:
+    """The nearest pair of bodies.
+
+    Args:
+        distance_m: signed distance, negative when they penetrate; infinite when there is no pair.
+        required_m: what the cell requires between them.
+        first: link name, or "payload".
+        second: name of the obstacle, the protected zone or the other link.
+        point_first, point_second: (3,), the nearest points, world frame, m.
+    """
+
+    distance_m: float
+    required_m: float
+    first: str
+    second: str
+    point_first: Array
+    point_second: Array
+
+    @property
+    def margin_m(self) -> float:
+        """Distance minus what is required."""
+        return self.distance_m - self.required_m
+
+
+@dataclass(frozen=True)
+class SpeedPoints:
+    """Corners of the box round every moving link and of the payload box.
+
+    The speed of a rigid body is a convex function of the point: no point of the body is faster than the fastest corner.
+
+    Args:
+        joint: (n_points,), index of the joint that carries the point, 0 for the first joint of the chain.
+        local: (n_points, 3), in that joint's frame, m.
+        owner: name of the link, or "payload", of each point.
+    """
+
+    joint: NDArray[np.int64]
+    local: Array
+    owner: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid convex body.
+
+    Args:
+        name: of the link, the obstacle or the zone, or "payload".
+        joint: number of the joint that carries it as Pinocchio counts, 0 for what does not move.
+        geometry: Coal's shape.
+        placement: in that joint's frame, or in the world.
+    """
+
+    name: str
+    joint: int
+    geometry: Any
+    placement: Any
+
+    @property
+    def corners(self) -> Array:
+        """(8, 3), corners of the box round the body, in the joint's frame or the world, m."""
+        self.geometry.computeLocalAABB()
+        ends = np.array([self.geometry.aabb_local.min_, self.geometry.aabb_local.max_])
+        corners = np.stack(np.meshgrid(*ends.T), axis=-1).reshape(-1, 3)
+        return np.asarray(corners @ self.placement.rotation.T + self.placement.translation)
+
+
+class CollisionModel:
+    """Distances of one robot with one payload box in one cell.
+
+    Pairs are the moving links and the payload box against all obstacles and zones, and links (with the base) that have
+    at least two joints between them. Left out are pairs that can never matter and would hide what the others do: a link
+    that only the first joint moves with an obstacle that it clears at every angle of that joint (`move` looks at those
+    pairs again), and links with two joints between them that cannot touch at any angles of the two, or that are closer
+    than the self-clearance at home already: bodies of one wrist whose simplified shapes overlap.
+
+    Args:
+        cell: obstacles, zones and clearances.
+        robot: the kinematics of the same cell.
+        payload_box: in the sensor frame.
+
+    Raises:
+        BadCell: something stands where the robot's base is, or the home configuration is too close to something.
+    """
+
+    def __init__(self, cell: Cell, robot: RobotModel, payload_box: Box) -> None:
+        self.cell = cell
+        self.robot = robot
+        self.payload_box = payload_box
+        bodies = [*_links(cell, robot), _payload(robot, payload_box)]
+        things = [_thing(item.name, item.shape) for item in _standing(cell)]
+        self.points = _speed_points(bodies)
+        self.reach = _reach(robot, self.points)
+        """(n,), the largest distance from axis i of any point behind joint i over all configurations, m."""
+        self._environment = _Pairs(robot, cell.limits.clearance_m, [(body, thing) for body in bodies if body.joint > 0 for thing in things])
+        links = [(a, b) for a in bodies for b in bodies if a.joint - b.joint >= 2]
+        self._self = _Pairs(robot, cell.limits.self_clearance_m, [pair for pair in links if _can_collide(cell, robot, pair)])
+        for thing in things:
+            self._choose_pairs(thing.name)
+        _check_base(cell, bodies, things)
+        _check_home(cell, self)
+
+    @property
+    def pairs(self) -> tuple[list[tuple[Body, Body]], list[tuple[Body, Body]]]:
+        """The pairs that are watched: against obstacles and zones, and between links."""
+        return self._environment.active, self._self.active
+
+    def nearest(self, q: Array) -> Nearest:
+        """The pair with the smallest margin at q (n,)."""
+        return min(self._environment.nearest(q), self._self.nearest(q), key=lambda pair: pair.margin_m)
+
+    def margin(self, q: Array) -> float:
+        """Smallest distance minus required distance over all pairs at q (n,), m; negative if q is not finite."""
+        return min(self._environment.margin(q), self._self.margin(q))
+
+    def is_free(self, q: Array, extra_m: float = 0.0) -> bool:
+        """Whether every margin at q (n,) exceeds `extra_m`; cheaper than `margin`."""
+        return self._environment.is_free(q, extra_m) and self._self.is_free(q, extra_m)
+
+    def obstacle_distance(self, q: Array) -> Nearest:
+        """The smallest distance to obstacles and protected zones at q (n,); infinite when the cell has none."""
+        return self._environment.nearest(q)
+
+    def obstacle_margin(self, q: Array) -> float:
+        """Smallest margin to obstacles and zones at q (n,), m; infinite when the cell has none."""
+        return self._environment.margin(q)
+
+    def self_margin(self, q: Array) -> float:
+        """Smallest margin between links at q (n,), m."""
+        return self._self.margin(q)
+
+    def motion_bound(self, q_a: Array, q_b: Array) -> float:
+        """Upper bound of how far any point moves on the straight line between two configurations, m.
+
+        The sum over the joints of |dq_i| times `reach` i. No margin changes by more than this between q_a and q_b, also
+        none between two links.
+        """
+        return float(np.abs(np.subtract(q_b, q_a)) @ self.reach)
+
+    def move(self, name: str, pose: Pose) -> None:
+        """Moves an obstacle or a zone (a live position); world frame.
+
+        Raises:
+            BadCell: there is no obstacle or zone of that name.
+        """
+        names = [item.name for item in _standing(self.cell)]
+        if name not in names:
+            raise BadCell(f"{self.cell.folder}/cell.toml: obstacles and zones", repr(name), f"one of {names}")
+        self._environment.move(name, pin.SE3(pose.rotation, pose.translation))
+        self._choose_pairs(name)
+
+    def _choose_pairs(self, name: str) -> None:
+        """Leaves out, or takes back, the pairs of `name` with links that only the first joint moves."""
+        for k, (body, thing) in enumerate(self._environment.bodies):
+            if thing.name == name and body.joint == 1:
+                there = replace(thing, placement=self._environment.placement(name))
+                self._environment.use(k, not _keeps(self.robot, (body, there), self.cell.limits.clearance_m))
+
+
+class _Pairs:
+    """Pairs that share one required distance, so that a single call returns the one that matters."""
+
+    def __init__(self, robot: RobotModel, required_m: float, bodies: list[tuple[Body, Body]]) -> None:
+        self.required_m = required_m
+        self.bodies = bodies
+        self._model, self._data = robot.model, robot.model.createData()
+        self._geometry = pin.GeometryModel()
+        self._ids: dict[str, int] = {}
+        for pair in bodies:
+            self._geometry.addCollisionPair(pin.CollisionPair(*[self._add(body) for body in pair]))
+        self._results = self._geometry.createData()
+        self._any = bool(bodies)
+        self._extra_m = -inf
+
+    def _add(self, body: Body) -> int:
+        """Index of the geometry object of a body, which is added when it is new."""
+        key = f"{body.joint} {body.name} {id(body)}"
+        if key not in self._ids:
+            shape = pin.GeometryObject(key, body.joint, body.placement, body.geometry)
+            self._ids[key] = self._geometry.addGeometryObject(shape)
+        return self._ids[key]
+
+    def _nearest_pair(self, q: Array) -> int:
+        return int(pin.computeDistances(self._model, self._data, self._geometry, self._results, q))
+
+    def margin(self, q: Array) -> float:
+        if not self._any:
+            return inf
+        return float(self._results.distanceResults[self._nearest_pair(q)].min_distance) - self.required_m
+
+    def nearest(self, q: Array) -> Nearest:
+        if not self._any:
+            return Nearest(inf, self.required_m, "robot", "nothing", np.full(3, np.nan), np.full(3, np.nan))
+        k = self._nearest_pair(q)
+        result = self._results.distanceResults[k]
+        first, second = self.bodies[k]
+        points = np.array(result.getNearestPoint1()), np.array(result.getNearestPoint2())
+        return Nearest(float(result.min_distance), self.required_m, first.name, second.name, *points)
+
+    def is_free(self, q: Array, extra_m: float) -> bool:
+        if not self._any:
+            return True
+        if extra_m != self._extra_m:
+            for request in self._results.collisionRequests:
+                request.security_margin = self.required_m + extra_m
+            self._extra_m = extra_m
+        return not pin.computeCollisions(self._model, self._data, self._geometry, self._results, q, True)
+
+    def use(self, k: int, wanted: bool) -> None:
+        """Takes pair k into the computation or leaves it out."""
+        (self._results.activateCollisionPair if wanted else self._results.deactivateCollisionPair)(k)
+        self._any = any(self._results.activeCollisionPairs)
+
+    @property
+    def active(self) -> list[tuple[Body, Body]]:
+        """The pairs that are taken into the computation."""
+        return [pair for pair, active in zip(self.bodies, self._results.activeCollisionPairs, strict=True) if active]
+
+    def _object(self, name: str) -> Any:
+        """Geometry object of a fixed body."""
+        thing = next(second for _, second in self.bodies if second.name == name)
+        return self._geometry.geometryObjects[self._add(thing)]
+
+    def placement(self, name: str) -> Any:
+        return self._object(name).placement
+
+    def move(self, name: str, placement: Any) -> None:
+        self._object(name).placement = placement
+
+
+def _links(cell: Cell, robot: RobotModel) -> list[Body]:
+    """The collision bodies of the URDF; those of the base are in the world frame, as the model's frames are."""
+    geometry = pin.buildGeomFromUrdfString(robot.model, cell.urdf, pin.GeometryType.COLLISION, None, str(cell.folder))
+    return [
+        Body(robot.model.frames[body.parentFrame].name, body.parentJoint, _convex(body.geometry), body.placement)
+        for body in geometry.geometryObjects
+    ]
+
+
+def _convex(geometry: Any) -> Any:
+    """The convex hull of a mesh; other shapes as they are."""
+    if not isinstance(geometry, coal.BVHModelBase):
+        return geometry
+    geometry.buildConvexHull(True, "Qt")
+    return geometry.convex
+
+
+def _payload(robot: RobotModel, box: Box) -> Body:
+    placement = robot.model.frames[robot.sensor_frame_id].placement * pin.SE3(box.pose.rotation, box.pose.translation)
+    return Body(PAYLOAD, robot.n, coal.Box(*box.size_m), placement)
+
+
+def _standing(cell: Cell) -> list[Obstacle | Zone]:
+    """Everything that the robot must keep away from."""
+    return [*cell.obstacles, *cell.zones]
+
+
+def _thing(name: str, shape: Shape) -> Body:
+    """An obstacle or a zone."""
+    return Body(name, 0, _coal(shape), pin.SE3(shape.pose.rotation, shape.pose.translation))
+
+
+def _coal(shape: Shape) -> Any:
+    match shape:
+        case Box():
+            return coal.Box(*shape.size_m)
+        case Sphere():
+            return coal.Sphere(shape.radius_m)
+        case Capsule():
+            return coal.Capsule(shape.radius_m, shape.length_m)
+
+
+def _speed_points(bodies: list[Body]) -> SpeedPoints:
+    moving = [body for body in bodies if body.joint > 0]
+    return SpeedPoints(
+        joint=np.repeat([body.joint - 1 for body in moving], 8),
+        local=np.concatenate([body.corners for body in moving]),
+        owner=tuple(body.name for body in moving for _ in range(8)),
+    )
+
+
+def _reach(robot: RobotModel, points: SpeedPoints) -> Array:
+    """Largest distance of any point behind joint i from its axis, over all configurations.
+
+    Behind joint i the chain may be stretched in any direction: a point of a farther body is at most the length of the
+    links between away from the origin of joint i + 1, which itself turns about axis i at a fixed distance.
+    """
+    placements, axes = robot.chain.placements, robot.chain.axes
+    reach = np.zeros(robot.n)
+    length = 0.0  # of the longest way from the origin of joint i + 1 to a point behind it
+    for i in reversed(range(robot.n)):
+        own = points.local[points.joint == i]
+        following = placements[i + 1, :3, 3]
+        reach[i] = max([np.linalg.norm(np.cross(axes[i], following)) + length, *np.linalg.norm(np.cross(axes[i], own), axis=1)])
+        length = max([np.linalg.norm(following) + length, *np.linalg.norm(own, axis=1)])
+    return reach
+
+
+def _can_collide(cell: Cell, robot: RobotModel, pair: tuple[Body, Body]) -> bool:
+    """Whether two links need watching; see `CollisionModel`."""
+    first, second = pair
+    if first.joint - second.joint > 2:
+        return True
+    at_home = _Pairs(robot, cell.limits.self_clearance_m, [pair]).margin(np.array(cell.robot.home_rad))
+    return at_home >= 0.0 and not _keeps(robot, pair, CONTACT_M)
+
+
+def _keeps(robot: RobotModel, pair: tuple[Body, Body], required_m: float) -> bool:
+    """Whether two bodies keep a distance at all angles of the joints between them, proven by dividing their ranges.
+
+    Within a box of angles no distance is smaller than the one at its centre minus the largest motion from there.
+    """
+    first, second = pair
+    between = np.arange(second.joint, first.joint)
+    reach = _reach(robot, _speed_points([first]))[between]
+    low = robot.lower[between]
+    margin = _Pairs(robot, required_m, [pair]).margin
+    q = pin.neutral(robot.model)
+    boxes = [(low, np.minimum(robot.upper[between], low + 2.0 * np.pi))]
+    for _ in range(MOST_DIVISIONS):
+        if not boxes:
+            return True
+        low, high = boxes.pop()
+        q[between] = middle = 0.5 * (low + high)
+        least = margin(q)
+        widths = (high - low) * reach
+        if least < 0.0:
+            return False
+        if least < 0.5 * widths.sum():
+            k = int(np.argmax(widths))
+            for part in (np.array([low[k], middle[k]]), np.array([middle[k], high[k]])):
+                ends = np.array([low, high])
+                ends[:, k] = part
+                boxes.append((ends[0], ends[1]))
+    return False
+
+
+def _distance(first: Any, first_placement: Any, second: Any, second_placement: Any) -> float:
+    """Signed distance of two shapes, m."""
+    transforms = [coal.Transform3s(T.rotation, T.translation) for T in (first_placement, second_placement)]
+    return float(coal.distance(first, transforms[0], second, transforms[1], coal.DistanceRequest(), coal.DistanceResult()))
+
+
+def _check_base(cell: Cell, bodies: list[Body], things: list[Body]) -> None:
+    for base in (body for body in bodies if body.joint == 0):
+        for thing in things:
+            distance = _distance(base.geometry, base.placement, thing.geometry, thing.placement)
+            if distance < -BASE_IN_OBSTACLE:
+                raise BadCell(
+                    f"{cell.folder}/cell.toml: {thing.name}",
+                    f"{base.name!r} of the robot {-distance:.3f} m inside it",
+                    f"the robot's base outside (at most {BASE_IN_OBSTACLE} m sunk into what it is mounted on)",
+                )
+
+
+def _check_home(cell: Cell, collision: CollisionModel) -> None:
+    nearest = collision.nearest(np.array(cell.robot.home_rad))
+    if nearest.margin_m < 0.0:
+        raise BadCell(
+            f"{cell.folder}/cell.toml: robot.home_rad",
+            f"{nearest.first!r} {nearest.distance_m:.3f} m from {nearest.second!r}",
+            f"at least {nearest.required_m:.3f} m at home",
+        )

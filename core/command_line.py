@@ -1,0 +1,173 @@
+"""The command line: `heft run`, `heft identify`, `heft plan`, `heft cells`.
+
+Answers go to standard output, progress and errors to standard error; in a pipe there is no progress. Exit codes: 0 done, 2 bad input,
+3 refused by planning, 4 stopped by the guard, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+import time
+from contextlib import nullcontext
+from datetime import UTC, datetime
+from pathlib import Path
+from types import FrameType
+from typing import Annotated
+
+import numpy as np
+import typer
+from rich.console import Console
+
+from core.cell import Cell, Payload, find_cell, list_cells, load_cell
+from core.collision import CollisionModel
+from core.errors import BadInput, BadPayload, HeftError
+from core.estimation.identification import identify_recording
+from core.plan import plan_procedure, plan_summary
+from core.procedure import identify
+from core.progress import watch
+from core.recording_folder import read_recording
+from core.report.page import write_report
+from core.result import Result, SecondsPart, result_of
+from core.robot import RobotModel
+from core.sessions.pace import AsFastAsPossible, RealTime
+from core.sessions.simulated import SimulatedSession
+from core.tables import cells_table, parameters_table, plan_table
+
+app = typer.Typer(
+    name="heft",
+    help="Finds out what a robot carries, safely, with people around. Not a safety function.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+answers = Console()
+messages = Console(stderr=True)
+
+CellArgument = Annotated[str, typer.Argument(metavar="CELL", help="A cell's name (see `heft cells`) or the path of its folder.")]
+JsonOption = Annotated[str | None, typer.Option("--json", metavar="FILE", help="Write the answer as JSON; `-` for standard output.")]
+SeedOption = Annotated[int, typer.Option(min=0, help="Makes planning and the simulated noise repeatable.")]
+PayloadOption = Annotated[str | None, typer.Option(metavar="NAME", help="A payload that the cell knows. [default: its first]")]
+
+
+@app.command()
+def run(
+    cell: CellArgument,
+    payload: PayloadOption = None,
+    seed: SeedOption = 0,
+    out: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder to make for recording and report.")] = None,
+    json: JsonOption = None,
+    real_time: Annotated[bool, typer.Option("--real-time", help="Move at the speed of a real robot, to watch it.")] = False,
+) -> None:
+    """Plan and run the procedure on the simulated robot, identify the payload, write recording and report."""
+    loaded = load_cell(find_cell(cell))
+    name, carried = _payload(loaded, payload)
+    folder = out or Path("recordings") / f"{loaded.name}-{name}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
+    _check_new(folder, json)
+    pace = RealTime() if real_time else AsFastAsPossible()
+    session = SimulatedSession(loaded, carried.parameters, seed=seed, pace=pace)
+    outcome = watch(identify(loaded, session, carried.box, payload=name, reference=carried, seed=seed, out=folder), messages)
+    page = folder / "report.html"
+    write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
+    _answer(outcome.result(folder), json)
+    if json != "-":
+        answers.print(f"Report: {page}", soft_wrap=True, highlight=False)
+
+
+@app.command("identify")
+def identify_command(
+    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
+    json: JsonOption = None,
+    report: Annotated[Path | None, typer.Option(metavar="FILE", help="Also write the HTML report.")] = None,
+) -> None:
+    """Identify the payload from a recording, of this program or from elsewhere. The recording is only read."""
+    _check_new(report, json)
+    loaded = read_recording(recording)
+    began = time.perf_counter()
+    with messages.status("estimating") if messages.is_terminal else nullcontext():
+        identification = identify_recording(loaded)
+    seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
+    if report is not None:
+        write_report(report, recording=loaded, identification=identification)
+    _answer(result_of(identification, loaded, seconds=seconds, folder=recording), json)
+
+
+@app.command()
+def plan(cell: CellArgument, payload: PayloadOption = None, seed: SeedOption = 0, json: JsonOption = None) -> None:
+    """Plan the procedure and show start configurations, distances and times. Nothing moves."""
+    loaded = load_cell(find_cell(cell))
+    box = loaded.payload_box if payload is None else _payload(loaded, payload)[1].box
+    _check_new(None, json)
+    robot = RobotModel.of_cell(loaded)
+    collision = CollisionModel(loaded, robot, box)
+    home = np.array(loaded.robot.home_rad)
+    found = watch(plan_procedure(loaded, robot, collision, box, start=home, seed=seed), messages)
+    if json is not None:
+        _write_json(plan_summary(loaded, found).model_dump_json(indent=2), json)
+    if json != "-":
+        answers.print(plan_table(found))
+        answers.print(f"Robot time {found.robot_s:.0f} s, planned in {found.plan_s:.1f} s.", highlight=False)
+
+
+@app.command()
+def cells() -> None:
+    """List the cells at hand."""
+    answers.print(cells_table([load_cell(folder) for folder in list_cells()]))
+
+
+def _payload(cell: Cell, name: str | None) -> tuple[str, Payload]:
+    """The payload that the simulated robot is to carry."""
+    chosen = name or next(iter(cell.payloads), "none")
+    if chosen not in cell.payloads:
+        raise BadPayload(f"{cell.folder / 'cell.toml'}: payloads", repr(chosen), f"one of {', '.join(cell.payloads) or 'none'}")
+    return chosen, cell.payloads[chosen]
+
+
+def _check_new(target: Path | None, json: str | None) -> None:
+    """Before anything long begins: what is to be written can be written, and overwrites nothing but a JSON file."""
+    if target is not None and target.exists():
+        raise BadInput(str(target), "something that exists already", "a new name")
+    if json is not None and json != "-" and not Path(json).absolute().parent.is_dir():
+        raise BadInput(json, "a folder that does not exist", "a file in an existing folder")
+
+
+def _answer(result: Result, json: str | None) -> None:
+    if json is not None:
+        _write_json(result.model_dump_json(indent=2), json)
+    if json == "-":
+        return
+    answers.print(parameters_table(result))
+    for reason in () if result.estimate is None else result.estimate.reasons.items():
+        answers.print(f"{reason[0]}: {reason[1]}", highlight=False)
+    for warning in result.warnings:
+        answers.print(f"Warning: {warning}", highlight=False)
+    answers.print(result.verdict, highlight=False)
+
+
+def _write_json(text: str, target: str) -> None:
+    """To standard output, or to a file that appears only when it is whole."""
+    if target == "-":
+        sys.stdout.write(text + "\n")
+        return
+    file = Path(target)
+    part = file.with_name(file.name + ".part")
+    part.write_text(text + "\n", encoding="utf-8")
+    part.replace(file)
+
+
+def _terminate(_signal: int, _frame: FrameType | None) -> None:
+    """SIGTERM stops the robot in the same way as Ctrl-C."""
+    raise KeyboardInterrupt
+
+
+def main() -> None:
+    """Entry point: runs a command and turns errors into one sentence and an exit code."""
+    signal.signal(signal.SIGTERM, _terminate)
+    try:
+        app()
+    except HeftError as error:
+        messages.print(f"heft: {error}", highlight=False, markup=False, soft_wrap=True)
+        sys.exit(error.exit_code)
+    except KeyboardInterrupt:
+        messages.print("heft: interrupted; nothing was moving.", highlight=False)
+        sys.exit(130)

@@ -1,0 +1,84 @@
+"""What the robot does in one phase: a mover gives the next commanded joint positions, one control period at a time."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.errors import BadState
+from core.sessions.session import RobotState
+from core.trajectory import JointTrajectory
+
+Array = NDArray[np.float64]
+
+START_TOLERANCE = 1e-3
+"""How far from the robot's commanded position a trajectory may start, rad."""
+
+
+class Mover(ABC):
+    """One motion, used once, from standstill to standstill."""
+
+    period: float
+    """Control period it was made for, s."""
+
+    @abstractmethod
+    def next(self, state: RobotState) -> Array | None:
+        """Joint positions (n,) to be reached by the next period, rad; None when the motion has ended."""
+
+
+class Playback(Mover):
+    """Follows a trajectory sample by sample.
+
+    Args:
+        trajectory: at the session's period, starting where the robot stands.
+    """
+
+    def __init__(self, trajectory: JointTrajectory) -> None:
+        self.period = trajectory.period
+        self._q = trajectory.q
+        self._k = 0
+
+    def next(self, state: RobotState) -> Array | None:
+        """See `Mover.next`.
+
+        Raises:
+            BadState: the trajectory does not start where the robot stands.
+        """
+        if self._k == 0:
+            self._check_start(state)
+        self._k += 1
+        return self._q[self._k] if self._k < len(self._q) else None
+
+    def _check_start(self, state: RobotState) -> None:
+        away = np.abs(self._q[0] - state.q_cmd)
+        j = int(np.argmax(away))
+        if not away[j] <= START_TOLERANCE:
+            raise BadState(
+                f"joint {j + 1} stands {away[j]:.4f} rad from where the trajectory starts (limit {START_TOLERANCE} rad); "
+                "the robot has not followed it. Plan again from where the robot stands.",
+                value=float(away[j]),
+                limit=START_TOLERANCE,
+            )
+
+
+class StandStill(Mover):
+    """Holds the commanded position.
+
+    Args:
+        duration: s.
+        period: control period, s.
+    """
+
+    def __init__(self, duration: float, period: float) -> None:
+        self.period = period
+        self._left = round(duration / period)
+        self._q: Array | None = None
+
+    def next(self, state: RobotState) -> Array | None:
+        """See `Mover.next`."""
+        if self._q is None:
+            self._q = state.q_cmd.copy()
+        self._left -= 1
+        return self._q if self._left >= 0 else None

@@ -1,0 +1,127 @@
+"""The decoupling motion as the robot performs it: a rotation about a sensor axis through the sensor origin, by SNS."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.chain import forward
+from core.collision import SpeedPoints
+from core.control.bounds import JointLimits
+from core.control.movers import Mover
+from core.control.rotation_step import _rotation_step
+from core.errors import OutOfLimits
+from core.robot import RobotModel
+from core.sessions.session import RobotState
+from core.trajectory import AngularProfile
+
+Array = NDArray[np.float64]
+
+SPEED_SHARE = 0.97
+"""Of the Cartesian limit that a rotation may command."""
+
+STALLED = 0.5
+"""A rotation is given up when it has not got on for this long, s."""
+
+AT_REST = 1e-4
+"""Joint speed at which the end of a rotation counts as standstill, rad/s."""
+
+
+class Rotation(Mover):
+    """Rotates the sensor about one of its axes along a profile while the sensor origin stays where it is.
+
+    The six-dimensional task is the profile's rate plus a correction of the pose error of the *commanded* configuration,
+    so that integration does not drift and no measurement noise gets into the command. Where SNS scales the task, or a
+    point of the robot would exceed the Cartesian limit, time along the profile passes more slowly.
+
+    Args:
+        robot: kinematics.
+        points: of the robot and the payload box, whose speed is limited.
+        limits: of the joints.
+        cartesian_speed: limit for all points, m/s.
+        profile: angle and rate, at the control period.
+        axis: of the sensor, 0, 1, 2.
+    """
+
+    def __init__(
+        self,
+        robot: RobotModel,
+        points: SpeedPoints,
+        limits: JointLimits,
+        *,
+        cartesian_speed: float,
+        profile: AngularProfile,
+        axis: int,
+    ) -> None:
+        self.period = profile.period
+        self.profile = profile
+        self.axis = axis
+        self.scaled = 0
+        """Number of periods in which the task was scaled."""
+        self._robot = robot
+        self._limits = limits
+        self._fixed = (*limits, points.joint, points.local, SPEED_SHARE * cartesian_speed, self.period)
+        self._q: Array | None = None
+        self._dq = np.zeros(robot.n)
+        self._start = np.empty((4, 4))
+        self._elapsed = 0.0  # in periods of the profile
+        self._stalled = 0.0  # s
+        self._warm_up()
+
+    def _warm_up(self) -> None:
+        """Compiles the step, or loads it, before anything moves."""
+        home = np.zeros(self._robot.n)
+        T = forward(self._robot.chain, home)
+        _rotation_step(*self._robot.chain, home, self._dq, self.axis, T, 0.0, 0.0, *self._fixed, np.empty(len(home)))
+
+    @property
+    def progress(self) -> float:
+        """Share of the profile that has been done."""
+        return min(1.0, self._elapsed / (len(self.profile.angle) - 1))
+
+    def next(self, state: RobotState) -> Array | None:
+        """See `Mover.next`.
+
+        Raises:
+            OutOfLimits: the limits leave no way to go on with the rotation.
+        """
+        if self._q is None:
+            self._q = state.q_cmd.copy()
+            self._start = forward(self._robot.chain, self._q)
+        angle, rate = self._task()
+        if rate == 0.0 and self.progress >= 1.0 and np.abs(self._dq).max() < AT_REST:
+            return None
+        dq = np.empty(len(self._q))
+        chain = self._robot.chain
+        s = _rotation_step(*chain, self._q, self._dq, self.axis, self._start, angle, rate, *self._fixed, dq)
+        self._q = self._q + self.period * dq
+        self._dq = dq
+        self._elapsed += s
+        self.scaled += s < 1.0
+        self._watch(s, self._q)
+        return self._q
+
+    def _task(self) -> tuple[float, float]:
+        """Angle of the profile now, and the mean rate over the next period."""
+        last = len(self.profile.angle) - 1
+        angle, k = self.profile.angle, int(self._elapsed)
+        if k >= last:
+            return float(angle[last]), 0.0
+        share = self._elapsed - k
+        now = angle[k] + share * (angle[k + 1] - angle[k])
+        after = angle[k + 1] if k + 2 > last else angle[k + 1] + share * (angle[k + 2] - angle[k + 1])
+        return float(now), float(after - now) / self.period
+
+    def _watch(self, s: float, q: Array) -> None:
+        """Gives up where nothing moves any more."""
+        self._stalled = self._stalled + self.period if s < 1e-3 else 0.0
+        if self._stalled > STALLED:
+            room = np.minimum(q - self._limits.lower, self._limits.upper - q)
+            j = int(np.argmin(room))
+            raise OutOfLimits(
+                f"the rotation about sensor axis {'xyz'[self.axis]} stands still at {100 * self.progress:.0f} % of its profile: joint "
+                f"{self._robot.description.joints[j]} is {room[j]:.3f} rad from its limit, or the arm is singular; the robot was "
+                "stopped. Choose another start configuration.",
+                value=float(room[j]),
+                limit=0.0,
+            )

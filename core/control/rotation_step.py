@@ -1,0 +1,70 @@
+"""One period of a rotation about a sensor axis through the sensor origin, compiled."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from core.chain import _forward, _jacobian
+from core.control.sns_kernel import _sns_step
+from core.control.speed import _fastest_point
+
+Array = NDArray[np.float64]
+
+GAIN = 100.0
+"""Of the pose error, 1/s. Integrating velocities leaves some 0.1 um of error per period; this keeps the sum near 1 um."""
+
+
+@njit(cache=True)
+def _pose_error(R: Array, p: Array, R_d: Array, p_d: Array, error: Array) -> None:
+    """Fills error (6,): position, then rotation vector (small angles), from the pose to the wanted one, in axes of R."""
+    for r in range(3):
+        error[r] = R[0, r] * (p_d[0] - p[0]) + R[1, r] * (p_d[1] - p[1]) + R[2, r] * (p_d[2] - p[2])
+    E = R.T @ R_d
+    error[3], error[4], error[5] = 0.5 * (E[2, 1] - E[1, 2]), 0.5 * (E[0, 2] - E[2, 0]), 0.5 * (E[1, 0] - E[0, 1])
+
+
+@njit(cache=True)
+def _rotation_step(
+    placements: Array,
+    axes: Array,
+    q: Array,
+    dq: Array,
+    axis: int,
+    start: Array,
+    angle: float,
+    rate: float,
+    lower: Array,
+    upper: Array,
+    velocity: Array,
+    acceleration: Array,
+    joint: NDArray[np.int64],
+    local: Array,
+    speed_limit: float,
+    T: float,
+    out: Array,
+) -> float:
+    """Fills the joint velocities of the next period, returns the share of the task they achieve."""
+    now = _forward(placements, axes, q)
+    about = np.eye(3)
+    i, k = (axis + 1) % 3, (axis + 2) % 3
+    about[i, i] = about[k, k] = np.cos(angle)
+    about[k, i] = np.sin(angle)
+    about[i, k] = -about[k, i]
+    x = np.empty(6)
+    _pose_error(now[:3, :3].copy(), now[:3, 3], np.ascontiguousarray(start[:3, :3]) @ about, start[:3, 3], x)
+    x *= GAIN
+    x[3 + axis] += rate
+    s = _sns_step(placements, axes, q, dq, x, lower, upper, velocity, acceleration, T, out)
+    fastest, _ = _fastest_point(placements, axes, joint, local, q, out)
+    if s > 0.0 and fastest > speed_limit:
+        s *= speed_limit / fastest
+        s *= _sns_step(placements, axes, q, dq, s * x, lower, upper, velocity, acceleration, T, out)
+    if s == 0.0 and rate != 0.0:  # braking along the path: what is left of the rate
+        left = 0.0
+        J = _jacobian(placements, axes, q)
+        for j in range(len(q)):
+            left += J[3 + axis, j] * out[j]
+        s = min(max(left / rate, 0.0), 1.0)
+    return float(s)

@@ -1,0 +1,51 @@
+"""The nearest payload that can exist: parameters whose pseudo-inertia is positive definite."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+
+from core.inertia import is_consistent, phi_of_pseudo_inertia, pseudo_inertia
+
+Array = NDArray[np.float64]
+
+SMALLEST = 1e-6
+"""Eigenvalue of the scaled pseudo-inertia that is kept: a body is never quite flat."""
+SIZE_M = 0.05
+_LOWER = np.tril_indices(4)
+
+
+def nearest_consistent(phi: Array, covariance: Array) -> Array:
+    """The parameters (10,) that a body can have and that are nearest to phi in the metric of its covariance (10, 10).
+
+    phi itself where it is consistent. Otherwise the problem is solved over `P = S (L L^T + SMALLEST 1) S`, L lower triangular and S a scale:
+    any L is allowed, so that no constraint is left, and the best body may lie on the edge of what can exist.
+    """
+    if is_consistent(phi):
+        return phi
+    root = np.linalg.cholesky(_inverse(covariance)).T
+    mass = max(float(phi[0]), 1e-4)
+    scale = np.sqrt(mass) * np.array([SIZE_M, SIZE_M, SIZE_M, 1.0])
+    start = _positive_part(pseudo_inertia(phi) / np.outer(scale, scale))
+
+    def body(entries: Array) -> Array:
+        L = np.zeros((4, 4))
+        L[_LOWER] = entries
+        return phi_of_pseudo_inertia((L @ L.T + SMALLEST * np.eye(4)) * np.outer(scale, scale))
+
+    def distance(entries: Array) -> Array:
+        return np.asarray(root @ (body(entries) - phi))
+
+    solution = least_squares(distance, np.linalg.cholesky(start)[_LOWER], x_scale="jac", xtol=1e-12, ftol=1e-12, gtol=1e-12)
+    return body(solution.x)
+
+
+def _positive_part(P: Array) -> Array:
+    values, vectors = np.linalg.eigh(P)
+    return np.asarray((vectors * np.maximum(values, 1e-2)) @ vectors.T)
+
+
+def _inverse(covariance: Array) -> Array:
+    scale = 1.0 / np.sqrt(np.diag(covariance))
+    return np.asarray(np.linalg.inv(covariance * np.outer(scale, scale)) * np.outer(scale, scale))

@@ -1,0 +1,240 @@
+"""All ten parameters, six offsets, drift, base tilt and delay from all samples: generalised least squares on the weak form.
+
+Solved is, for the windowed wrench y and the windowed regressor V(delay, tilt),
+
+    min over (phi, offset, tilt, delay, drift) of
+        sum over channels |y - V(delay, tilt) phi - offset - drift|^2 in the metric C^-1  +  weak priors,
+    C = noise of the wrench * Gram of the windows  +  noise of the kinematics * Gram of their second differences,
+
+by Gauss-Newton. The noise of the kinematics enters the wrench through the payload's own spatial inertia M(phi): `M (da, dalpha)`. It also sits
+in the regressor, where it would shrink the parameters; that bias is subtracted (bias-compensated least squares).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import eigh
+
+from core.estimation.drift import drift_basis, improved_variance
+from core.estimation.noise import SensorNoise
+from core.estimation.weak_form import WeakForm, regressor_of, whiten
+from core.inertia import skew
+
+Array = NDArray[np.float64]
+
+TILT = slice(10, 12)
+DELAY = 12
+OFFSET = slice(13, 19)
+SHARED = 13
+"""phi, tilt and delay; then come offsets and drift."""
+
+PRIOR_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0), np.full(2, 0.05), [0.02], np.full(6, 1e3)))
+"""Of phi, tilt (rad), delay (s), offsets: so wide that they matter only where the data are silent."""
+ITERATIONS = 8
+DRIFT_STEPS = 12
+LARGEST_DELAY_S = 0.05
+
+
+@dataclass(frozen=True)
+class Fit:
+    """Result of the least squares, before anything is judged.
+
+    Args:
+        x: (19,), `[phi, tilt, delay, offset]`.
+        covariance: (19, 19), with drift marginalised.
+        drift: (K, 6), at the windows' centres; `drift_std`: (6,), of its range.
+        whitened: (6, K), residuals with unit variance when the model holds.
+        scale: (6,), factor on the noise variance that the residuals asked for, 1 where the model holds.
+        noise: of one sample.
+    """
+
+    x: Array
+    covariance: Array
+    centres: Array
+    drift: Array
+    drift_std: Array
+    whitened: Array
+    scale: Array
+    noise: SensorNoise
+
+    @property
+    def phi(self) -> Array:
+        """(10,)."""
+        return self.x[:10]
+
+
+def fit(form: WeakForm, wrench: Array, noise: SensorNoise) -> Fit:
+    """Fits the raw wrench (N, 6), paper's sign.
+
+    The noise is widened where the residuals exceed it, and the fit repeated with the new weights, so that the covariance stays honest where
+    the model leaves something out.
+    """
+    result = _Problem(form, wrench, noise).solve(np.ones(6))
+    if not noise.measured:
+        # the channels weigh each other by their noise: the residual of the first fit, then that of the second
+        for _ in range(2):
+            noise = replace(noise, std=noise.std * np.sqrt(_misfit(result, noise)))
+            result = _Problem(form, wrench, noise).solve(np.ones(6))
+        return result
+    scale = _misfit(result, noise)
+    return result if (scale == 1.0).all() else replace(_Problem(form, wrench, noise).solve(scale), scale=scale)
+
+
+def spatial_inertia(phi: Array) -> Array:
+    """M (6, 6): wrench per linear and angular acceleration, the derivative of Eq. (1)."""
+    return np.asarray(_UNIT_REGRESSORS @ phi).T
+
+
+def _unit_regressors() -> Array:
+    """(6, 6, 10): V for a unit of each linear and angular acceleration."""
+    b = np.vstack((np.eye(3), np.zeros((3, 3))))
+    B = np.concatenate((np.zeros((3, 3, 3)), skew(np.eye(3))))
+    return regressor_of(b, B)
+
+
+_UNIT_REGRESSORS = _unit_regressors()
+
+
+class _Problem:
+    """The least-squares problem of one recording; what does not change between iterations is kept."""
+
+    def __init__(self, form: WeakForm, wrench: Array, noise: SensorNoise) -> None:
+        self.form = form
+        self.noise = noise
+        self.y = form.average(wrench)
+        self.wrench_gram, self.pose_gram = form.gram()
+        self.spectrum = _spectrum(form, self.wrench_gram, self.pose_gram)
+        t = form.poses.t
+        self.ramps = np.zeros((len(form), 0)) if form.static else drift_basis(form.centres, start=t[0], stop=t[-1])
+        n = self.ramps.shape[1]
+        self.size = OFFSET.stop + 6 * n
+        self.drift_variance = (0.1 * noise.std) ** 2
+        self.drift_floor = (2e-4 * noise.std) ** 2
+
+    def solve(self, scale: Array) -> Fit:
+        """Gauss-Newton with the noise variance multiplied by `scale` (6,)."""
+        x = np.zeros(self.size)
+        for _ in range(ITERATIONS):
+            previous = x
+            normal, x, whitened = self._step(x, scale)
+            moved = np.abs(x[:SHARED] - previous[:SHARED])
+            if (moved < 0.01 * np.sqrt(np.diag(normal))[:SHARED]).all():
+                break
+        drift = np.column_stack([self.ramps @ x[self._drift_rows(c)] for c in range(6)])
+        spread = [self._range_std(normal, c) for c in range(6)]
+        covariance = normal[: OFFSET.stop, : OFFSET.stop]
+        return Fit(
+            x[: OFFSET.stop], covariance, self.form.centres, drift, np.array(spread), whitened, np.ones(6), self.noise
+        )
+
+    def _drift_rows(self, channel: int) -> slice:
+        n = self.ramps.shape[1]
+        return slice(OFFSET.stop + channel * n, OFFSET.stop + (channel + 1) * n)
+
+    def _range_std(self, covariance: Array, channel: int) -> float:
+        rows = self._drift_rows(channel)
+        ends = self.ramps[-1:] - self.ramps[:1]
+        return float(np.sqrt(ends @ covariance[rows, rows] @ ends.T).item()) if self.ramps.shape[1] else 0.0
+
+    def _step(self, x: Array, scale: Array) -> tuple[Array, Array, Array]:
+        """One linearisation at x: covariance, new x, whitened residuals."""
+        phi, tilt, delay = x[:10], x[TILT], float(x[DELAY])
+        features, rate = self.form.features(delay)
+        V = features.regressor(tilt)
+        shared = np.concatenate((V, features.tilt_columns(phi), (rate.regressor(tilt) @ phi)[..., None]), axis=2)
+        target = self.y + shared[:, :, TILT] @ tilt + shared[:, :, DELAY] * delay
+        K = self.form.poses.noise
+        M = spatial_inertia(phi)
+        kinematic = np.diag(M @ K @ M.T)
+        size = self.size
+        normal, right = np.zeros((size, size)), np.zeros(size)
+        white = []
+        for c in range(6):
+            sensor = self.noise.variance[c] * scale[c]
+            bands = sensor * self.wrench_gram + kinematic[c] * self.pose_gram
+            own = np.column_stack((shared[:, c], np.ones(len(self.y)), self.ramps, target[:, c]))
+            w = whiten(bands, own)
+            white.append(w)
+            columns = np.concatenate((np.arange(SHARED), [OFFSET.start + c], np.arange(size)[self._drift_rows(c)]))
+            normal[np.ix_(columns, columns)] += w[:, :-1].T @ w[:, :-1]
+            right[columns] += w[:, :-1].T @ w[:, -1]
+            unit = _UNIT_REGRESSORS[:, c]
+            # trace(C^-1 pose_gram): how much of the pose's noise the weighted windows let through
+            passed = len(self.y) * np.mean(self.spectrum / (sensor + kinematic[c] * self.spectrum))
+            normal[:10, :10] -= passed * unit.T @ K @ unit
+        covariance, x = self._with_priors(normal, right)
+        residuals = [
+            w[:, -1] - w[:, :-1] @ np.concatenate((x[:SHARED], [x[OFFSET.start + c]], x[self._drift_rows(c)])) for c, w in enumerate(white)
+        ]
+        x[DELAY] = np.clip(x[DELAY], -LARGEST_DELAY_S, LARGEST_DELAY_S)
+        return covariance, x, np.array(residuals)
+
+    def _with_priors(self, normal: Array, right: Array) -> tuple[Array, Array]:
+        """Solves with the priors; the drift's strength is improved along the way."""
+        n = self.ramps.shape[1]
+        prior = np.concatenate((PRIOR_STD**-2.0, np.repeat(1.0 / self.drift_variance, n)))
+        for _ in range(DRIFT_STEPS if n else 1):
+            prior[OFFSET.stop :] = np.repeat(1.0 / self.drift_variance, n)
+            covariance = _inverse(normal + np.diag(prior))
+            x = covariance @ right
+            for c in range(6 if n else 0):
+                rows = self._drift_rows(c)
+                self.drift_variance[c] = improved_variance(
+                    self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c]
+                )
+        return covariance, x
+
+
+def _inverse(matrix: Array) -> Array:
+    scale = 1.0 / np.sqrt(np.diag(matrix))
+    return np.asarray(np.linalg.inv(matrix * np.outer(scale, scale)) * np.outer(scale, scale))
+
+
+def _spectrum(form: WeakForm, wrench_gram: Array, pose_gram: Array) -> Array:
+    """Generalised eigenvalues of the two Grams for a stretch in the middle; every window stands for its share of them."""
+    n = len(form)
+    if n < 8 or not pose_gram.any():
+        return np.zeros(1)
+    length = min(n, 120)
+    part = slice((n - length) // 2, (n - length) // 2 + length)
+    return np.asarray(eigh(_dense(pose_gram[:, part]), _dense(wrench_gram[:, part]), eigvals_only=True))
+
+
+def _dense(bands: Array) -> Array:
+    n = bands.shape[1]
+    matrix = np.diag(bands[0])
+    for k in range(1, len(bands)):
+        matrix += np.diag(bands[k, : n - k], -k) + np.diag(bands[k, : n - k], k)
+    return matrix
+
+
+def _misfit(result: Fit, noise: SensorNoise) -> Array:
+    """(6,) factor on the variance: 1 within what chance allows, else mean square times correlation time of the residuals."""
+    count = result.whitened.shape[1]
+    freedom = max(count - 2, 1)
+    scale = np.ones(6)
+    for c, r in enumerate(result.whitened):
+        mean_square = float(r @ r) / freedom
+        # the excess that chance explains in about one run of a thousand, with the uncertainty of the measured noise on top
+        limit = 3.0 * np.sqrt(2.0 / count) + 0.03
+        spectrum = correlation_time(r)
+        if not noise.measured or mean_square > 1.0 + limit:
+            scale[c] = mean_square * spectrum
+        elif spectrum > 1.3:
+            scale[c] = spectrum
+    return scale
+
+
+def correlation_time(r: Array, longest: int = 200) -> float:
+    """1 + 2 sum of the autocorrelation up to its first value within noise; 1 for white residuals."""
+    n, total = len(r), 1.0
+    power = float(r @ r)
+    for lag in range(1, min(longest, n // 4)):
+        rho = float(r[lag:] @ r[:-lag]) / power
+        if rho < 2.0 / np.sqrt(n):
+            break
+        total += 2.0 * rho
+    return total

@@ -1,0 +1,145 @@
+"""From a recording to the answer: the paper's estimate and ours, with what can and cannot be said."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.estimation.consistency import nearest_consistent
+from core.estimation.determination import determined, reasons
+from core.estimation.estimate import Drift, Estimate, Identification, PaperEstimate, TimeSeries
+from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT, Fit, fit
+from core.estimation.kinematics import Poses, poses_of, smooth_motion
+from core.estimation.noise import SensorNoise, sensor_noise, unknown_noise
+from core.estimation.offset import offset_of_opposed_poses
+from core.estimation.regression import Thresholds, regression
+from core.estimation.segments import Segment, motionless, segments_of_motion, segments_of_phase
+from core.estimation.torque_only import torque_only
+from core.estimation.verdict import verdict_of, warnings_of
+from core.estimation.weak_form import WeakForm
+from core.inertia import Motion, is_consistent, regressor
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+SMOOTHING_S = 0.05
+"""Window of the local cubics behind the paper's regressions and the charts."""
+SLOWEST_PERIOD_S = 0.02
+"""Recordings sampled more slowly than this are taken as poses, not as motion."""
+FEWEST_ROWS = 6
+KNOWN_SHARE = 0.5
+"""A tilt or delay whose uncertainty is above this share of its prior is not reported."""
+
+
+def identify_recording(recording: Recording) -> Identification:
+    """Identifies the payload of one recording.
+
+    What the recording lacks limits what is said, and is said; it is no error.
+    """
+    poses = poses_of(recording)
+    if recording.wrench is None or poses is None:
+        return torque_only(recording, poses)
+    static = poses.period > SLOWEST_PERIOD_S or len(recording) < 50
+    motion, speed = _motion(poses, static)
+    segments = _segments(recording, motion, speed, static)
+    still = _labelled_still(recording, segments) if static else motionless(recording.t, segments)
+    noise = sensor_noise(recording, still, segments)
+    rows_only = static or (poses.position is None) or not bool((~still).any())
+    if rows_only and int(still.sum()) < FEWEST_ROWS:
+        return _nothing(recording, segments, "too few motionless samples, and no motion that could be used instead")
+    form = WeakForm(poses, still_only=still if rows_only else None)
+    if len(form) < FEWEST_ROWS:
+        return _nothing(recording, segments, f"{recording.t[-1] - recording.t[0]:.2f} s are too short to say anything")
+    found = fit(form, recording.wrench, noise or unknown_noise())
+    estimate = _estimate(found, motion, static=rows_only)
+    paper = _paper(recording, motion, speed, still, found.noise)
+    series = None if rows_only else _series(recording, motion, found)
+    warnings = warnings_of(recording, estimate, found, static=rows_only)
+    return Identification(paper, estimate, verdict_of(estimate, static=rows_only), warnings, segments, series)
+
+
+def _motion(poses: Poses, static: bool) -> tuple[Motion, Array]:
+    if static:
+        return Motion.still(poses.g), np.zeros(len(poses.t))
+    return smooth_motion(poses, window_s=SMOOTHING_S)
+
+
+def _segments(recording: Recording, motion: Motion, speed: Array, static: bool) -> tuple[Segment, ...]:
+    if recording.phase is not None:
+        return segments_of_phase(recording.phase)
+    if static:
+        return (Segment(0, len(recording), "hold:free"),)
+    return segments_of_motion(recording.t, motion.omega, speed, motion.g, threshold=np.array([0.01, 0.005]))
+
+
+def _labelled_still(recording: Recording, segments: tuple[Segment, ...]) -> Bools:
+    """Slow samples are poses of their own: every one that is labelled as a hold counts."""
+    still = np.zeros(len(recording), dtype=bool)
+    for part in segments:
+        still[part.rows] = part.is_hold
+    return still
+
+
+def _estimate(found: Fit, motion: Motion, *, static: bool) -> Estimate:
+    covariance = found.covariance
+    phi, S = found.phi.copy(), covariance[:10, :10].copy()
+    std = np.sqrt(np.diag(S))
+    known = determined(phi, std)
+    constrained = bool(known.all()) and not is_consistent(phi)
+    if constrained:
+        phi = nearest_consistent(phi, S)
+    why = reasons(phi, std, known, static=static, motion=None if static else motion)
+    phi[~known] = np.nan
+    S[~known, :] = np.nan
+    S[:, ~known] = np.nan
+    tilt_std, delay_std = np.sqrt(np.diag(covariance)[TILT]), float(np.sqrt(covariance[DELAY, DELAY]))
+    tilt_known = bool((tilt_std < KNOWN_SHARE * PRIOR_STD[TILT]).all())
+    delay_known = not static and delay_std < KNOWN_SHARE * float(PRIOR_STD[DELAY])
+    rms = found.noise.std * np.sqrt(np.mean(found.whitened**2, axis=1) * found.scale)
+    return Estimate(
+        phi,
+        S,
+        known,
+        why,
+        offset=found.x[OFFSET],
+        offset_std=np.sqrt(np.diag(covariance)[OFFSET]),
+        consistent=constrained or bool(known.all()),
+        constrained=constrained,
+        residual_rms=rms,
+        noise_std=found.noise.std,
+        drift=Drift(found.centres, found.drift, found.drift_std),
+        base_tilt_rad=found.x[TILT] if tilt_known else None,
+        base_tilt_std=tilt_std if tilt_known else None,
+        delay_s=float(found.x[DELAY]) if delay_known else None,
+        delay_std=delay_std if delay_known else None,
+    )
+
+
+def _paper(recording: Recording, motion: Motion, speed: Array, still: Bools, noise: SensorNoise) -> PaperEstimate:
+    """Algorithms 1-5 on the smoothed motion; thresholds from what its noise is at rest."""
+    assert recording.wrench is not None
+    offset = offset_of_opposed_poses(motion.g[still], recording.wrench[still]) if still.any() else np.full(6, np.nan)
+    quiet = motion.alpha[still]
+    alpha_std = float(np.median(np.abs(quiet)) * 1.4826) if quiet.size and quiet.any() else 0.03
+    thresholds = Thresholds.of_noise(0.0, 0.0, alpha_std)
+    found = regression(motion, speed, recording.wrench, still, thresholds=thresholds, variance=noise.std**2)
+    phi, std = found.parameters(offset, torque_std=noise.std[3:], alpha_std=alpha_std)
+    return PaperEstimate(phi, std, offset)
+
+
+def _series(recording: Recording, motion: Motion, found: Fit) -> TimeSeries:
+    """Measured and reconstructed at the same times; the reconstruction is delayed like the measurement."""
+    assert recording.wrench is not None
+    t = recording.t
+    drift = np.column_stack([np.interp(t, found.centres, found.drift[:, c]) for c in range(6)])
+    predicted = regressor(motion) @ found.phi
+    late = np.column_stack([np.interp(t - found.x[DELAY], t, predicted[:, c]) for c in range(6)])
+    return TimeSeries(t, motion, recording.wrench - found.x[OFFSET] - drift, late)
+
+
+def _nothing(recording: Recording, segments: tuple[Segment, ...], why: str) -> Identification:
+    nan = np.full(10, np.nan)
+    return Identification(
+        PaperEstimate(nan, nan, np.full(6, np.nan)), None, f"The payload is not determined: {why}.", (why,), segments
+    )

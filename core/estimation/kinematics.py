@@ -1,0 +1,237 @@
+"""Kinematics of the sensor frame: poses of a recording, smoothed motion without lag, and the Kalman filter for use on line.
+
+The only user of filterpy. Orientation is an error state of our own: the filter's vector holds a small rotation that is moved into
+the rotation matrix after every step, so that a linear filter with constant matrices is enough.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from filterpy.kalman import KalmanFilter
+from numpy.typing import NDArray
+from scipy.linalg import solve_discrete_are
+from scipy.ndimage import convolve1d
+from scipy.signal import savgol_coeffs
+
+from core.inertia import Motion, skew
+from core.recording import Recording
+from core.robot import RobotModel
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Sensor frame in the base frame, one row per sample.
+
+    Args:
+        t: (N,), s.
+        rotation: (N, 3, 3).
+        position: (N, 3), m; None where the recording does not give it.
+        gravity: (3,), base frame.
+        noise: (6, 6), covariance of one sample's position (m) and orientation (rad), sensor axes, averaged over the recording.
+    """
+
+    t: Array
+    rotation: Array
+    position: Array | None
+    gravity: Array
+    noise: Array
+
+    @property
+    def g(self) -> Array:
+        """(N, 3), gravity in the sensor frame."""
+        return np.asarray(self.gravity @ self.rotation)
+
+    @property
+    def period(self) -> float:
+        """Median sampling period, s."""
+        return float(np.median(np.diff(self.t)))
+
+
+def poses_of(recording: Recording) -> Poses | None:
+    """Poses by forward kinematics of the joints, or as recorded; None where the recording has neither."""
+    t = recording.t
+    if recording.q is not None and recording.robot is not None:
+        robot = RobotModel(recording.robot)
+        pose = robot.sensor_poses(recording.q)
+        return Poses(t, pose.rotation, pose.position, recording.gravity, _joint_noise(robot, recording.q))
+    if recording.orientation is not None:
+        rotation, position = recording.orientation, recording.position
+        noise = np.zeros((6, 6))
+        if len(t) > 8 and position is not None:
+            noise[:3, :3] = np.eye(3) * white_noise_std(position).mean() ** 2
+        if len(t) > 8:
+            noise[3:, 3:] = np.eye(3) * white_noise_std(rotation.reshape(len(t), 9)).mean() ** 2 * 1.5
+        return Poses(t, rotation, position, recording.gravity, noise)
+    return None
+
+
+def white_noise_std(x: Array) -> Array:
+    """Standard deviation of white noise on a smooth signal (N, n), from fourth differences (their gain is sqrt(70)), robust to motion.
+
+    The median over the recording is taken, so that the parts at rest or at constant speed decide.
+    """
+    if len(x) < 8:
+        return np.zeros(x.shape[1])
+    d = np.diff(x, 4, axis=0)
+    return np.asarray(1.4826 * np.median(np.abs(d), axis=0) / np.sqrt(70.0))
+
+
+def _joint_noise(robot: RobotModel, q: Array) -> Array:
+    variance = white_noise_std(q) ** 2
+    rows = np.linspace(0, len(q) - 1, min(60, len(q))).astype(int)
+    J = np.stack([robot.sensor_jacobian(q[k]) for k in rows])
+    return np.asarray(np.einsum("kij,j,klj->il", J, variance, J) / len(rows))
+
+
+def smooth_motion(poses: Poses, *, window_s: float) -> tuple[Motion, Array]:
+    """Motion without lag, by centred local cubics over `window_s`, and the speed of the sensor origin (N,).
+
+    Angular velocity and acceleration are the skew parts of `R^T R'` and `R^T R''`.
+    """
+    length = max(5, 2 * round(window_s / poses.period / 2) + 1)
+    R, t = poses.rotation, poses.t
+    if length > len(t) or len(t) < 5:
+        return Motion.still(poses.g), np.zeros(len(t))
+    flat = R.reshape(len(t), 9)
+    R1 = _derivative(flat, length, 1, poses.period).reshape(R.shape)
+    R2 = _derivative(flat, length, 2, poses.period).reshape(R.shape)
+    omega, alpha = axial(np.einsum("nji,njk->nik", R, R1)), axial(np.einsum("nji,njk->nik", R, R2))
+    if poses.position is None:
+        return Motion(poses.g, np.zeros_like(omega), omega, alpha), np.zeros(len(t))
+    v = _derivative(poses.position, length, 1, poses.period)
+    a = np.einsum("nji,nj->ni", R, _derivative(poses.position, length, 2, poses.period))
+    return Motion(poses.g, a, omega, alpha), np.linalg.norm(v, axis=1)
+
+
+def axial(matrix: Array) -> Array:
+    """(..., 3), vector of the skew part."""
+    return 0.5 * np.stack(
+        (
+            matrix[..., 2, 1] - matrix[..., 1, 2],
+            matrix[..., 0, 2] - matrix[..., 2, 0],
+            matrix[..., 1, 0] - matrix[..., 0, 1],
+        ),
+        axis=-1,
+    )
+
+
+def _derivative(x: Array, length: int, order: int, period: float) -> Array:
+    weights = savgol_coeffs(length, 3, deriv=order, delta=period)
+    return np.asarray(convolve1d(x, weights, axis=0, mode="nearest"))
+
+
+def rotation_vector(R: Array) -> Array:
+    """(3,), logarithm of a rotation (3, 3) by less than pi."""
+    v = axial(R)
+    s = float(np.sqrt(v @ v))
+    angle = float(np.arctan2(s, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0)))
+    return v if s < 1e-9 else v * (angle / s)
+
+
+def rotation_of(v: Array) -> Array:
+    """(3, 3), exponential of a rotation vector (3,)."""
+    angle = float(np.sqrt(v @ v))
+    K = skew(v)
+    if angle < 1e-6:
+        return np.asarray(np.eye(3) + K + 0.5 * K @ K)
+    return np.asarray(np.eye(3) + np.sin(angle) / angle * K + (1.0 - np.cos(angle)) / angle**2 * K @ K)
+
+
+class KinematicFilter:
+    """Orientation, angular velocity and acceleration, position, velocity and acceleration, from poses, sample by sample.
+
+    State of the linear filter, base frame: `[dtheta, omega, alpha, p, v, a]`, 18 values, with white jerk; `dtheta` is the small rotation
+    that has not yet been moved into the rotation matrix and is zero between calls.
+
+    Args:
+        period: s.
+        position_std, orientation_std: noise of one measured pose, m and rad.
+        bandwidth: rad/s, of the third-order filter: lag against noise. The jerk that it allows is `noise bandwidth^3 sqrt(period)`.
+    """
+
+    def __init__(self, period: float, *, position_std: float, orientation_std: float, bandwidth: float = 60.0) -> None:
+        self.period = period
+        self._bandwidth = bandwidth
+        self._std = orientation_std, position_std
+        kf = KalmanFilter(dim_x=18, dim_z=6)
+        kf.H = np.zeros((6, 18))
+        kf.H[:3, :3] = kf.H[3:, 9:12] = np.eye(3)
+        kf.F = np.kron(np.eye(2), np.kron(_chain(period), np.eye(3)))
+        kf.R = np.diag(np.repeat([orientation_std**2, position_std**2], 3))
+        jerk = np.repeat([orientation_std**2, position_std**2], 3) * bandwidth**6 * period
+        noise = _jerk_noise(period)
+        kf.Q = np.zeros((18, 18))
+        for i in range(3):
+            for block, offset in ((0, 0), (1, 9)):
+                rows = offset + i + 3 * np.arange(3)
+                kf.Q[np.ix_(rows, rows)] = jerk[3 * block + i] * noise
+        kf.P = np.diag(np.repeat([orientation_std**2, 1.0, 100.0, position_std**2, 1.0, 100.0], 3))
+        kf.x = np.zeros(18)
+        self._filter = kf
+        self._rotation: Array | None = None
+
+    def update(self, rotation: Array, position: Array) -> None:
+        """Takes the pose of the next period: rotation (3, 3) and position (3,) of the sensor in the base frame."""
+        kf = self._filter
+        if self._rotation is None:
+            self._rotation = rotation.copy()
+            kf.x[9:12] = position
+            return
+        kf.predict()
+        self._absorb()
+        innovation = rotation_vector(rotation @ self._rotation.T)
+        kf.update(np.concatenate((innovation, position)))
+        self._absorb()
+
+    def _absorb(self) -> None:
+        """Moves the small rotation into the rotation matrix."""
+        x = self._filter.x
+        self._rotation = rotation_of(x[:3]) @ self._rotation
+        x[:3] = 0.0
+
+    @property
+    def rotation(self) -> Array:
+        """(3, 3), sensor axes in the base frame."""
+        return np.eye(3) if self._rotation is None else self._rotation
+
+    @property
+    def twist(self) -> Array:
+        """(6,), linear then angular velocity of the sensor, sensor axes."""
+        x, R = self._filter.x, self.rotation
+        return np.concatenate((x[12:15] @ R, x[3:6] @ R))
+
+    def motion(self, gravity: Array) -> Motion:
+        """One row: the filtered motion in the sensor frame, for gravity (3,) in the base frame."""
+        x, R = self._filter.x, self.rotation
+        return Motion((gravity @ R)[None], (x[15:18] @ R)[None], (x[3:6] @ R)[None], (x[6:9] @ R)[None])
+
+    @property
+    def alpha(self) -> Array:
+        """(3,), angular acceleration, sensor axes."""
+        return np.asarray(self._filter.x[6:9] @ self.rotation)
+
+    @cached_property
+    def steady_std(self) -> Array:
+        """(4,), of omega, alpha, v and a when the filter has settled."""
+        F, H = _chain(self.period), np.array([[1.0, 0.0, 0.0]])
+        # solved for unit noise, then scaled
+        P = solve_discrete_are(F.T, H.T, self._bandwidth**6 * self.period * _jerk_noise(self.period), np.eye(1))
+        settled = P - P @ H.T @ H @ P / (P[0, 0] + 1.0)
+        rate, acceleration = np.sqrt(np.diag(settled)[1:])
+        orientation_std, position_std = self._std
+        return np.array(
+            [orientation_std * rate, orientation_std * acceleration, position_std * rate, position_std * acceleration]
+        )
+
+
+def _chain(T: float) -> Array:
+    return np.array([[1.0, T, T * T / 2.0], [0.0, 1.0, T], [0.0, 0.0, 1.0]])
+
+
+def _jerk_noise(T: float) -> Array:
+    return np.array([[T**5 / 20, T**4 / 8, T**3 / 6], [T**4 / 8, T**3 / 3, T**2 / 2], [T**3 / 6, T**2 / 2, T]])

@@ -1,0 +1,72 @@
+"""Noise of the wrench, from the motionless parts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.estimation.segments import Segment
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+
+SHORTEST = 50
+"""Samples that a hold needs for its variance to count."""
+
+
+@dataclass(frozen=True)
+class SensorNoise:
+    """Noise of one sample of the wrench.
+
+    Args:
+        std: (6,), N and N m.
+        long_run: (6,), factor on the variance of a mean over many samples that correlation between them causes; 1 for white noise.
+        measured: whether the recording's motionless parts gave it; the sensor's nominal figure, or a residual, otherwise.
+    """
+
+    std: Array
+    long_run: Array
+    measured: bool
+
+    @property
+    def variance(self) -> Array:
+        """(6,), of one sample, so that means over many samples come out right."""
+        return self.std**2 * self.long_run
+
+
+def sensor_noise(recording: Recording, still: NDArray[np.bool_], segments: tuple[Segment, ...]) -> SensorNoise | None:
+    """Noise after a straight line is taken out of every hold; the median over the holds, so that a disturbed one does not decide.
+
+    Returns the nominal figure where no hold is long enough, and None where there is neither.
+    """
+    assert recording.wrench is not None
+    variances, products = [], []
+    for part in segments:
+        rows = np.flatnonzero(still[part.rows]) + part.start
+        if not part.is_hold or len(rows) < SHORTEST:
+            continue
+        x = _without_line(recording.wrench[rows])
+        variances.append((x**2).sum(axis=0) / (len(rows) - 2))
+        products.append((x[1:] * x[:-1]).sum(axis=0) / (len(rows) - 2))
+    if variances:
+        variance = np.maximum(np.median(variances, axis=0), 1e-18)
+        correlation = np.median(products, axis=0) / variance
+        samples = len(variances) * SHORTEST
+        seen = np.where(correlation > 4.0 / np.sqrt(samples), np.minimum(correlation, 0.98), 0.0)
+        return SensorNoise(np.sqrt(variance), (1.0 + seen) / (1.0 - seen), True)
+    if recording.sensor.noise_std is not None:
+        return SensorNoise(np.asarray(recording.sensor.noise_std, dtype=float), np.ones(6), False)
+    return None
+
+
+def _without_line(x: Array) -> Array:
+    s = np.linspace(-1.0, 1.0, len(x))
+    centred = x - x.mean(axis=0)
+    return np.asarray(centred - np.outer(s, s @ centred / (s @ s)))
+
+
+def unknown_noise() -> SensorNoise:
+    """A start where nothing is known; the residual of the fit decides, channel by channel."""
+    return SensorNoise(np.repeat([0.1, 0.01], 3), np.ones(6), False)

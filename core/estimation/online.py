@@ -1,0 +1,66 @@
+"""The paper's estimation while the robot moves: Kalman filter, offsets and recursions, one call per sample."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.estimation.estimate import PaperEstimate
+from core.estimation.kinematics import KinematicFilter
+from core.estimation.offset import OpposedPoses
+from core.estimation.regression import RecursiveRegression, Thresholds
+from core.inertia import Motion
+from core.robot import RobotModel
+
+Array = NDArray[np.float64]
+
+
+class OnlineEstimator:
+    """Algorithms 1-5 on line.
+
+    Args:
+        robot: kinematics; gravity (3,) is in the same frame as its poses.
+        period: control period, s.
+        noise_std: (6,), of the wrench's samples, N and N m.
+        encoder_std: of one joint position, rad; with the arm's reach it gives the noise of the measured pose.
+    """
+
+    def __init__(
+        self, robot: RobotModel, gravity: Array, *, period: float, noise_std: Array, encoder_std: float = 2e-6
+    ) -> None:
+        self._robot = robot
+        self._gravity = gravity
+        self._noise_std = noise_std
+        orientation_std = encoder_std * float(np.sqrt(robot.n))
+        self._filter = KinematicFilter(period, position_std=orientation_std, orientation_std=orientation_std)
+        omega_std, alpha_std, v_std, _ = self._filter.steady_std
+        self._alpha_std = float(alpha_std)
+        thresholds = Thresholds.of_noise(float(omega_std), float(v_std), self._alpha_std)
+        self._regression = RecursiveRegression(thresholds, noise_std**2)
+        self._opposed = OpposedPoses()
+        self._settling = round(0.3 / period)
+
+    def update(self, q: Array, wrench: Array) -> None:
+        """Takes the sample of the next period: joint positions (n,) and raw wrench (6,), paper's sign."""
+        pose = self._robot.sensor_pose(q)
+        kf = self._filter
+        kf.update(pose.rotation, pose.position)
+        if self._settling > 0:
+            # the filter needs its run-in: it starts as if anything could be moving
+            self._settling -= 1
+            return
+        twist, alpha, g = kf.twist, kf.alpha, self._gravity @ kf.rotation
+        if self._regression.update(g, twist[3:], twist[:3], alpha, wrench):
+            self._opposed.add(g, wrench)
+
+    @property
+    def motion(self) -> Motion:
+        """The filtered motion of the last sample, one row, sensor frame."""
+        return self._filter.motion(self._gravity)
+
+    @property
+    def estimate(self) -> PaperEstimate:
+        """What is known so far; NaN where nothing is."""
+        offset = self._opposed.offset
+        phi, std = self._regression.found.parameters(offset, torque_std=self._noise_std[3:], alpha_std=self._alpha_std)
+        return PaperEstimate(phi, std, offset)

@@ -1,0 +1,108 @@
+"""The motionless, rotating and other parts of a recording, from its `phase` column or from the motion itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import uniform_filter1d
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+SETTLING_S = 0.15
+"""A hold's first moments, in which an arm still swings, are not called motionless."""
+SHORTEST_HOLD_S = 0.3
+ALONG_AXIS = 0.995
+"""Cosine from which a sensor axis counts as along gravity, or a rotation as about that axis (5.7 deg)."""
+
+
+@dataclass(frozen=True)
+class Segment:
+    """Rows `start` to `stop` (exclusive) of one phase: `transfer`, `hold:x+`, `hold:free`, `rotate:x`."""
+
+    start: int
+    stop: int
+    phase: str
+
+    @property
+    def rows(self) -> slice:
+        """The rows."""
+        return slice(self.start, self.stop)
+
+    @property
+    def is_hold(self) -> bool:
+        """Whether the robot is motionless."""
+        return self.phase.startswith("hold")
+
+    @property
+    def axis(self) -> str | None:
+        """`x`, `y` or `z` of a rotation or of a hold along gravity; None otherwise."""
+        tail = self.phase.partition(":")[2]
+        return tail[0] if tail[:1] in ("x", "y", "z") else None
+
+    @property
+    def sign(self) -> int:
+        """+1 where the axis points along gravity, -1 against it, 0 for anything but such a hold."""
+        return {"+": 1, "-": -1}.get(self.phase[-1:], 0) if self.is_hold else 0
+
+
+def segments_of_phase(phase: NDArray[np.str_]) -> tuple[Segment, ...]:
+    """Runs of equal labels (N,)."""
+    changes = np.flatnonzero(phase[1:] != phase[:-1]) + 1
+    edges = [0, *changes.tolist(), len(phase)]
+    return tuple(Segment(a, b, str(phase[a])) for a, b in zip(edges[:-1], edges[1:], strict=True) if b > a)
+
+
+def segments_of_motion(t: Array, omega: Array, speed: Array, g: Array, *, threshold: Array) -> tuple[Segment, ...]:
+    """Segments of a recording without labels.
+
+    Args:
+        t: (N,), s.
+        omega: (N, 3), angular velocity in the sensor frame, rad/s.
+        speed: (N,), m/s, of the sensor origin.
+        g: (N, 3), gravity in the sensor frame.
+        threshold: (2,), angular (rad/s) and linear (m/s) velocity below which the robot counts as motionless (epsilon_s).
+    """
+    still = (np.linalg.norm(omega, axis=1) < threshold[0]) & (speed < threshold[1])
+    label = np.where(still, "hold", "transfer").astype("<U10")
+    kept = [
+        Segment(part.start, part.stop, _hold_label(g[part.rows]) if part.is_hold else _motion_label(omega[part.rows], speed[part.rows]))
+        if not part.is_hold or t[part.stop - 1] - t[part.start] >= SHORTEST_HOLD_S
+        else Segment(part.start, part.stop, "transfer")
+        for part in segments_of_phase(label)
+    ]
+    labels = np.concatenate([np.full(part.stop - part.start, part.phase, dtype="<U10") for part in kept])
+    return segments_of_phase(labels)
+
+
+def motionless(t: Array, segments: tuple[Segment, ...]) -> Bools:
+    """(N,), rows of the holds without their first moments."""
+    mask = np.zeros(len(t), dtype=bool)
+    for part in segments:
+        if part.is_hold:
+            settled = t[part.rows] - t[part.start] >= min(SETTLING_S, 0.25 * (t[part.stop - 1] - t[part.start]))
+            mask[part.rows] = settled
+    return mask
+
+
+def smoothed(x: Array, samples: int) -> Array:
+    """Centred moving average along the first axis."""
+    return np.asarray(uniform_filter1d(x, max(1, samples), axis=0, mode="nearest"))
+
+
+def _hold_label(g: Array) -> str:
+    direction = g.mean(axis=0) / np.linalg.norm(g.mean(axis=0))
+    axis = int(np.argmax(np.abs(direction)))
+    if abs(direction[axis]) < ALONG_AXIS:
+        return "hold:free"
+    return f"hold:{'xyz'[axis]}{'+' if direction[axis] > 0 else '-'}"
+
+
+def _motion_label(omega: Array, speed: Array) -> str:
+    power = (omega**2).sum(axis=0)
+    axis = int(np.argmax(power))
+    pure = power[axis] >= ALONG_AXIS**2 * power.sum()
+    in_place = speed.max() < 0.02
+    return f"rotate:{'xyz'[axis]}" if pure and in_place else "transfer"

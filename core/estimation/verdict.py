@@ -1,0 +1,67 @@
+"""The answer in words: the verdict, and what the user should know before using the numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.estimation.estimate import Estimate
+from core.estimation.generalised_least_squares import Fit
+from core.inertia import PHI_NAMES
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+
+CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
+INTERVAL = 1.96
+
+
+def verdict_of(estimate: Estimate, *, static: bool) -> str:
+    """One or two sentences."""
+    if not estimate.determined[0]:
+        return f"The payload is not determined: {estimate.reasons['m']}."
+    mass = f"The payload has {estimate.phi[0]:.4g} kg (+-{INTERVAL * estimate.std[0]:.2g} kg, 95 %)"
+    if estimate.determined.all():
+        return f"{mass}; all ten inertial parameters are determined."
+    if estimate.determined[:4].all() and not estimate.determined[4:].any():
+        why = "static poses only: the inertia is not excited" if static else "the motion does not excite the inertia enough"
+        return f"{mass}; mass and first moment are determined, the inertia is not ({why})."
+    missing = ", ".join(name for name, known in zip(PHI_NAMES, estimate.determined, strict=True) if not known)
+    return f"{mass}; not determined: {missing}."
+
+
+def warnings_of(recording: Recording, estimate: Estimate, found: Fit, *, static: bool) -> tuple[str, ...]:
+    """Sentences, the most important first."""
+    said: list[str] = []
+    ratio = np.sqrt(found.scale)
+    if found.noise.measured and (ratio > 1.0).any():
+        worst = int(np.argmax(ratio))
+        said.append(
+            f"the residual exceeds the sensor's noise, most in {CHANNELS[worst]} ({ratio[worst]:.1f} times with its correlation in time): "
+            "something that the model leaves out; the uncertainties were widened, but an error that repeats is not noise"
+        )
+    if estimate.constrained:
+        said.append("the data alone asked for a body that cannot exist; the nearest one that can was taken")
+    if not found.noise.measured and not static:
+        said.append("no motionless part long enough to measure the sensor's noise: it was taken from the residual")
+    said += _saturation(recording)
+    tilt = estimate.base_tilt_rad
+    if tilt is not None and estimate.base_tilt_std is not None and (np.abs(tilt) > 4.0 * estimate.base_tilt_std).any():
+        size = np.degrees(float(np.linalg.norm(tilt)))
+        if size > 0.1:
+            said.append(f"the base is not level: {size:.2f} deg; taken into account")
+    delay, delay_std = estimate.delay_s, estimate.delay_std
+    if delay is not None and delay_std is not None and abs(delay) > max(4.0 * delay_std, 1e-3):
+        late = "late" if delay > 0 else "early"
+        said.append(f"the wrench is {abs(delay) * 1e3:.1f} ms {late} against the joints; taken into account")
+    if (estimate.drift.range > np.maximum(4.0 * estimate.drift.std, 2.0 * estimate.noise_std)).any():
+        said.append(f"{estimate.drift.description}; taken into account")
+    return tuple(said)
+
+
+def _saturation(recording: Recording) -> list[str]:
+    if recording.wrench is None or recording.sensor.range is None:
+        return []
+    clipped = (np.abs(recording.wrench) >= 0.999 * np.asarray(recording.sensor.range)).any(axis=0)
+    names = [name for name, at_limit in zip(CHANNELS, clipped, strict=True) if at_limit]
+    return [f"the sensor reached the end of its range in {', '.join(names)}"] if names else []

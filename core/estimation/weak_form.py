@@ -1,0 +1,209 @@
+"""The equations of motion averaged over windows: Eq. (2) without a smoothed derivative anywhere.
+
+Multiply Eq. (1) by a window w and sum over time. The wrench and the raw second differences of the pose go through the *same* window,
+so that there is neither lag nor smoothing bias (not even at the corners of a trapezoid), and because the sum is linear the window
+damps the noise of the second differences as if its own second derivative had been applied to the pose (summation by parts; Shinbrot
+1957, modulating functions). The windows are cubic B-splines: the whole set projects both sides on splines of knot spacing `STEP_S`.
+
+With `A = R^T p''` and `B = R^T R''` (sensor axes) Eq. (1) reads `f = m (A - g) + B mc`, `tau = mc x (A - g) + I alpha + omega x I omega`
+where `alpha` is the axial vector of B and `omega omega^T - omega^2 1` its symmetric part. Taken with second differences this is a discrete
+balance of momentum: noise in R does not bias it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import BSpline
+from scipy.linalg import cholesky_banded
+from scipy.linalg.lapack import dtbtrs
+from scipy.sparse import csr_array, diags_array
+
+from core.estimation.kinematics import Poses, axial
+from core.inertia import inertia_columns, skew, symmetric
+
+Array = NDArray[np.float64]
+
+STEP_S = 0.025
+"""Knot spacing of the windows: features up to 20 Hz are kept."""
+MARGIN_S = 0.06
+"""Largest delay that the windows can be shifted by."""
+TOLERATED_BIAS = 1e-4
+"""m/s2, by which correlated noise of pose and second difference may bias the acceleration; sets the stride of the differences."""
+LEVER_M = 1.0
+BAND = 4
+"""Cubic B-splines overlap with three neighbours on each side."""
+
+
+@dataclass(frozen=True)
+class Features:
+    """What the regressor is linear in, averaged over the windows: (K, ...) each, sensor axes.
+
+    Args:
+        a: (K, 3), acceleration of the sensor origin.
+        g: (K, 3), gravity.
+        tilt: (K, 3, 2), change of gravity per radian of base tilt.
+        B: (K, 3, 3), `R^T R''`.
+    """
+
+    a: Array
+    g: Array
+    tilt: Array
+    B: Array
+
+    def regressor(self, base_tilt: Array) -> Array:
+        """V (K, 6, 10)."""
+        return regressor_of(self.a - self.g - self.tilt @ base_tilt, self.B)
+
+    def tilt_columns(self, phi: Array) -> Array:
+        """Change of the wrench (K, 6, 2) per radian of base tilt."""
+        columns = [regressor_of(-self.tilt[:, :, i], np.zeros_like(self.B)) @ phi for i in (0, 1)]
+        return np.stack(columns, axis=-1)
+
+
+def regressor_of(b: Array, B: Array) -> Array:
+    """V (K, 6, 10) from `b = a - g` (K, 3) and `B = R^T R''` (K, 3, 3)."""
+    V = np.zeros((len(b), 6, 10))
+    V[:, :3, 0] = b
+    V[:, :3, 1:4] = B
+    V[:, 3:, 1:4] = -skew(b)
+    S = 0.5 * (B + np.swapaxes(B, 1, 2))
+    V[:, 3:, 4:] = inertia_columns(axial(B)) - 2.0 * np.moveaxis(axial(S[:, None] @ symmetric(np.eye(6))), 1, 2)
+    return V
+
+
+def tilt_axes(gravity: Array) -> Array:
+    """(3, 2), base axes x and y made orthogonal to gravity: a rotation about gravity cannot be seen."""
+    down = gravity / np.linalg.norm(gravity)
+    order = np.argsort(np.abs(down), kind="stable")[:2]
+    axes = np.eye(3)[:, np.sort(order)]
+    return np.asarray(axes - np.outer(down, down @ axes))
+
+
+class WeakForm:
+    """Windows over a recording.
+
+    Args:
+        poses: of all samples.
+        still_only: rows of averaged or motionless samples; each row is then a window of its own and nothing moves.
+    """
+
+    def __init__(self, poses: Poses, *, still_only: NDArray[np.bool_] | None = None) -> None:
+        self.poses = poses
+        self.static = still_only is not None
+        t = poses.t
+        rotation = poses.rotation
+        tilt = np.einsum("nji,jk->nik", rotation, np.cross(tilt_axes(poses.gravity).T, poses.gravity).T)
+        a, B = np.zeros((len(t), 3)), np.zeros((len(t), 3, 3))
+        if still_only is not None:
+            self._rows = np.flatnonzero(still_only)
+            self.centres = t[self._rows]
+        else:
+            stride = _stride(poses)
+            D = second_difference(t, stride)
+            B = np.einsum("nji,njk->nik", rotation, (D @ rotation.reshape(len(t), 9)).reshape(-1, 3, 3))
+            if poses.position is not None:
+                a = np.einsum("nji,nj->ni", rotation, D @ poses.position)
+            self._difference = D
+            self._step = max(STEP_S, 8.0 * poses.period, 4.0 * stride * poses.period)
+            self.centres = self._centres(t, stride)
+        self._samples = np.concatenate((a, poses.g, tilt.reshape(-1, 6), B.reshape(-1, 9)), axis=1)
+
+    def __len__(self) -> int:
+        return len(self.centres)
+
+    def _centres(self, t: Array, stride: int) -> Array:
+        """Centres of the windows that lie inside the recording, with room for a delay, and hold no gap."""
+        first, last = t[0] + MARGIN_S, t[-1] - MARGIN_S
+        self._first = first
+        count = max(0, int(np.floor((last - first) / self._step)) - 3)
+        centres = first + self._step * (2 + np.arange(count))
+        gaps = np.flatnonzero(np.diff(t) > 4.0 * self.poses.period)
+        reach = 2.0 * self._step + MARGIN_S + stride * self.poses.period
+        keep = np.ones(count, dtype=bool)
+        for k in gaps:
+            keep &= (centres < t[k] - reach) | (centres > t[k + 1] + reach)
+        self._kept = keep
+        return np.asarray(centres[keep])
+
+    def _windows(self, delay: float, derivative: bool = False) -> csr_array:
+        """(K, N) weights of the windows shifted by `-delay`, each summing to 1; or their derivative by the delay."""
+        t = self.poses.t
+        count = len(self._kept)
+        knots = self._first + self._step * np.arange(count + 4)
+        x = t + delay
+        inside = (x >= knots[0]) & (x < knots[-1])
+        weights = np.gradient(t)[inside] / self._step
+        degree = 2 if derivative else 3
+        padded = np.concatenate((knots[0] - self._step * np.arange(degree, 0, -1), knots, knots[-1] + self._step * np.arange(1, degree + 1)))
+        design = csr_array(BSpline.design_matrix(x[inside], padded, degree))
+        columns = np.arange(degree, degree + count + (1 if derivative else 0))
+        design = design[:, columns]
+        if derivative:
+            design = (design[:, :-1] - design[:, 1:]) * (1.0 / self._step)
+        W = csr_array((diags_array(weights) @ design).T)[np.flatnonzero(self._kept)]
+        full = csr_array((W.data, np.flatnonzero(inside)[W.indices], W.indptr), shape=(W.shape[0], len(t)))
+        return full
+
+    def average(self, x: Array) -> Array:
+        """Windowed means (K, n) of samples (N, n)."""
+        if self.static:
+            return x[self._rows]
+        W = self._windows(0.0)
+        return np.asarray((W @ x) / (W.sum(axis=1))[:, None])
+
+    def features(self, delay: float) -> tuple[Features, Features]:
+        """Features at the times `centres - delay`, and their derivative by the delay."""
+        if self.static:
+            values = self._samples[self._rows]
+            return _features(values), _features(np.zeros_like(values))
+        W, dW = self._windows(delay), self._windows(delay, derivative=True)
+        total = np.asarray(W.sum(axis=1))[:, None]
+        return _features(np.asarray(W @ self._samples) / total), _features(np.asarray(dW @ self._samples) / total)
+
+    def gram(self) -> tuple[Array, Array]:
+        """Covariances of the windowed noise, as lower bands (4, K), for white noise of unit variance in the wrench, and in the pose."""
+        if self.static:
+            return np.ones((1, len(self))), np.zeros((1, len(self)))
+        W = self._windows(0.0)
+        W = csr_array(diags_array(1.0 / np.asarray(W.sum(axis=1))) @ W)
+        return _bands(W @ W.T), _bands((W @ self._difference) @ (W @ self._difference).T)
+
+
+def second_difference(t: Array, stride: int) -> csr_array:
+    """(N, N) matrix of second divided differences over `stride` samples to each side; zero rows at the ends."""
+    n = len(t)
+    ahead, behind = t[2 * stride :] - t[stride:-stride], t[stride:-stride] - t[: -2 * stride]
+    mean = 0.5 * (ahead + behind)
+    zero = np.zeros(stride)
+    right = np.concatenate((zero, 1.0 / (ahead * mean), zero))
+    left = np.concatenate((zero, 1.0 / (behind * mean), zero))
+    return csr_array(diags_array([left[stride:], -(left + right), right[:-stride]], offsets=[-stride, 0, stride], shape=(n, n)))
+
+
+def whiten(bands: Array, x: Array) -> Array:
+    """L^-1 x for the covariance L L^T given by its lower bands (b, K); x is (K, n)."""
+    factor = cholesky_banded(bands, lower=True)
+    solved, info = dtbtrs(factor, x, uplo="L")
+    if info != 0:
+        raise FloatingPointError("the covariance of the windows is singular")
+    return np.asarray(solved)
+
+
+def _stride(poses: Poses) -> int:
+    variance = max(float(poses.noise[:3, :3].max()), float(poses.noise[3:, 3:].max()) * LEVER_M**2)
+    return max(1, int(np.ceil(np.sqrt(2.0 * variance / TOLERATED_BIAS) / poses.period)))
+
+
+def _features(values: Array) -> Features:
+    return Features(values[:, :3], values[:, 3:6], values[:, 6:12].reshape(-1, 3, 2), values[:, 12:].reshape(-1, 3, 3))
+
+
+def _bands(matrix: csr_array) -> Array:
+    n = matrix.shape[0]
+    bands = np.zeros((BAND, n))
+    for k in range(min(BAND, n)):
+        bands[k, : n - k] = matrix.diagonal(-k)
+    return bands

@@ -1,0 +1,187 @@
+"""`recording.json`: what was recorded, beside the samples."""
+
+from __future__ import annotations
+
+import difflib
+import json
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from core.errors import BadRecording
+from core.inertia import InertialParameters, pseudo_inertia
+from core.jail import read_inside
+from core.recording import Recording, SensorDescription
+
+FORMAT: Literal["recording/1"] = "recording/1"
+FILE = "recording.json"
+MAX_BYTES = 1_000_000
+
+Number = Annotated[float, Field(strict=True)]
+Positive = Annotated[float, Field(strict=True, gt=0)]
+Vector3 = tuple[Number, Number, Number]
+Six = tuple[Number, Number, Number, Number, Number, Number]
+SixPositive = tuple[Positive, Positive, Positive, Positive, Positive, Positive]
+
+
+class Part(BaseModel):
+    """Keys that the format does not know are left alone, unless they look like a misspelt one that is absent."""
+
+    model_config = ConfigDict(frozen=True, extra="ignore", allow_inf_nan=False)
+
+
+class RobotPart(Part):
+    """Nominal kinematics; `urdf` is a path inside the folder."""
+
+    urdf: str
+    joints: Annotated[tuple[str, ...], Field(min_length=1, max_length=32)]
+    base_frame: str
+    sensor_frame: str
+
+
+class SensorPart(Part):
+    """The wrist sensor; sign -1 where it states what the payload exerts on it."""
+
+    sign: Literal[1, -1] = 1
+    noise_std: SixPositive | None = None
+    range: SixPositive | None = None
+    resolution: SixPositive | None = None
+
+    @property
+    def description(self) -> SensorDescription:
+        """The same as arrays."""
+        given = {key: getattr(self, key) for key in ("noise_std", "range", "resolution")}
+        return SensorDescription(**{key: np.array(value) for key, value in given.items() if value is not None})
+
+
+class ReferencePart(Part):
+    """The payload as somebody else knows it; inertia about the sensor origin, Ixx Ixy Ixz Iyy Iyz Izz."""
+
+    mass: Positive
+    first_moment: Vector3
+    inertia: Six
+    source: str | None = None
+
+    @property
+    def parameters(self) -> InertialParameters:
+        """The same as parameters."""
+        return InertialParameters(np.array([self.mass, *self.first_moment, *self.inertia]))
+
+
+class Manifest(Part):
+    """The whole file; `cell`, `payload` and `software` are written by our own runs."""
+
+    format: Literal["recording/1"] = FORMAT
+    gravity: Vector3
+    robot: RobotPart | None = None
+    sensor: SensorPart = SensorPart()
+    payload_reference: ReferencePart | None = None
+    source: str | None = None
+    cell: str | None = None
+    payload: str | None = None
+    software: str | None = None
+
+
+PARTS: dict[str, type[Part]] = {"robot": RobotPart, "sensor": SensorPart, "payload_reference": ReferencePart}
+
+
+def read_manifest(folder: Path) -> Manifest:
+    """Reads and validates `recording.json`.
+
+    Raises:
+        BadRecording: it is missing, too large, no JSON in UTF-8, or a key is missing or has an impossible value.
+    """
+    where = str(folder / FILE)
+    content = _json_object(read_inside(folder, FILE, BadRecording, max_bytes=MAX_BYTES), where)
+    if content.get("format") != FORMAT:
+        raise BadRecording(f"{where}: format", repr(content.get("format"))[:80], repr(FORMAT))
+    _refuse_misspelt(content, Manifest, where)
+    for key, part in PARTS.items():
+        if isinstance(content.get(key), dict):
+            _refuse_misspelt(content[key], part, f"{where}: {key}")
+    try:
+        manifest = Manifest.model_validate(content)
+    except ValidationError as error:
+        first = error.errors()[0]
+        key = ".".join(str(part) for part in first["loc"])
+        if first["type"] == "missing":
+            raise BadRecording(f"{where}: {key}", "no such key", "it") from error
+        expected = first["msg"].removeprefix("Input should be ").removeprefix("Tuple should have ")
+        raise BadRecording(f"{where}: {key}", repr(first["input"])[:80], expected) from error
+    if not 9.0 < float(np.linalg.norm(manifest.gravity)) < 10.5:
+        raise BadRecording(f"{where}: gravity", f"{list(manifest.gravity)}", "about 9.81 m/s2, in the base frame")
+    if manifest.payload_reference:
+        _check_reference(manifest.payload_reference.parameters, f"{where}: payload_reference")
+    return manifest
+
+
+def manifest_of(recording: Recording) -> Manifest:
+    """The manifest of a recording in memory; its wrench has the paper's sign."""
+    robot, reference, sensor = recording.robot, recording.reference, recording.sensor
+    content: dict[str, Any] = {
+        "gravity": recording.gravity.tolist(),
+        "robot": robot
+        and {
+            "urdf": "robot.urdf",
+            "joints": robot.joints,
+            "base_frame": robot.base_frame,
+            "sensor_frame": robot.sensor_frame,
+        },
+        "sensor": {
+            key: None if getattr(sensor, key) is None else tuple(getattr(sensor, key).tolist())
+            for key in ("noise_std", "range", "resolution")
+        },
+        "payload_reference": reference
+        and {
+            "mass": reference.mass,
+            "first_moment": tuple(reference.first_moment.tolist()),
+            "inertia": tuple(reference.phi[4:].tolist()),
+            "source": recording.reference_source,
+        },
+        "source": recording.source,
+        "cell": recording.cell,
+        "payload": recording.payload,
+        "software": f"heft {_software_version()}",
+    }
+    try:
+        return Manifest.model_validate(content)
+    except ValidationError as error:
+        first = error.errors()[0]
+        key = ".".join(str(part) for part in first["loc"])
+        raise BadRecording(f"recording: {key}", repr(first["input"])[:80], first["msg"]) from error
+
+
+def _json_object(text: str, where: str) -> dict[str, Any]:
+    try:
+        content = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise BadRecording(where, f"JSON that does not parse ({str(error)[:120]})", "JSON") from error
+    if not isinstance(content, dict):
+        raise BadRecording(where, f"a {type(content).__name__}", "a JSON object")
+    return content
+
+
+def _refuse_misspelt(content: dict[str, Any], part: type[Part], where: str) -> None:
+    absent = [name for name in part.model_fields if name not in content]
+    for key in content:
+        close = difflib.get_close_matches(key, absent, n=1, cutoff=0.75) if key not in part.model_fields else []
+        if close:
+            raise BadRecording(f"{where}: {key}", "an unknown key", f"{close[0]!r}, if that is what was meant")
+
+
+def _check_reference(reference: InertialParameters, where: str) -> None:
+    """Consistent but for the rounding of a CAD value."""
+    P = pseudo_inertia(reference.phi)
+    scale = np.sqrt(np.maximum(np.diag(P), 1e-12))
+    if np.linalg.eigvalsh(P / np.outer(scale, scale))[0] < -0.01:
+        raise BadRecording(where, str(reference.phi.tolist()), "mass, first moment and inertia that a rigid body can have")
+
+
+def _software_version() -> str:
+    try:
+        return version("heft")
+    except PackageNotFoundError:  # run from the sources
+        return "from sources"

@@ -1,0 +1,275 @@
+"""The plan of a whole run: for each sensor axis the pose against and along gravity, the transfers between them, the rotations.
+
+Planning moves nothing. The plan is data: it can be shown, checked and released before the robot does anything.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict
+
+from core.cell import Box, Cell
+from core.collision import CollisionModel
+from core.control.decoupling import decoupling_profile, expected_inertia, repetitions_for
+from core.errors import NoPath
+from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
+from core.planning.start_configuration import StartConfiguration, find_start_configuration
+from core.planning.transfer import Transfer, plan_transfer
+from core.robot import RobotModel
+from core.trajectory import AngularProfile
+
+Array = NDArray[np.float64]
+
+POSES = ("x-", "x+", "y-", "y+", "z-", "z+")
+"""Against gravity first: the rotation then starts where the hold along gravity has just been measured."""
+
+
+PATH_SECONDS = 1.0
+"""For one search; most paths take a tenth of it, and another start configuration is cheaper than a longer search."""
+
+TRIES = 4
+"""How many start configurations of an axis are tried where no path leads to the first."""
+
+
+@dataclass(frozen=True)
+class Timing:
+    """How long the robot stands still, and how accurate the moments of inertia are to be.
+
+    Args:
+        hold_s: motionless phase on arrival.
+        settle_s: motionless phase after a rotation (the paper: about 1 s).
+        inertia_std: wanted relative standard deviation of each moment of inertia, before everything else that limits it.
+        robot_s: bound on the robot time of one run; repetitions are cut to keep it.
+        swing_rad: angle of a rotation out and back. Only accelerating samples tell about inertia, so many small swings are worth as
+            much as few wide ones, at a lower speed of everything that moves along, in less room.
+    """
+
+    hold_s: float = 1.5
+    settle_s: float = 1.0
+    inertia_std: float = 0.004
+    robot_s: float = 115.0
+    swing_rad: float = 0.25
+
+
+@dataclass(frozen=True)
+class Leg:
+    """One transfer and what is done at its end: a hold, and a rotation where `profile` is not None."""
+
+    axis: str
+    start: StartConfiguration
+    transfer: Transfer
+    profile: AngularProfile | None
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What the robot is going to do, from where it stands back to home."""
+
+    legs: tuple[Leg, ...]
+    home: Transfer
+    timing: Timing
+    plan_s: float
+
+    @property
+    def robot_s(self) -> float:
+        """Time that the robot will need, s."""
+        moving = self.home.trajectory.duration + sum(leg.transfer.trajectory.duration for leg in self.legs)
+        turning = sum(leg.profile.duration + self.timing.settle_s for leg in self.legs if leg.profile is not None)
+        return moving + turning + self.timing.hold_s * len(self.legs)
+
+    @property
+    def least_margin_m(self) -> float:
+        """Smallest distance beyond the required clearance on all transfers, m."""
+        return min(transfer.least_margin_m for transfer in (self.home, *(leg.transfer for leg in self.legs)))
+
+
+def plan_procedure(
+    cell: Cell,
+    robot: RobotModel,
+    collision: CollisionModel,
+    payload_box: Box,
+    *,
+    start: Array,
+    poses: Sequence[str] = POSES,
+    period: float = 0.001,
+    timing: Timing | None = None,
+    mass_guess_kg: float = 1.0,
+    seed: int = 0,
+) -> Generator[Event, None, Plan]:
+    """Plans from joint positions `start` through all `poses` back to home.
+
+    Raises:
+        NoStartConfiguration, NoPath: the cell leaves no safe way.
+    """
+    began = time.perf_counter()
+    timing = timing or Timing()
+    speed = cell.limits.cartesian_speed_m_s
+    once = decoupling_profile(payload_box, cartesian_speed=speed, period=period, excursion=timing.swing_rad)
+    planner = _Planner(cell, robot, collision, once, seed)
+    home = np.array(cell.robot.home_rad)
+    reached: list[Reached] = []
+    for _, group in groupby(poses, key=lambda pose: pose[0]):
+        here = reached[-1].start.q if reached else start
+        reached += yield from planner.reach(tuple(group), here)
+    last = reached[-1].start.q if reached else start
+    back = plan_transfer(cell, robot, collision, last, home, period=period, seed=seed, seconds=PATH_SECONDS)
+    yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
+    moving = back.trajectory.duration + sum(pose.transfer.trajectory.duration for pose in reached)
+    rotations = sum(axis.endswith("+") for axis in poses)
+    budget = (timing.robot_s - moving - timing.hold_s * len(poses)) / max(rotations, 1) - timing.settle_s
+    legs = tuple(
+        Leg(axis, start, transfer, _repeated(cell, payload_box, axis, once, budget, mass_guess_kg, timing))
+        for axis, start, transfer in reached
+    )
+    plan = Plan(legs, back, timing, time.perf_counter() - began)
+    yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
+    return plan
+
+
+class Reached(NamedTuple):
+    """A pose with the way to it."""
+
+    axis: str
+    start: StartConfiguration
+    transfer: Transfer
+
+
+class _Planner(NamedTuple):
+    """Finds the poses of one axis together with the ways to them."""
+
+    cell: Cell
+    robot: RobotModel
+    collision: CollisionModel
+    rotation: AngularProfile
+    seed: int
+
+    def reach(self, poses: tuple[str, ...], here: Array) -> Generator[Event, None, list[Reached]]:
+        """Start configurations that can be reached from joint positions `here`, other ones where there is no way to the first."""
+        for attempt in range(TRIES):
+            starts = yield from self._find(poses, here, self.seed + 101 * attempt)
+            try:
+                return (yield from self._connect(poses, starts, here))
+            except NoPath:
+                if attempt == TRIES - 1:
+                    raise
+        return []
+
+    def _find(self, poses: tuple[str, ...], here: Array, seed: int) -> Generator[Event, None, dict[str, StartConfiguration]]:
+        """The axis along gravity first, which is the harder one; its opposite then near it."""
+        starts: dict[str, StartConfiguration] = {}
+        for axis in sorted(poses):
+            rotation = self.rotation if axis.endswith("+") else None
+            found = find_start_configuration(self.cell, self.robot, self.collision, axis, rotation, seed=seed, near=here)
+            yield StartConfigurationFound(
+                axis=axis,
+                clearance_m=found.clearance_m,
+                nearest=found.nearest,
+                manipulability=found.manipulability,
+                candidates=found.candidates,
+            )
+            starts[axis] = found
+            here = found.q
+        return starts
+
+    def _connect(self, poses: tuple[str, ...], starts: dict[str, StartConfiguration], here: Array) -> Generator[Event, None, list[Reached]]:
+        """Transfers from one pose to the next."""
+        reached: list[Reached] = []
+        for axis in poses:
+            transfer = plan_transfer(
+                self.cell,
+                self.robot,
+                self.collision,
+                here,
+                starts[axis].q,
+                period=self.rotation.period,
+                seed=self.seed,
+                seconds=PATH_SECONDS,
+            )
+            yield TransferPlanned(axis=axis, robot_s=transfer.trajectory.duration, least_margin_m=transfer.least_margin_m)
+            reached.append(Reached(axis, starts[axis], transfer))
+            here = starts[axis].q
+        return reached
+
+
+def _repeated(
+    cell: Cell, payload_box: Box, axis: str, once: AngularProfile, budget: float, mass_guess_kg: float, timing: Timing
+) -> AngularProfile | None:
+    """The rotation as often as the wanted uncertainty needs; None for a pose that is only held."""
+    if axis.endswith("-"):
+        return None
+    k = "xyz".index(axis[0])
+    repetitions = repetitions_for(
+        once,
+        torque_std=cell.sensor.noise_std[3 + k],
+        inertia_std=timing.inertia_std * expected_inertia(payload_box, mass_guess_kg, k),
+        budget=max(budget, once.duration),
+    )
+    return decoupling_profile(
+        payload_box,
+        cartesian_speed=cell.limits.cartesian_speed_m_s,
+        period=once.period,
+        repetitions=repetitions,
+        excursion=timing.swing_rad,
+    )
+
+
+class PlannedPose(BaseModel):
+    """One pose of a plan, for JSON."""
+
+    model_config = ConfigDict(frozen=True)
+
+    axis: str
+    q_rad: list[float]
+    clearance_m: float
+    least_clearance_m: float
+    nearest: str
+    manipulability: float
+    transfer_s: float
+    transfer_least_margin_m: float
+    rotation_s: float | None
+
+
+class PlanSummary(BaseModel):
+    """A plan for JSON."""
+
+    model_config = ConfigDict(frozen=True)
+
+    cell: str
+    poses: list[PlannedPose]
+    home_s: float
+    robot_s: float
+    plan_s: float
+    least_margin_m: float
+
+
+def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:
+    """The plan without its trajectories."""
+    poses = [
+        PlannedPose(
+            axis=leg.axis,
+            q_rad=leg.start.q.tolist(),
+            clearance_m=leg.start.clearance_m,
+            least_clearance_m=leg.start.least_clearance_m,
+            nearest=leg.start.nearest,
+            manipulability=leg.start.manipulability,
+            transfer_s=leg.transfer.trajectory.duration,
+            transfer_least_margin_m=leg.transfer.least_margin_m,
+            rotation_s=None if leg.profile is None else leg.profile.duration,
+        )
+        for leg in plan.legs
+    ]
+    return PlanSummary(
+        cell=cell.name,
+        poses=poses,
+        home_s=plan.home.trajectory.duration,
+        robot_s=plan.robot_s,
+        plan_s=plan.plan_s,
+        least_margin_m=plan.least_margin_m,
+    )

@@ -1,0 +1,66 @@
+"""Margins of all pairs of bodies at once, and how fast each can change.
+
+The margin of a pair depends only on the joints between its two bodies: a wrist that is always close to its own forearm says nothing about a
+turning base. Certifying pair by pair therefore needs far fewer samples than certifying the smallest margin alone.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from core.collision import Body, CollisionModel
+from core.robot import RobotModel
+
+Array = NDArray[np.float64]
+
+
+class PairMargins:
+    """The pairs of a collision model, those against obstacles and zones first.
+
+    Attributes:
+        reach: (n_pairs, n); the margin of pair k changes by at most `reach[k] @ |dq|` along a straight joint-space line.
+    """
+
+    def __init__(self, collision: CollisionModel) -> None:
+        self._groups = (collision._environment, collision._self)
+        self._active = [np.array([bool(on) for on in group._results.activeCollisionPairs]) for group in self._groups]
+        pairs = [
+            pair
+            for group, active in zip(self._groups, self._active, strict=True)
+            for pair, on in zip(group.bodies, active, strict=True)
+            if on
+        ]
+        self.reach = np.array([_pair_reach(collision.robot, *pair) for pair in pairs]).reshape(-1, collision.robot.n)
+
+    def __call__(self, q: Array) -> Array:
+        """(n_pairs,), distance minus required distance of every pair at q (n,), m."""
+        return np.concatenate(
+            [_margins(group, active, q) for group, active in zip(self._groups, self._active, strict=True) if active.any()] or [np.empty(0)]
+        )
+
+
+def _margins(group: Any, active: NDArray[np.bool_], q: Array) -> Array:
+    pin.computeDistances(group._model, group._data, group._geometry, group._results, q)
+    distances = np.array([result.min_distance for result in group._results.distanceResults])
+    return np.asarray(distances[active] - group.required_m)
+
+
+def _pair_reach(robot: RobotModel, first: Body, second: Body) -> Array:
+    """(n,), largest distance from each axis between the two bodies that a point of the outer one can have."""
+    outer, inner = (first, second) if first.joint > second.joint else (second, first)
+    placements, axes = robot.chain.placements, robot.chain.axes
+    reach = np.zeros(robot.n)
+    length = 0.0
+    for j in reversed(range(inner.joint, outer.joint)):
+        if j == outer.joint - 1:
+            reach[j] = np.linalg.norm(np.cross(axes[j], outer.corners), axis=1).max()
+            length = float(np.linalg.norm(outer.corners, axis=1).max())
+        else:
+            following = placements[j + 1, :3, 3]
+            reach[j] = np.linalg.norm(np.cross(axes[j], following)) + length
+            length += float(np.linalg.norm(following))
+    return reach

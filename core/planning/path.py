@@ -1,0 +1,207 @@
+"""Collision-free paths in joint space; the only module that touches OMPL (RRT-Connect: Kuffner and LaValle 2000; RRT*: Karaman and
+Frazzoli 2011).
+
+OMPL's own checking resolution is not relied on: each edge is checked by `certificate.is_clear`, which leaves no gap between samples.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from ompl import base, geometric, util
+
+from core.cell import Cell
+from core.collision import CollisionModel
+from core.errors import NoPath
+from core.planning.certificate import LeastMargin, least_margin
+from core.planning.pair_margins import PairMargins
+from core.planning.room import Room
+from core.planning.shortcut import shortened
+from core.planning.timing import MotionLimits, least_seconds
+from core.robot import RobotModel
+
+Array = NDArray[np.float64]
+
+Planner = Literal["rrt_connect", "rrt_star"]
+
+SPARE_M = 0.005
+"""Margin that planning keeps on top of the required clearance, for rounding corners and for the controller's tracking error."""
+
+_STEP_RAD = 0.02
+_RANGE_RAD = 1.0
+_SHORTENING_ATTEMPTS = 300
+
+util.setLogLevel(util.LOG_NONE)
+
+
+@dataclass(frozen=True)
+class Path:
+    """A collision-free path.
+
+    Args:
+        q: (N, n), dense joint positions with both ends, at most 0.02 rad apart.
+        least_margin_m: smallest distance beyond what is required, along all of it.
+        nearest: the pair of bodies at that place, for example "payload - wall".
+        length_rad: in joint space.
+    """
+
+    q: Array
+    least_margin_m: float
+    nearest: str
+    length_rad: float
+
+
+def plan_path(
+    cell: Cell,
+    robot: RobotModel,
+    collision: CollisionModel,
+    start: Array,
+    goal: Array,
+    *,
+    planner: Planner = "rrt_connect",
+    seed: int = 0,
+    seconds: float = 5.0,
+) -> Path:
+    """Path from start to goal (n,) that keeps every required distance, short in time at the cell's Cartesian speed limit.
+
+    Args:
+        seed: the same seed gives the same path, unless the time runs out or the planner uses all of it (RRT*).
+        seconds: bound on the search.
+
+    Raises:
+        NoPath: start or goal outside the limits or too close to something; or nothing found in the time.
+    """
+    start, goal = np.array(start, dtype=float), np.array(goal, dtype=float)
+    for name, q in (("start", start), ("goal", goal)):
+        _check_end(name, q, robot, collision)
+    limits = MotionLimits.of_cell(cell, robot, collision)
+    room = Room(robot, collision, start, goal, SPARE_M)
+
+    def cost(q: Array) -> float:
+        return least_seconds(q, robot, limits)
+
+    line = np.stack((start, goal))
+    found = [line] if room.has_all(line) else _searched(room, collision, line, planner, seed, seconds)
+    rng = np.random.default_rng(seed)
+    short = [shortened(q, cost, room.has_all, rng, attempts=_SHORTENING_ATTEMPTS) for q in found]
+    return _described(min(short, key=cost), room.margins, collision)
+
+
+def dense(q: Array, step: float = _STEP_RAD) -> Array:
+    """The polyline q with rows at most `step` rad apart; its own rows are kept."""
+    rows = [q[:1]]
+    for a, b in pairwise(q):
+        count = max(1, int(np.ceil(np.linalg.norm(b - a) / step)))
+        rows.append(a + (b - a) * np.linspace(0.0, 1.0, count + 1)[1:, None])
+    return np.concatenate(rows)
+
+
+def nearest_names(collision: CollisionModel, least: LeastMargin) -> str:
+    """The nearest pair where the margin is least."""
+    nearest = collision.nearest(least.q)
+    return f"{nearest.first} - {nearest.second}"
+
+
+def _described(q: Array, margins: PairMargins, collision: CollisionModel) -> Path:
+    least = least_margin(margins, q)
+    rows = dense(q)
+    length = float(np.linalg.norm(np.diff(rows, axis=0), axis=1).sum())
+    return Path(rows, least.margin_m, nearest_names(collision, least), length)
+
+
+def _check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel) -> None:
+    if q.shape != (robot.n,) or not np.isfinite(q).all():
+        raise NoPath(f"the {name} of the path is {q.tolist()}, expected {robot.n} finite joint positions in rad.")
+    outside = np.flatnonzero((q < robot.lower) | (q > robot.upper))
+    if len(outside):
+        j = int(outside[0])
+        raise NoPath(
+            f"the {name} of the path has {robot.description.joints[j]} at {q[j]:.3f} rad, outside its limits "
+            f"[{robot.lower[j]:.3f}, {robot.upper[j]:.3f}] rad. Choose another {name} configuration."
+        )
+    nearest = collision.nearest(q)
+    if nearest.margin_m < 0.0:
+        raise NoPath(
+            f"at the {name} of the path {nearest.first!r} is {nearest.distance_m:.4f} m from {nearest.second!r} "
+            f"(limit {nearest.required_m:.3f} m). Choose another {name} configuration or clear the cell."
+        )
+
+
+def _searched(room: Room, collision: CollisionModel, ends: Array, planner: Planner, seed: int, seconds: float) -> list[Array]:
+    """Paths (M, n) between the two rows of `ends`: the first that is found, and one more that may be shorter in time."""
+    first = _search(room, ends, planner, seed, seconds)
+    if not first.arrived:
+        raise NoPath(_not_found(collision, first, ends, planner, seconds))
+    if planner == "rrt_star":
+        return [first.q]
+    second = _search(room, ends, planner, seed + 1, seconds)
+    return [first.q, second.q] if second.arrived else [first.q]
+
+
+@dataclass(frozen=True)
+class _Found:
+    """Vertices (M, n) of a path from the start, and whether it arrives at the goal."""
+
+    q: Array
+    arrived: bool
+
+
+def _search(room: Room, ends: Array, planner: Planner, seed: int, seconds: float) -> _Found:
+    """One search by OMPL. What is returned is a copy: OMPL's states die with it."""
+    util.RNG.setSeed(seed + 1)  # 0 would mean a random seed
+    n = ends.shape[1]
+    space = base.RealVectorStateSpace(n)
+    space.setBounds(_bounds(room, ends))
+    setup = geometric.SimpleSetup(space)
+    information = setup.getSpaceInformation()
+    setup.setStateValidityChecker(lambda state: bool(room.has(np.array(state[0:n]))))  # numpy.bool_ would be a bad cast
+    information.setMotionValidator(_Edges(information, room, n))
+    states = [space.allocState() for _ in ends]
+    for state, q in zip(states, ends, strict=True):
+        for j in range(n):
+            state[j] = float(q[j])
+    setup.setStartAndGoalStates(*states)
+    search = {"rrt_connect": geometric.RRTConnect, "rrt_star": geometric.RRTstar}[planner](information)
+    search.setRange(_RANGE_RAD)
+    setup.setPlanner(search)
+    setup.solve(seconds)
+    if not setup.getProblemDefinition().hasSolution():
+        return _Found(ends[:1], False)
+    q = np.array([state[0:n] for state in setup.getSolutionPath().getStates()])
+    return _Found(q, bool(setup.haveExactSolutionPath()))
+
+
+class _Edges(base.MotionValidator):  # type: ignore[misc]
+    """OMPL's question whether the robot may move straight from one state to another."""
+
+    def __init__(self, information: base.SpaceInformation, room: Room, n: int) -> None:
+        super().__init__(information)
+        self._room, self._n = room, n
+
+    def checkMotion(self, first: base.State, second: base.State) -> bool:  # noqa: N802  OMPL's name
+        return bool(self._room.has_all(np.array([first[0 : self._n], second[0 : self._n]])))
+
+
+def _bounds(room: Room, ends: Array) -> base.RealVectorBounds:
+    """The box round both ends, half a turn wider on either side: a joint that can turn twice is not made to."""
+    low = np.maximum(room.lower, ends.min(axis=0) - np.pi)
+    high = np.minimum(room.upper, ends.max(axis=0) + np.pi)
+    bounds = base.RealVectorBounds(ends.shape[1])
+    for j in range(ends.shape[1]):
+        bounds.setLow(j, float(low[j]))
+        bounds.setHigh(j, float(high[j]))
+    return bounds
+
+
+def _not_found(collision: CollisionModel, best: _Found, ends: Array, planner: Planner, seconds: float) -> str:
+    tight = min((collision.nearest(q) for q in ends), key=lambda pair: pair.margin_m)
+    left = float(np.linalg.norm(best.q[-1] - ends[1]))
+    return (
+        f"no path found in {seconds:.1f} s by {planner}: the search from the start came within {left:.2f} rad of the goal, "
+        f"{float(np.linalg.norm(ends[1] - ends[0])):.2f} rad away; the tighter end has {tight.first!r} {tight.distance_m:.3f} m from "
+        f"{tight.second!r} (limit {tight.required_m:.3f} m). Give it more time, choose another start configuration, or clear the cell."
+    )

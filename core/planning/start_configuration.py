@@ -1,0 +1,230 @@
+"""Start configurations of the decoupling motions and of the motionless poses: Algorithm 6 with Eq. (6) of the paper.
+
+A double grid over the workspace; at each vertex several configurations with the sensor axis along gravity, at a random angle about it.
+Candidates are taken best first and have to pass every check: distances, room for the whole rotation within all limits, and no load that
+comes off, at whatever moment, flies into a protected zone.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell import Cell
+from core.collision import CollisionModel
+from core.errors import NoStartConfiguration
+from core.planning.candidates import Candidates, CandidateSearch, Weights
+from core.planning.certificate import is_clear
+from core.planning.grid import draw_postures, first_grid, second_grid
+from core.planning.pair_margins import PairMargins
+from core.planning.rotation import Obstruction, RotationCheck, Turn
+from core.planning.throw import Throw, ThrowCheck, loads_of
+from core.robot import RobotModel
+from core.trajectory import AngularProfile
+
+Array = NDArray[np.float64]
+
+LIMIT_MARGIN_RAD = 0.05
+"""Start configurations and rotations keep this far from the joint limits."""
+
+ROOM_M = 0.01
+"""Margin on top of the required distances, for stopping and for the controller's tracking error."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """The size of the search.
+
+    Args:
+        vertices: N_v of the first grid, about.
+        per_vertex: N_c.
+        per_side: vertices per side of the second grid, which spans two spacings of the first.
+        postures: random postures from which the inverse kinematics starts.
+        rounds: how often the search is repeated with other postures, each time with twice the vertices, where nothing was found.
+    """
+
+    vertices: int = 500
+    per_vertex: int = 10
+    per_side: int = 5
+    postures: int = 20_000
+    rounds: int = 3
+
+
+@dataclass(frozen=True)
+class StartConfiguration:
+    """Where a rotation starts, or where the robot holds still.
+
+    Args:
+        axis: sensor axis with its sign; "x+" lies along gravity, "x-" against it.
+        q: (n,), rad.
+        objective: Eq. (6).
+        clearance_m: to obstacles and zones at the start.
+        least_clearance_m: the same over the whole rotation.
+        nearest: name of the obstacle or zone that is nearest during the rotation.
+        manipulability: smallest over largest singular value of the Jacobian at the start.
+        throw: the flight of a released load that comes nearest to a protected zone; None when the cell has no zones.
+        candidates: how many configurations were tried.
+    """
+
+    axis: str
+    q: Array
+    objective: float
+    clearance_m: float
+    least_clearance_m: float
+    nearest: str
+    manipulability: float
+    throw: Throw | None
+    candidates: int
+
+
+@dataclass(frozen=True)
+class Accepted:
+    """A candidate that passed every check."""
+
+    row: int
+    path: Array
+    throw: Throw | None
+
+
+class Checks:
+    """Everything that a candidate has to pass, the cheap checks first; counts what was rejected, and why."""
+
+    def __init__(
+        self,
+        cell: Cell,
+        robot: RobotModel,
+        collision: CollisionModel,
+        axis: Array,
+        rotation: AngularProfile | None,
+        limits: tuple[Array, Array],
+    ) -> None:
+        self._cell, self._robot, self._collision = cell, robot, collision
+        self._margins = PairMargins(collision)
+        self._throw = ThrowCheck(cell)
+        self._loads = loads_of(collision.payload_box, axis, rotation)
+        self._rotation = None
+        if rotation is not None:
+            self._rotation = RotationCheck(cell, robot, collision, Turn.of(rotation, axis), limits)
+        self.rejected: Counter[str] = Counter()
+
+    def passed(self, candidates: Candidates, row: int) -> Accepted | None:
+        """The candidate with its rotation, or None, which is counted."""
+        outcome = self._check(candidates.q[row], candidates.clearance[row])
+        if isinstance(outcome, str):
+            self.rejected[outcome] += 1
+            return None
+        return Accepted(row, *outcome)
+
+    def _check(self, q: Array, clearance: float) -> tuple[Array, Throw | None] | str:
+        """The path of the rotation (K, n) and the worst throw, or the reason for the refusal."""
+        if clearance < self._cell.limits.clearance_m + ROOM_M:
+            return f"too close to {self._collision.obstacle_distance(q).second!r}"
+        if self._collision.self_margin(q) < ROOM_M:
+            return _too_close(self._collision, q[None])
+        pose = self._robot.sensor_pose(q)
+        throw = self._throw.nearest(self._loads, pose.rotation, pose.position)
+        if throw is not None and throw.distance_m < 0.0:
+            return f"a released load would fly into zone {throw.zone!r}"
+        path = q[None] if self._rotation is None else self._rotation(q)
+        if isinstance(path, Obstruction):
+            return str(path)
+        if len(path) > 1 and not is_clear(self._margins, path, ROOM_M):
+            return f"no room for the rotation: {_too_close(self._collision, path)}"
+        return path, throw
+
+
+def _too_close(collision: CollisionModel, path: Array) -> str:
+    """The two bodies with the least margin on a path (K, n)."""
+    nearest = min((collision.nearest(q) for q in path), key=lambda pair: pair.margin_m)
+    return f"{nearest.first!r} too close to {nearest.second!r}"
+
+
+def find_start_configuration(
+    cell: Cell,
+    robot: RobotModel,
+    collision: CollisionModel,
+    axis: str,
+    rotation: AngularProfile | None,
+    *,
+    seed: int,
+    near: Array | None = None,
+    grid: Grid | None = None,
+    weights: Weights | None = None,
+) -> StartConfiguration:
+    """The best configuration with a sensor axis along ("x+") or against ("x-") gravity from which the whole rotation can be done safely.
+
+    Args:
+        rotation: about the sensor axis through the sensor origin, positive about the sensor's own axis; None for a pose that is only held.
+        seed: the same seed gives the same configuration.
+        near: (n,), where the robot comes from: every second of the way there costs `weights.travel_per_s`.
+
+    Raises:
+        NoStartConfiguration: there is none, with what rejected how many candidates.
+    """
+    grid, weights = grid or Grid(), weights or Weights()
+    rng = np.random.default_rng(seed)
+    unit = np.eye(3)["xyz".index(axis[0])]
+    direction = unit if axis[1] == "+" else -unit
+    down = cell.gravity / np.linalg.norm(cell.gravity)
+    limits = (robot.lower + LIMIT_MARGIN_RAD, robot.upper - LIMIT_MARGIN_RAD)
+    checks = Checks(cell, robot, collision, unit, rotation, limits)
+    search = CandidateSearch(cell, robot, collision, limits=limits, near=near, diameter=2.0 * float(collision.reach[0]), weights=weights)
+    everything: list[Candidates] = []
+    for k in range(grid.rounds):
+        postures = draw_postures(robot, rng, grid.postures, limits=limits, near=near, axis=direction, gravity=down)
+        vertices, spacing = first_grid(postures, grid.vertices * 2**k)
+        first = search.at(vertices, postures, grid.per_vertex)
+        everything.append(first)
+        best = _first_accepted(first, checks)
+        if best is not None:
+            finer = second_grid(vertices[first.vertex[best.row]], spacing, grid.per_side)
+            second = search.at(finer, postures, grid.per_vertex)
+            everything.append(second)
+            better = _first_accepted(second, checks, above=float(first.score[best.row]))
+            chosen = (first, best) if better is None else (second, better)
+            return _described(axis, *chosen, collision, sum(candidates.tried for candidates in everything))
+    raise _refusal(axis, everything, checks, collision)
+
+
+def _first_accepted(candidates: Candidates, checks: Checks, above: float = -np.inf) -> Accepted | None:
+    """The candidate with the best score above a value that passes every check."""
+    return next((found for row in _best_first(candidates, above) if (found := checks.passed(candidates, row))), None)
+
+
+def _best_first(candidates: Candidates, above: float) -> Iterator[int]:
+    for row in np.argsort(-candidates.score, kind="stable"):
+        if candidates.score[row] <= above:
+            return
+        yield int(row)
+
+
+def _described(axis: str, candidates: Candidates, accepted: Accepted, collision: CollisionModel, tried: int) -> StartConfiguration:
+    row = accepted.row
+    nearest = min((collision.obstacle_distance(q) for q in accepted.path), key=lambda pair: pair.distance_m)
+    return StartConfiguration(
+        axis=axis,
+        q=candidates.q[row].copy(),
+        objective=float(candidates.objective[row]),
+        clearance_m=float(candidates.clearance[row]),
+        least_clearance_m=nearest.distance_m,
+        nearest=nearest.second,
+        manipulability=float(candidates.manipulability[row]),
+        throw=accepted.throw,
+        candidates=tried,
+    )
+
+
+def _refusal(axis: str, everything: list[Candidates], checks: Checks, collision: CollisionModel) -> NoStartConfiguration:
+    """The error with its reasons; "unreachable" are those for which the inverse kinematics has no solution."""
+    unreachable = sum(candidates.tried - len(candidates) for candidates in everything)
+    reasons = {**checks.rejected, **({"unreachable": unreachable} if unreachable else {})}
+    reached = [candidates for candidates in everything if len(candidates)]
+    if not reached:
+        return NoStartConfiguration(axis, reasons)
+    best = max(reached, key=lambda candidates: candidates.clearance.max())
+    nearest = collision.obstacle_distance(best.q[np.argmax(best.clearance)])
+    return NoStartConfiguration(axis, reasons, nearest.distance_m, nearest.second)

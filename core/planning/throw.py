@@ -1,0 +1,180 @@
+"""Where a load flies that comes off while it is turned, and whether that is into a protected zone (section 4 of the paper).
+
+The load is the whole payload box. It is released with its rigid-body velocity at some moment of the motion, then falls freely down to the
+floor. Watched are the ball round the box, which flies with the box's centre and contains the tumbling box as long as the centre of mass is
+near it, and every corner as if it came off by itself. What the load does after it has hit an obstacle is not predicted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from core.cell import Box, Capsule, Cell, Zone
+from core.trajectory import AngularProfile
+
+Array = NDArray[np.float64]
+
+PAD_M = 0.005
+"""Added to everything that flies, for the moments between those that are looked at."""
+
+_MOMENTS = 24
+_LONGEST_FALL_S = 3.0
+_SHORTEST_STEP_S = 0.001
+
+
+@dataclass(frozen=True)
+class Throw:
+    """The flight of a released load that comes nearest to a protected zone.
+
+    Args:
+        zone: name of that zone.
+        distance_m: smallest distance between them; negative where the load would enter the zone.
+        time_s: moment of release, from the start of the rotation.
+        speed_m_s: of the fastest point at release.
+    """
+
+    zone: str
+    distance_m: float
+    time_s: float
+    speed_m_s: float
+
+
+@dataclass(frozen=True)
+class Loads:
+    """What flies: points of the load with a radius, and the moments of release, in the frame of the sensor at the start.
+
+    Args:
+        time: (M,), s.
+        position: (M, K, 3), of the K points, relative to the sensor origin, in the sensor's axes at the start, m.
+        velocity: (M, K, 3), likewise, m/s.
+        radius: (K,), m.
+    """
+
+    time: Array
+    position: Array
+    velocity: Array
+    radius: Array
+
+
+def loads_of(box: Box, axis: Array, profile: AngularProfile | None) -> Loads:
+    """The moments of a rotation about `axis` (3,), a unit vector in the sensor frame, at which the load may come off.
+
+    `None` is a hold: one moment, no velocity. Moments are the extremes of rate and angle and evenly spaced ones.
+    """
+    centre = box.pose.translation
+    points = np.vstack((centre[None], box.corners))
+    radius = np.zeros(len(points))
+    radius[0] = np.linalg.norm(box.corners[0] - centre)
+    if profile is None:
+        return Loads(np.zeros(1), points[None], np.zeros((1, *points.shape)), radius + PAD_M)
+    extremes = [f(values) for f in (np.argmin, np.argmax) for values in (profile.rate, profile.angle)]
+    rows = np.unique(np.concatenate((np.linspace(0, len(profile.angle) - 1, _MOMENTS).astype(int), extremes)))
+    turned = Rotation.from_rotvec(profile.angle[rows, None] * axis).as_matrix()
+    position = np.einsum("mij,kj->mki", turned, points)
+    velocity = np.cross(profile.rate[rows, None, None] * axis, position)
+    return Loads(profile.period * rows, position, velocity, radius + PAD_M)
+
+
+@njit(cache=True)
+def _distance(kind: int, size: Array, x: float, y: float, z: float) -> float:
+    """Signed distance of a point in a shape's own frame: 0 box with half sides `size`; 1 capsule of radius size[0], half length size[2]."""
+    if kind == 1:
+        z -= min(max(z, -size[2]), size[2])
+        return float(np.sqrt(x * x + y * y + z * z) - size[0])
+    dx, dy, dz = abs(x) - size[0], abs(y) - size[1], abs(z) - size[2]
+    outside = np.sqrt(max(dx, 0.0) ** 2 + max(dy, 0.0) ** 2 + max(dz, 0.0) ** 2)
+    return float(outside + min(max(dx, dy, dz), 0.0))
+
+
+@njit(cache=True)
+def _nearest_flight(
+    position: Array,
+    velocity: Array,
+    radius: Array,
+    gravity: Array,
+    floor_z: float,
+    kind: NDArray[np.int64],
+    size: Array,
+    R: Array,
+    p: Array,
+) -> tuple[float, int, int]:
+    """Smallest distance of any flight to any shape, with its release and its shape.
+
+    Marches along each flight: from a distance d the load cannot get nearer than the least distance so far within the time in which it flies
+    the difference, so steps are long where there is room.
+    """
+    g = np.sqrt(gravity[0] ** 2 + gravity[1] ** 2 + gravity[2] ** 2)
+    least, release, shape = np.inf, 0, 0
+    for m in range(position.shape[0]):
+        for k in range(position.shape[1]):
+            x, v = position[m, k], velocity[m, k]
+            speed = np.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
+            t = 0.0
+            while t < _LONGEST_FALL_S:
+                y0 = x[0] + v[0] * t + 0.5 * gravity[0] * t * t
+                y1 = x[1] + v[1] * t + 0.5 * gravity[1] * t * t
+                y2 = x[2] + v[2] * t + 0.5 * gravity[2] * t * t
+                if t > 0.0 and y2 < floor_z:
+                    break
+                nearest = np.inf
+                for s in range(len(kind)):
+                    d0, d1, d2 = y0 - p[s, 0], y1 - p[s, 1], y2 - p[s, 2]
+                    d = _distance(
+                        kind[s],
+                        size[s],
+                        R[s, 0, 0] * d0 + R[s, 1, 0] * d1 + R[s, 2, 0] * d2,
+                        R[s, 0, 1] * d0 + R[s, 1, 1] * d1 + R[s, 2, 1] * d2,
+                        R[s, 0, 2] * d0 + R[s, 1, 2] * d1 + R[s, 2, 2] * d2,
+                    )
+                    nearest = min(nearest, d - radius[k])
+                    if d - radius[k] < least:
+                        least, release, shape = d - radius[k], m, s
+                # speed t + g t^2 / 2 more than (nearest - least) is needed to come nearer than `least`
+                u = speed + g * t
+                room = max(nearest - least, 0.0)
+                t += max((np.sqrt(u * u + 2.0 * g * room) - u) / g, _SHORTEST_STEP_S)
+    return least, release, shape
+
+
+class ThrowCheck:
+    """The flights of released loads in one cell."""
+
+    def __init__(self, cell: Cell) -> None:
+        self._zones = cell.zones
+        self._gravity = cell.gravity
+        self._floor_z = cell.floor_z_m
+        self._kind = np.array([0 if isinstance(zone.shape, Box) else 1 for zone in cell.zones], dtype=np.int64)
+        self._size = np.array([_half_size(zone) for zone in cell.zones]).reshape(-1, 3)
+        self._R = np.array([zone.shape.pose.rotation for zone in cell.zones]).reshape(-1, 3, 3)
+        self._p = np.array([zone.shape.pose.translation for zone in cell.zones]).reshape(-1, 3)
+
+    def nearest(self, loads: Loads, rotation: Array, position: Array) -> Throw | None:
+        """The flight nearest to a zone when the motion starts with the sensor at a pose; None when the cell has no zones.
+
+        Args:
+            rotation, position: (3, 3) and (3,), the sensor in the world at the start of the motion.
+        """
+        if not self._zones:
+            return None
+        x = position + loads.position @ rotation.T
+        v = loads.velocity @ rotation.T
+        distance, m, k = _nearest_flight(x, v, loads.radius, self._gravity, self._floor_z, self._kind, self._size, self._R, self._p)
+        speed = float(np.linalg.norm(loads.velocity[m], axis=1).max())
+        return Throw(self._zones[k].name, float(distance), float(loads.time[m]), speed)
+
+
+def _half_size(zone: Zone) -> tuple[float, float, float]:
+    shape = zone.shape
+    match shape:
+        case Box():
+            x, y, z = shape.size_m
+            return 0.5 * x, 0.5 * y, 0.5 * z
+        case Capsule():
+            return shape.radius_m, 0.0, 0.5 * shape.length_m
+        case _:
+            return shape.radius_m, 0.0, 0.0

@@ -1,0 +1,104 @@
+"""A transfer: from one configuration to another, planned, rounded, timed, and checked once more as it will be commanded."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell import Cell
+from core.collision import CollisionModel
+from core.errors import NoPath
+from core.planning.blending import rounded
+from core.planning.certificate import least_margin
+from core.planning.path import SPARE_M, Planner, nearest_names, plan_path
+from core.planning.room import Room
+from core.planning.timing import MotionLimits, time_curve
+from core.robot import RobotModel
+from core.trajectory import JointTrajectory
+
+Array = NDArray[np.float64]
+
+SPEED_FRACTION = 0.96
+"""Part of the Cartesian limit that is planned with; the rest is left to the controller's tracking error."""
+
+ROUNDING_SPARE_M = 0.6 * SPARE_M
+"""Margin that rounding a corner may not use up: what is left for the controller's tracking error."""
+
+_TRIES = 4
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """A transfer that may be commanded as it is.
+
+    Args:
+        trajectory: joint positions at the control period, at rest at both ends.
+        least_margin_m: smallest distance beyond what is required, along the trajectory.
+        certified_margin_m: nowhere, also between samples, is the margin smaller than this.
+        nearest: the pair of bodies where it is least.
+        length_rad: of the path in joint space.
+    """
+
+    trajectory: JointTrajectory
+    least_margin_m: float
+    certified_margin_m: float
+    nearest: str
+    length_rad: float
+
+
+def plan_transfer(
+    cell: Cell,
+    robot: RobotModel,
+    collision: CollisionModel,
+    start: Array,
+    goal: Array,
+    *,
+    period: float,
+    seed: int = 0,
+    planner: Planner = "rrt_connect",
+    seconds: float = 5.0,
+) -> Transfer:
+    """Timed transfer between two configurations (n,) that keeps all distances and limits.
+
+    Args:
+        period: control period, s.
+        seconds: bound on the search for a path, for each of a few tries.
+
+    Raises:
+        NoPath: with the reason of the last try.
+    """
+    if np.array_equal(start, goal):
+        return _resting(collision, start, period)
+    limits = MotionLimits.of_cell(cell, robot, collision)
+    limits = replace(limits, cartesian_speed_m_s=SPEED_FRACTION * limits.cartesian_speed_m_s)
+    room = Room(robot, collision, start, goal, ROUNDING_SPARE_M)
+    for attempt in range(_TRIES):
+        path = plan_path(cell, robot, collision, start, goal, planner=planner, seed=seed + 1000 * attempt, seconds=seconds)
+        try:
+            trajectory = time_curve(rounded(path.q, room.has_all), robot, limits, period=period)
+        except NoPath as error:
+            failure = error
+            continue
+        least = least_margin(room.margins, trajectory.q)
+        if least.bound_m >= 0.0:
+            names = nearest_names(collision, least)
+            return Transfer(trajectory, least.margin_m, least.bound_m, names, path.length_rad)
+        failure = NoPath(
+            f"the timed path comes {-least.margin_m:.4f} m too close ({nearest_names(collision, least)}) where its corners are rounded. "
+            "Plan again with another seed, or give the path more room."
+        )
+    raise failure
+
+
+def _resting(collision: CollisionModel, q: Array, period: float) -> Transfer:
+    """The transfer of a robot that is there already."""
+    nearest = collision.nearest(q)
+    if nearest.margin_m < 0.0:
+        raise NoPath(
+            f"the robot stands with {nearest.first!r} {nearest.distance_m:.4f} m from {nearest.second!r} "
+            f"(limit {nearest.required_m:.3f} m). Clear the cell."
+        )
+    trajectory = JointTrajectory(period, np.array([q], dtype=float))
+    return Transfer(trajectory, nearest.margin_m, nearest.margin_m, f"{nearest.first} - {nearest.second}", 0.0)

@@ -1,0 +1,211 @@
+"""The whole procedure of the paper (Fig. 2-3) from top to bottom: plan, move, hold, rotate, estimate.
+
+`identify` is a generator of events that returns the outcome: no threads, no callbacks. The command line prints the events, a test drains
+them. `carry_out` is the same for a plan that has been shown and released already.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Generator, Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell import Box, Cell, Payload
+from core.collision import CollisionModel
+from core.control.execute import execute
+from core.control.guard import Guard
+from core.control.movers import Mover, Playback, StandStill
+from core.control.rotation import Rotation
+from core.errors import Interrupted, Refused, Stopped
+from core.estimation.identification import identify_recording
+from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped
+from core.outcome import Outcome
+from core.plan import POSES, Leg, Plan, Timing, plan_procedure
+from core.recording_folder import write_recording
+from core.robot import RobotModel
+from core.sample_log import SampleLog
+from core.sessions.session import RobotSession
+
+Array = NDArray[np.float64]
+
+MAX_RESTARTS = 3
+"""How often the guard may stop a run before it is given up."""
+
+
+def identify(
+    cell: Cell,
+    session: RobotSession,
+    payload_box: Box,
+    *,
+    payload: str | None = None,
+    reference: Payload | None = None,
+    timing: Timing | None = None,
+    mass_guess_kg: float = 1.0,
+    seed: int = 0,
+    out: Path | None = None,
+) -> Generator[Event, None, Outcome]:
+    """Finds out what the robot carries: plans, carries the plan out, estimates.
+
+    Args:
+        cell: where the robot stands, with its limits.
+        session: the robot; entered and left here.
+        payload_box: what certainly contains the payload, sensor frame. Nothing else need be known of it.
+        payload, reference: name and reference values, only written into the recording.
+        timing: holds, accuracy and robot time.
+        mass_guess_kg: what repetitions are planned for until the mass is known.
+        seed: of planning.
+        out: folder to make for the recording; nothing is written where absent.
+
+    Raises:
+        Refused: the cell leaves no safe way; the robot has not moved.
+        Stopped: the guard stopped the robot more often than may be; the recording is written.
+        Interrupted: Ctrl-C; the robot is stopped and the recording written.
+    """
+    run = _Run(cell, session, payload_box, timing or Timing(), mass_guess_kg, seed)
+    plan = yield from run.planned(np.array(cell.robot.home_rad), POSES)
+    return (yield from _carried_out(run, plan, payload, reference, out))
+
+
+def carry_out(
+    cell: Cell,
+    session: RobotSession,
+    payload_box: Box,
+    plan: Plan,
+    *,
+    payload: str | None = None,
+    reference: Payload | None = None,
+    mass_guess_kg: float = 1.0,
+    seed: int = 0,
+    out: Path | None = None,
+) -> Generator[Event, None, Outcome]:
+    """The second half of `identify`, for a plan that starts where the robot stands. Arguments and errors as there."""
+    run = _Run(cell, session, payload_box, plan.timing, mass_guess_kg, seed)
+    run.plan_s = plan.plan_s
+    return (yield from _carried_out(run, plan, payload, reference, out))
+
+
+def _carried_out(
+    run: _Run, plan: Plan, payload: str | None, reference: Payload | None, out: Path | None
+) -> Generator[Event, None, Outcome]:
+    """Moves, closes the recording whatever ended the motion, and estimates."""
+    log = SampleLog(run.cell, run.robot, payload=payload, reference=reference)
+    try:
+        with run.session:
+            plan = yield from run.moved(plan, log)
+    except (Stopped, Refused):
+        yield from _written(log, out)
+        raise
+    except KeyboardInterrupt:
+        yield from _written(log, out)
+        where = "" if out is None else f" and the recording so far closed in {out}"
+        raise Interrupted(f"interrupted after {log.seconds:.1f} s of motion; the robot was stopped{where}.") from None
+    yield from _written(log, out)
+    recording = log.recording()
+    began = time.perf_counter()
+    identification = identify_recording(recording)
+    estimate_s = time.perf_counter() - began
+    yield Finished(verdict=identification.verdict)
+    return Outcome(
+        cell=run.cell,
+        payload_box=run.payload_box,
+        plan=plan,
+        recording=recording,
+        identification=identification,
+        safety=run.guard.record,
+        distances=np.array(run.guard.distances).reshape(-1, 2),
+        restarts=run.restarts,
+        plan_s=run.plan_s,
+        robot_s=log.seconds,
+        estimate_s=estimate_s,
+        seed=run.seed,
+    )
+
+
+def _written(log: SampleLog, out: Path | None) -> Generator[Event, None, None]:
+    """The recording on disk, if it is wanted and there is anything to write."""
+    if out is None or not len(log):
+        return
+    write_recording(log.recording(), out)
+    yield RecordingWritten(folder=str(out), samples=len(log))
+
+
+class _Run:
+    """One robot in one cell: plans, moves, and plans anew after a stop."""
+
+    def __init__(self, cell: Cell, session: RobotSession, payload_box: Box, timing: Timing, mass_guess_kg: float, seed: int) -> None:
+        self.cell, self.session, self.payload_box = cell, session, payload_box
+        self.timing, self.mass_guess_kg, self.seed = timing, mass_guess_kg, seed
+        self.robot = RobotModel.of_cell(cell)
+        self.collision = CollisionModel(cell, self.robot, payload_box)
+        self.guard = Guard(cell, self.robot, self.collision, period=session.period)
+        self.restarts = 0
+        self.plan_s = 0.0
+
+    def planned(self, start: Array, poses: Sequence[str]) -> Generator[Event, None, Plan]:
+        """A plan through the poses from where the robot stands; another seed after each stop gives other start configurations."""
+        plan = yield from plan_procedure(
+            self.cell,
+            self.robot,
+            self.collision,
+            self.payload_box,
+            start=start,
+            poses=poses,
+            period=self.session.period,
+            timing=self.timing,
+            mass_guess_kg=self.mass_guess_kg,
+            seed=self.seed + self.restarts,
+        )
+        self.plan_s += plan.plan_s
+        return plan
+
+    def moved(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
+        """Carries the plan out; after a stop by the guard the rest of it from new start configurations, as the paper says.
+
+        Returns the last plan.
+        """
+        done = 0
+        while True:
+            try:
+                for leg in plan.legs:
+                    yield from self.leg(leg, log, plan, step=done + 1)
+                    done += 1
+                yield from self.phase("transfer", "home", Playback(plan.home.trajectory), log, plan, step=len(POSES) + 1)
+            except Stopped as error:
+                final = self.restarts >= MAX_RESTARTS
+                yield RobotStopped(error=type(error).__name__, message=str(error), restart=self.restarts + 1, final=final)
+                if final:
+                    raise
+                self.restarts += 1
+                self.session.release()
+                plan = yield from self.planned(self.session.state().q_cmd, POSES[done:])
+            else:
+                return plan
+
+    def leg(self, leg: Leg, log: SampleLog, plan: Plan, *, step: int) -> Generator[Event, None, None]:
+        """Transfer, motionless phase, and where the axis lies along gravity the decoupling motion and another motionless phase."""
+        hold = f"hold:{leg.axis}"
+        period = self.session.period
+        yield from self.phase("transfer", leg.axis, Playback(leg.transfer.trajectory), log, plan, step=step)
+        yield from self.phase(hold, "", StandStill(plan.timing.hold_s, period), log, plan, step=step)
+        if leg.profile is None:
+            return
+        rotation = Rotation(
+            self.robot,
+            self.collision.points,
+            self.guard.limits,
+            cartesian_speed=self.cell.limits.cartesian_speed_m_s,
+            profile=leg.profile,
+            axis="xyz".index(leg.axis[0]),
+        )
+        yield from self.phase(f"rotate:{leg.axis[0]}", "", rotation, log, plan, step=step)
+        yield from self.phase(hold, "", StandStill(plan.timing.settle_s, period), log, plan, step=step)
+
+    def phase(self, phase: str, toward: str, mover: Mover, log: SampleLog, plan: Plan, *, step: int) -> Generator[Event, None, None]:
+        """One motion: its samples into the log, its progress as events."""
+        yield PhaseStarted(phase=phase, toward=toward, step=step, steps=len(POSES) + 1)
+        for batch in execute(self.session, self.guard, mover, phase):
+            log.extend(batch.states, batch.phase)
+            yield Progress(phase=phase, done_s=log.seconds, total_s=max(plan.robot_s, log.seconds))

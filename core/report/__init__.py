@@ -1,0 +1,1 @@
+"""The report of one identification as a single HTML file."""

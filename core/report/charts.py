@@ -1,0 +1,189 @@
+"""Time series as SVG with the page's own colours: grey lines, colour only where something is abnormal."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from core.estimation.segments import Segment
+from core.inertia import Motion
+
+Array = NDArray[np.float64]
+
+CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
+UNITS = ("N", "N", "N", "N m", "N m", "N m")
+POINTS = 2000  # of a line
+
+# stand-ins that become variables of the style sheet, so that a picture follows the page's light and dark
+COLOURS = {"ink": "#0a0a01", "muted": "#0a0a02", "rule": "#0a0a03", "band": "#0a0a04", "alarm": "#0a0a05"}
+INK, MUTED, RULE, BAND, ALARM = COLOURS.values()
+STYLE: dict[Any, Any] = {
+    "svg.fonttype": "none", "font.size": 9, "axes.edgecolor": RULE, "axes.labelcolor": INK, "xtick.color": RULE,
+    "ytick.color": RULE, "xtick.labelcolor": INK, "ytick.labelcolor": INK, "text.color": INK, "axes.linewidth": 0.8,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.titlesize": 9, "axes.titlelocation": "left",
+    "lines.linewidth": 1.1, "lines.solid_joinstyle": "round", "path.simplify": True,
+    "figure.constrained_layout.use": True,
+    "axes.formatter.useoffset": False, "axes.ymargin": 0.1, "axes.xmargin": 0.0,
+}  # fmt: skip
+
+
+def wrench_chart(t: Array, measured: Array, reconstructed: Array, noise_std: Array, rotating: Sequence[Segment]) -> str:
+    """Fig. 8-9 of the paper over the whole run: wrench measured (without offset) and reconstructed, residual in sigmas.
+
+    Args:
+        t: (N,), s. measured, reconstructed: (N, 6), N and N m. noise_std: (6,).
+    """
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(10.4, 7.4))
+        grid = figure.add_gridspec(6, 2, height_ratios=[3, 1.15] * 3)
+        for k, (channel, unit) in enumerate(zip(CHANNELS, UNITS, strict=True)):
+            row, column = 2 * (k % 3), k // 3
+            upper = figure.add_subplot(grid[row, column])
+            lower = figure.add_subplot(grid[row + 1, column], sharex=upper)
+            _mark(upper, t, rotating, labels=row == 0)
+            _line(upper, t, measured[:, k], MUTED, width=2.4, alpha=0.55)
+            _line(upper, t, reconstructed[:, k], INK)
+            upper.set_ylabel(f"{channel}, {unit}")
+            upper.tick_params(labelbottom=False)
+            _residual(lower, t, (measured[:, k] - reconstructed[:, k]) / noise_std[k])
+            lower.set_xlabel("t, s" if row == 4 else "")
+        return _svg(figure, "wrench")
+
+
+def rotation_chart(t: Array, motion: Motion, measured: Array, reconstructed: Array, rotating: Sequence[Segment]) -> str:
+    """Fig. 6-9 of the paper in the rotations: angular velocity and acceleration, and the torque about the same axis.
+
+    Args:
+        t: (N,), s. motion: sensor frame. measured, reconstructed: (N, 6). rotating: one stretch per column.
+    """
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(10.4, 5.6))
+        axes = figure.subplots(3, len(rotating), sharex="col", squeeze=False)
+        for column, part in enumerate(rotating):
+            k = "xyz".index(part.axis or "x")
+            time = t[part.rows] - t[part.rows][0]
+            others = [i for i in range(3) if i != k]
+            for row, turning, name in ((0, motion.omega, "ω, rad/s"), (1, motion.alpha, "α, rad/s²")):
+                for i in others:
+                    _line(axes[row, column], time, turning[part.rows, i], MUTED, width=0.8, alpha=0.6)
+                _line(axes[row, column], time, turning[part.rows, k], INK)
+                axes[row, column].set_ylabel(name if column == 0 else "")
+            axes[0, column].set_title(f"about sensor axis {part.axis}")
+            _line(axes[2, column], time, measured[part.rows, 3 + k], MUTED, width=2.4, alpha=0.55)
+            _line(axes[2, column], time, reconstructed[part.rows, 3 + k], INK)
+            axes[2, column].set_ylabel(f"t{part.axis}, N m")
+            axes[2, column].set_xlabel("time in the rotation, s")
+        return _svg(figure, "rotation")
+
+
+def distance_chart(t: Array, distance_m: Array, limit_m: float) -> str:
+    """Smallest distance to obstacles and protected zones against the limit; alarm colour below it.
+
+    Args:
+        t: (K,), s. distance_m: (K,), m.
+    """
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(10.4, 2.5))
+        axes = figure.add_subplot()
+        _line(axes, t, distance_m, INK)
+        low = np.where(distance_m < limit_m, distance_m, np.nan)
+        if np.isfinite(low).any():
+            axes.plot(t, low, color=ALARM, linewidth=2.5)
+        axes.axhline(limit_m, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+        axes.annotate(f"limit {limit_m:.3f} m", (1, limit_m), (-2, 3), xycoords=("axes fraction", "data"),
+                      textcoords="offset points", ha="right", fontsize=8)  # fmt: skip
+        k = int(np.nanargmin(distance_m))
+        axes.plot(t[k], distance_m[k], "o", color=INK, markersize=4)
+        above = max(float(distance_m[k]), limit_m)
+        axes.annotate(f"{distance_m[k]:.3f} m", (t[k], above), (0, 9), textcoords="offset points",
+                      ha="center" if 0.15 < (t[k] - t[0]) / np.ptp(t) < 0.85 else "left", fontsize=8)  # fmt: skip
+        axes.set_ylim(0.0, max(1.15 * float(np.nanmax(distance_m)), 1.5 * limit_m))
+        axes.set_xlabel("t, s")
+        axes.set_ylabel("distance, m")
+        return _svg(figure, "distance")
+
+
+def decimated(t: Array, values: Array) -> tuple[Array, Array]:
+    """At most `POINTS` points of a line that keep its extremes: the least and the greatest value of each stretch."""
+    if len(t) <= POINTS:
+        return t, values
+    edges = np.linspace(0, len(t), POINTS // 2 + 1).astype(int)
+    rows = np.concatenate([sorted({a + int(np.argmin(values[a:b])), a + int(np.argmax(values[a:b]))}) for a, b in pairwise(edges)])
+    return t[rows], values[rows]
+
+
+def _line(axes: Axes, t: Array, values: Array, colour: str, *, width: float = 1.1, alpha: float = 1.0) -> None:
+    x, y = decimated(t, values)
+    few = len(t) < 100  # single poses: the line between them means nothing
+    axes.plot(
+        x,
+        y,
+        color=colour,
+        linewidth=width,
+        alpha=alpha,
+        marker="o" if few else None,
+        markersize=2 * width,
+        linestyle="" if few else "-",
+    )
+
+
+def _residual(axes: Axes, t: Array, sigmas: Array) -> None:
+    """Residual in standard deviations of the noise with the band where it belongs; in alarm colour far outside."""
+    axes.axhspan(-3, 3, color=BAND, linewidth=0)
+    _line(axes, t, sigmas, INK, width=0.6)
+    far = np.abs(sigmas) > 6
+    if far.any():
+        x, y = t[far], sigmas[far]
+        step = max(1, len(x) // 500)
+        axes.plot(x[::step], y[::step], ".", color=ALARM, markersize=2)
+    reach = max(4.0, 1.1 * float(np.max(np.abs(sigmas))))
+    axes.set_ylim(-reach, reach)
+    axes.set_ylabel("residual, σ", fontsize=8)
+
+
+def _mark(axes: Axes, t: Array, rotating: Sequence[Segment], *, labels: bool) -> None:
+    """The rotations as bands behind the lines."""
+    for part in rotating:
+        a, b = t[part.rows][0], t[part.rows][-1]
+        axes.axvspan(a, b, color=BAND, linewidth=0)
+        if labels:
+            axes.annotate(part.axis or "", ((a + b) / 2, 1), (0, 2), xycoords=("data", "axes fraction"),
+                          textcoords="offset points", ha="center", fontsize=8)  # fmt: skip
+
+
+def _svg(figure: Figure, name: str) -> str:
+    """The figure as an SVG element of an HTML page; `name` keeps its identifiers apart from those of other figures."""
+    FigureCanvasSVG(figure)
+    stream = io.StringIO()
+    with mpl.rc_context({"svg.hashsalt": name}):
+        figure.savefig(
+            stream,
+            format="svg",
+            transparent=True,
+            metadata={"Date": None, "Creator": None, "Format": None, "Type": None},
+        )
+    text = stream.getvalue()
+    text = text[text.index("<svg") :]
+    text = re.sub(
+        r'<svg[^>]*viewBox="([^"]*)"[^>]*>',
+        rf'<svg class="chart" viewBox="\1" role="img" aria-label="{name}">',
+        text,
+        count=1,
+    )
+    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
+    text = re.sub(r'( d| x| y|transform)="[^"]*"', lambda found: re.sub(r"(\.\d\d)\d+", r"\1", found[0]), text)
+    text = re.sub(r' id="(figure|patch|axes|line2d|text|matplotlib\.axis|xtick|ytick|FillBetween\w*)_?\d+"', "", text)
+    text = re.sub(r"font: ([\d.]+px) [^;\"]*", r"font-size: \1", text)
+    for variable, stand_in in COLOURS.items():
+        text = text.replace(stand_in, f"var(--{variable})")
+    return text

@@ -1,0 +1,133 @@
+"""Shapes as flat faces in the world, for drawing."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull
+
+from core.cell import Box, Capsule, Cell, Shape, Sphere
+from core.robot import RobotModel
+
+Array = NDArray[np.float64]
+Faces = list[Array]
+"""Convex polygons, each (k, 3), counter-clockwise seen from outside, m."""
+
+ROUND = 20  # corners of a circle
+
+
+def faces_of_points(points: Array) -> Faces:
+    """Faces of the convex hull of points (k, 3); coplanar triangles stay triangles."""
+    hull = ConvexHull(points)
+    faces = []
+    for corners, equation in zip(hull.simplices, hull.equations, strict=True):
+        a, b, c = points[corners]
+        outward = np.cross(b - a, c - a) @ equation[:3] > 0
+        faces.append(np.array([a, b, c] if outward else [a, c, b]))
+    return faces
+
+
+def box_faces(size: Array) -> Faces:
+    """Six faces of a box about the origin; size (3,)."""
+    h = 0.5 * np.asarray(size)
+    faces = []
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        for sign in (1.0, -1.0):
+            corners = np.zeros((4, 3))
+            corners[:, axis] = sign * h[axis]
+            corners[:, u] = h[u] * np.array([-1, 1, 1, -1])
+            corners[:, v] = h[v] * np.array([-1, -1, 1, 1]) * sign
+            faces.append(corners)
+    return faces
+
+
+def turned_faces(profile: Array) -> Faces:
+    """A body of revolution about z; profile (k, 2) of radius and height from bottom to top, radius 0 at both ends."""
+    angle = np.linspace(0.0, 2.0 * np.pi, ROUND + 1)
+    circle = np.column_stack([np.cos(angle), np.sin(angle)])
+    faces = []
+    for (r0, z0), (r1, z1) in pairwise(profile):
+        if r0 == 0.0 or r1 == 0.0:
+            radius, z, up = max(r0, r1), (z1 if r0 == 0.0 else z0), r1 == 0.0
+            if z0 == z1:
+                ring = np.column_stack([radius * circle[:-1], np.full(ROUND, z)])
+                faces.append(ring if up else ring[::-1])
+                continue
+        for k in range(ROUND):
+            low, high = (np.column_stack([r * circle[k : k + 2], [z, z]]) for r, z in ((r0, z0), (r1, z1)))
+            quad = np.array([low[0], low[1], high[1], high[0]])
+            faces.append(np.array([corner for i, corner in enumerate(quad) if i == 0 or (corner != quad[i - 1]).any()]))
+    return faces
+
+
+def cylinder_faces(radius: float, length: float) -> Faces:
+    """A cylinder along z about the origin."""
+    h = length / 2
+    return turned_faces(np.array([[0, -h], [radius, -h], [radius, h], [0, h]], dtype=float))
+
+
+def capsule_faces(radius: float, length: float) -> Faces:
+    """A cylinder of the given length along z with round ends."""
+    arc = np.linspace(0.0, np.pi / 2, 6)
+    top = np.column_stack([radius * np.cos(arc), length / 2 + radius * np.sin(arc)])
+    top[-1, 0] = 0.0
+    return turned_faces(np.concatenate([top[::-1] * [1, -1], top]))
+
+
+def sphere_faces(radius: float) -> Faces:
+    """A ball about the origin."""
+    arc = np.linspace(-np.pi / 2, np.pi / 2, 11)
+    profile = np.column_stack([radius * np.cos(arc), radius * np.sin(arc)])
+    profile[[0, -1], 0] = 0.0
+    return turned_faces(profile)
+
+
+def placed(faces: Faces, rotation: Array, position: Array) -> Faces:
+    """Faces in the frame that rotation (3, 3) and position (3,) refer to."""
+    return [face @ rotation.T + position for face in faces]
+
+
+def shape_faces(shape: Shape) -> Faces:
+    """An obstacle's or zone's shape in the world."""
+    match shape:
+        case Box():
+            faces = box_faces(np.array(shape.size_m))
+        case Sphere():
+            faces = sphere_faces(shape.radius_m)
+        case Capsule():
+            faces = capsule_faces(shape.radius_m, shape.length_m)
+    return placed(faces, shape.pose.rotation, shape.pose.translation)
+
+
+def arm_faces(cell: Cell, robot: RobotModel, q: Array) -> Faces:
+    """The robot at q (n,) as its URDF pictures it, or its collision shapes where it has no picture."""
+    for kind in (pin.GeometryType.VISUAL, pin.GeometryType.COLLISION):
+        model = pin.buildGeomFromUrdfString(robot.model, cell.urdf, kind, None, str(cell.folder))
+        if len(model.geometryObjects):
+            break
+    data = model.createData()
+    pin.updateGeometryPlacements(robot.model, robot.model.createData(), model, data, q)
+    faces: Faces = []
+    for body, placement in zip(model.geometryObjects, data.oMg, strict=True):
+        faces += placed(_coal_faces(body.geometry), placement.rotation, placement.translation)
+    return faces
+
+
+def _coal_faces(geometry: Any) -> Faces:
+    match geometry:
+        case coal.Box():
+            return box_faces(2.0 * np.asarray(geometry.halfSide))
+        case coal.Sphere():
+            return sphere_faces(float(geometry.radius))
+        case coal.Cylinder():
+            return cylinder_faces(float(geometry.radius), 2.0 * float(geometry.halfLength))
+        case coal.Capsule():
+            return capsule_faces(float(geometry.radius), 2.0 * float(geometry.halfLength))
+        case _:
+            return faces_of_points(np.asarray(geometry.vertices()))

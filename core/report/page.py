@@ -1,0 +1,96 @@
+"""The report of one identification: a single HTML file that needs no network, for an operator and for an engineer."""
+
+from __future__ import annotations
+
+import uuid
+from pathlib import Path
+from typing import Any
+
+import jinja2
+import numpy as np
+
+from core.estimation.estimate import Identification
+from core.recording import Recording
+from core.report.charts import distance_chart, rotation_chart, wrench_chart
+from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines
+from core.report.scene import scene
+from core.report.summary import RunSummary
+from core.robot import RobotModel
+
+TEMPLATE = Path(__file__).with_name("template.html")
+
+
+def write_report(file: Path, *, recording: Recording, identification: Identification, run: RunSummary | None = None) -> None:
+    """Writes the report; the file appears complete or not at all, and replaces an older one of the same name.
+
+    Args:
+        recording: what was identified.
+        identification: the answer.
+        run: what the guard and the plan saw; None for a recording from elsewhere.
+    """
+    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
+    page = environment.from_string(TEMPLATE.read_text(encoding="utf-8"))
+    text = page.render(_content(recording, identification, run))
+    partial = file.with_name(f".{file.name}.{uuid.uuid4().hex[:8]}.partial")
+    try:
+        partial.write_text(text, encoding="utf-8")
+        partial.replace(file)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def _content(recording: Recording, identification: Identification, run: RunSummary | None) -> dict[str, Any]:
+    rows = parameter_rows(identification, recording.reference)
+    payload = run.payload if run is not None else recording.payload
+    return {
+        "title": f"Payload {payload.replace('_', ' ')}" if payload else "Payload",
+        "subtitle": run.cell.title if run is not None else (recording.cell or "from a recording"),
+        "verdict": sentence(identification.verdict),
+        "warnings": [sentence(warning) for warning in identification.warnings],
+        "bounds": [sentence(bound) for bound in identification.bounds],
+        "facts": facts(identification, run),
+        "parameters": rows if any(row.known or row.paper or row.reference for row in rows) else [],
+        "has_reference": recording.reference is not None,
+        "has_reasons": any(row.reason for row in rows),
+        "has_outside": any(row.outside for row in rows),
+        "reference_source": recording.reference_source,
+        "channels": channel_rows(identification.estimate) if identification.estimate is not None else [],
+        "drift": sentence(identification.estimate.drift.description) if identification.estimate is not None else "",
+        **_charts(identification),
+        "starts": [] if run is None else _starts(run),
+        "distance_chart": None if run is None else _distances(run),
+        "origin": origin_facts(recording, run),
+        "source": recording.source,
+    }
+
+
+def _charts(identification: Identification) -> dict[str, str | None]:
+    series, estimate = identification.series, identification.estimate
+    if series is None or series.measured is None or series.reconstructed is None or estimate is None:
+        return {"wrench_chart": None, "rotation_chart": None}
+    t = series.t
+    rotating = [part for part in identification.segments if part.phase.startswith("rotate")]
+    first_of_axis = {part.axis or "": part for part in reversed(rotating)}
+    first = [first_of_axis[axis] for axis in sorted(first_of_axis)]
+    turning = rotation_chart(t, series.motion, series.measured, series.reconstructed, first) if first else None
+    wrench = wrench_chart(t, series.measured, series.reconstructed, estimate.noise_std, rotating)
+    return {"wrench_chart": wrench, "rotation_chart": turning}
+
+
+def _starts(run: RunSummary) -> list[dict[str, Any]]:
+    robot = RobotModel.of_cell(run.cell)
+    return [
+        {
+            "scene": scene(run.cell, robot, run.payload_box, start),
+            "axis": start.axis.replace("-", "−"),
+            "lines": start_lines(start),
+        }
+        for start in run.starts
+    ]
+
+
+def _distances(run: RunSummary) -> str | None:
+    """None where there is nothing to keep away from."""
+    if len(run.t) < 2 or not np.isfinite(run.distance_m).all():
+        return None
+    return distance_chart(run.t, run.distance_m, run.cell.limits.clearance_m)

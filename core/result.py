@@ -1,0 +1,146 @@
+"""The answer of a run or of an identification as it leaves the engine: JSON, SI units, sensor frame, the paper's order of Phi."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict
+
+from core.estimation.estimate import Estimate, Identification
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+Numbers = list[float | None]
+
+
+class Part(BaseModel):
+    """Frozen; infinities and NaN never leave: what is not known is null."""
+
+    model_config = ConfigDict(frozen=True, allow_inf_nan=False)
+
+
+class ReferencePart(Part):
+    """The payload as somebody else knows it."""
+
+    phi: Numbers
+    source: str | None
+
+
+class PaperPart(Part):
+    """Algorithms 1-5 with Eq. (8)-(10)."""
+
+    phi: Numbers
+    std: Numbers
+
+
+class EstimatePart(Part):
+    """The estimate from all samples."""
+
+    phi: Numbers
+    std: Numbers
+    covariance: list[Numbers]
+    determined: list[bool]
+    reasons: dict[str, str]
+    offset: Numbers
+    offset_std: Numbers
+    com_m: Numbers
+    inertia_com_kg_m2: Numbers
+    consistent: bool
+    base_tilt_rad: Numbers | None
+    base_tilt_std_rad: Numbers | None
+    delay_s: float | None
+    delay_std_s: float | None
+
+
+class ResidualPart(Part):
+    """Measured minus reconstructed wrench, force then torque."""
+
+    rms: Numbers
+    noise_std: Numbers
+
+
+class SafetyPart(Part):
+    """What the guard saw. Not a safety function: `safety_rated` is always false."""
+
+    min_distance_m: float | None
+    nearest: str | None
+    max_speed_m_s: float
+    restarts: int
+    safety_rated: Literal[False] = False
+
+
+class SecondsPart(Part):
+    """Where the time went."""
+
+    plan: float | None = None
+    robot: float | None = None
+    estimate: float
+
+
+class Result(Part):
+    """The whole answer."""
+
+    cell: str | None
+    payload: str | None
+    verdict: str
+    warnings: list[str]
+    reference: ReferencePart | None
+    paper: PaperPart
+    estimate: EstimatePart | None
+    residual: ResidualPart | None
+    safety: SafetyPart | None
+    seconds: SecondsPart
+    recording: str | None
+
+
+def numbers(values: Array | None) -> Numbers:
+    """A list with null for NaN."""
+    return [] if values is None else [float(v) if np.isfinite(v) else None for v in values]
+
+
+def result_of(
+    identification: Identification,
+    recording: Recording,
+    *,
+    seconds: SecondsPart,
+    safety: SafetyPart | None = None,
+    folder: Path | None = None,
+) -> Result:
+    """Everything that an identification says, ready for JSON."""
+    estimate, reference = identification.estimate, recording.reference
+    return Result(
+        cell=recording.cell,
+        payload=recording.payload,
+        verdict=identification.verdict,
+        warnings=list(identification.warnings),
+        reference=None if reference is None else ReferencePart(phi=numbers(reference.phi), source=recording.reference_source),
+        paper=PaperPart(phi=numbers(identification.paper.phi), std=numbers(identification.paper.std)),
+        estimate=None if estimate is None else _estimate_part(estimate),
+        residual=None if estimate is None else ResidualPart(rms=numbers(estimate.residual_rms), noise_std=numbers(estimate.noise_std)),
+        safety=safety,
+        seconds=seconds,
+        recording=None if folder is None else str(folder),
+    )
+
+
+def _estimate_part(estimate: Estimate) -> EstimatePart:
+    tilt, tilt_std = estimate.base_tilt_rad, estimate.base_tilt_std
+    return EstimatePart(
+        phi=numbers(estimate.phi),
+        std=numbers(estimate.std),
+        covariance=[numbers(row) for row in estimate.covariance],
+        determined=[bool(flag) for flag in estimate.determined],
+        reasons=estimate.reasons,
+        offset=numbers(estimate.offset),
+        offset_std=numbers(estimate.offset_std),
+        com_m=numbers(estimate.com_m),
+        inertia_com_kg_m2=numbers(estimate.inertia_com),
+        consistent=estimate.consistent,
+        base_tilt_rad=None if tilt is None else numbers(tilt),
+        base_tilt_std_rad=None if tilt_std is None else numbers(tilt_std),
+        delay_s=estimate.delay_s,
+        delay_std_s=estimate.delay_std,
+    )

@@ -1,0 +1,63 @@
+"""Collects a run's samples while it goes on, so that a recording can be closed at any moment."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from core.cell import Cell, Payload
+from core.recording import Recording, SensorDescription
+from core.robot import RobotModel
+from core.sessions.session import RobotState
+
+
+class SampleLog:
+    """Robot states with the phase in which each was taken, in the order of time."""
+
+    def __init__(self, cell: Cell, robot: RobotModel, *, payload: str | None, reference: Payload | None) -> None:
+        self.cell = cell
+        self.robot = robot
+        self.payload = payload
+        self.reference = reference
+        self.states: list[RobotState] = []
+        self.phases: list[str] = []
+
+    def __len__(self) -> int:
+        return len(self.states)
+
+    @property
+    def seconds(self) -> float:
+        """From the first sample to the last, s."""
+        return self.states[-1].t - self.states[0].t if self.states else 0.0
+
+    def extend(self, states: Iterable[RobotState], phase: str) -> None:
+        """Appends samples of one phase."""
+        before = len(self.states)
+        self.states.extend(states)
+        self.phases.extend([phase] * (len(self.states) - before))
+
+    def recording(self) -> Recording:
+        """The samples so far. Gravity is turned into the base frame, which the recording's URDF starts from."""
+        states = self.states
+        sensor = self.cell.sensor
+        has_torque = bool(states) and all(state.tau is not None for state in states)
+        has_temperature = bool(states) and all(state.temperature is not None for state in states)
+        return Recording(
+            t=np.array([state.t for state in states]),
+            gravity=self.cell.robot.base.rotation.T @ self.cell.gravity,
+            wrench=np.array([state.wrench for state in states]),
+            q=np.array([state.q for state in states]),
+            dq=np.array([state.dq for state in states]),
+            q_cmd=np.array([state.q_cmd for state in states]),
+            tau=np.array([state.tau for state in states]) if has_torque else None,
+            temperature=np.array([state.temperature for state in states]) if has_temperature else None,
+            phase=np.array(self.phases),
+            robot=self.robot.description,
+            sensor=SensorDescription(np.array(sensor.noise_std), np.array(sensor.range), np.array(sensor.resolution)),
+            reference=None if self.reference is None else self.reference.parameters,
+            reference_source=None if self.reference is None else self.reference.source,
+            source="heft run",
+            cell=self.cell.name,
+            payload=self.payload,
+        )

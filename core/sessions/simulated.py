@@ -1,0 +1,152 @@
+"""A session with the virtual robot."""
+
+from __future__ import annotations
+
+from collections import deque
+from types import TracebackType
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell import Cell
+from core.errors import BadState, OutOfLimits, TooFast
+from core.inertia import InertialParameters
+from core.plant.braking import braking_positions
+from core.plant.imperfections import Imperfections
+from core.plant.mechanics import PERIOD
+from core.plant.virtual_robot import VirtualRobot
+from core.sessions.pace import AsFastAsPossible, Pace
+from core.sessions.session import RobotSession, RobotState
+
+Array = NDArray[np.float64]
+
+TOLERANCE = 1.05
+"""The drives refuse a command that asks for more than this times the joint's velocity limit."""
+
+
+class SimulatedSession(RobotSession):
+    """The cell's virtual robot with a payload, standing at home on the first entry. Everything that is random follows
+    from `seed`.
+
+    `stop()` returns at once: the drives brake in the periods that follow, which `state()` shows as on a real robot.
+    `release()` and leaving the session wait until the arm stands. A command that leaves the joint limits or jumps is
+    refused, and the drives stop by themselves.
+
+    Args:
+        cell: robot, sensor, gravity.
+        payload: what the robot carries, sensor frame; all zero for a bare flange.
+        seed: of offset and noise.
+        pace: as fast as possible, or real time for a person who watches.
+        imperfections: what is planted; nothing where absent.
+
+    Raises:
+        BadRobot, BadPayload: the simulation cannot be built.
+    """
+
+    period = PERIOD
+
+    def __init__(
+        self,
+        cell: Cell,
+        payload: InertialParameters,
+        *,
+        seed: int = 0,
+        pace: Pace | None = None,
+        imperfections: Imperfections | None = None,
+    ) -> None:
+        self.plant = VirtualRobot(cell, payload, np.random.default_rng(seed), imperfections=imperfections)
+        """The virtual robot; its `truth` is for tests only."""
+        self._pace = pace or AsFastAsPossible()
+        self._acceleration = np.array(cell.robot.acceleration_rad_s2)
+        self._names = tuple(joint.name for joint in self.plant.arm.joints)
+        self._lower, self._upper, self._velocity = self.plant.arm.lower, self.plant.arm.upper, self.plant.arm.velocity
+        self._step = TOLERANCE * PERIOD * self._velocity
+        self._q_last = self._q_now = self._q_next = self.plant.home
+        self._braking: deque[Array] = deque()
+        self._open = False
+        self._stopped = False
+
+    def __enter__(self) -> Self:
+        self._open = True
+        self._stopped = False
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None) -> None:
+        self.stop()
+        self._stand()
+        self._open = False
+
+    def state(self) -> RobotState:
+        """Advances the virtual robot by one period. See `RobotSession.state`."""
+        if not self._open:
+            raise RuntimeError("state() outside of the session; use it inside `with session:`")
+        target = self._braking.popleft() if self._braking else self._q_next
+        sample = self.plant.step(target)
+        self._q_last, self._q_now, self._q_next = self._q_now, target, target
+        self._pace.wait_until(sample.t)
+        return RobotState(sample.t, sample.q, sample.dq, sample.q_cmd, sample.wrench, sample.tau)
+
+    def command(self, q: Array) -> None:
+        """See `RobotSession.command`.
+
+        Raises:
+            BadState: the session is stopped, or q is not n finite numbers.
+            OutOfLimits: q is outside the joint limits; the drives have stopped.
+            TooFast: q is farther from the present command than a joint can move in one period; the drives have stopped.
+        """
+        if not self._open:
+            raise RuntimeError("command() outside of the session; use it inside `with session:`")
+        if self._stopped:
+            raise BadState("a command after a stop; call release() when it is safe to go on.", value=1.0, limit=0.0)
+        q = np.array(q, dtype=float)
+        if q.shape != self._q_now.shape or not np.isfinite(q).all():
+            self.stop()
+            raise BadState(
+                f"command {q.tolist()}: expected {len(self._names)} finite joint positions; the robot was stopped.",
+                value=float(np.count_nonzero(~np.isfinite(q))),
+                limit=0.0,
+            )
+        step = np.abs(q - self._q_now)
+        if (step > self._step).any() or (q < self._lower).any() or (q > self._upper).any():
+            self._refuse(q, step)
+        self._q_next = q
+
+    def stop(self) -> None:
+        """See `RobotSession.stop`. A command that was given for the next period is dropped."""
+        if not self._stopped:
+            dq = (self._q_now - self._q_last) / PERIOD
+            self._braking.extend(braking_positions(self._q_now, dq, self._acceleration, period=PERIOD))
+            self._q_next = self._q_now
+            self._stopped = True
+
+    def release(self) -> None:
+        """See `RobotSession.release`. Waits for the end of the braking; go on from the next state's `q_cmd`."""
+        self._stand()
+        self._stopped = False
+
+    def _stand(self) -> None:
+        while self._open and self._braking:
+            self.state()
+
+    def _refuse(self, q: Array, step: Array) -> None:
+        """Stops, and says which joint was commanded out of its limits or too fast."""
+        self.stop()
+        outside = (q < self._lower) | (q > self._upper)
+        if outside.any():
+            j = int(np.argmax(outside))
+            limit = float(np.clip(q[j], self._lower[j], self._upper[j]))
+            raise OutOfLimits(
+                f"joint {self._names[j]}: commanded position {q[j]:.4f} rad (limit {limit:.4f} rad); "
+                "the drives refused it and stopped. Check the plan's joint limits.",
+                value=float(q[j]),
+                limit=limit,
+            )
+        j = int(np.argmax(step / self._step))
+        speed, limit = float(step[j] / PERIOD), float(self._velocity[j])
+        raise TooFast(
+            f"joint {self._names[j]}: commanded {step[j]:.5f} rad away in one period, {speed:.3f} rad/s "
+            f"(limit {limit:.3f} rad/s); the drives refused it and stopped. Start from the robot's present q_cmd.",
+            value=speed,
+            limit=limit,
+        )

@@ -1,0 +1,94 @@
+"""Shapes and where they are: what obstacles, protected zones and payload boxes are made of."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field
+from scipy.spatial.transform import Rotation
+
+Array = NDArray[np.float64]
+Number = Annotated[float, Field(strict=True, ge=-1000, le=1000)]  # no quantity of a cell is larger, in SI units
+Angle = Annotated[float, Field(strict=True, ge=-2 * np.pi, le=2 * np.pi)]
+Positive = Annotated[float, Field(strict=True, gt=0, le=1000)]
+Vector3 = tuple[Number, Number, Number]
+Six = tuple[Number, Number, Number, Number, Number, Number]
+SixPositive = tuple[Positive, Positive, Positive, Positive, Positive, Positive]
+
+
+class Model(BaseModel):
+    """Frozen; unknown keys, NaN and infinity are refused."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class Pose(Model):
+    """Placement of a frame: translation, then roll, pitch, yaw about the fixed axes."""
+
+    xyz_m: Vector3 = (0.0, 0.0, 0.0)
+    rpy_rad: tuple[Angle, Angle, Angle] = (0.0, 0.0, 0.0)
+
+    @property
+    def translation(self) -> Array:
+        """(3,), m."""
+        return np.array(self.xyz_m)
+
+    @property
+    def rotation(self) -> Array:
+        """(3, 3)."""
+        return np.asarray(Rotation.from_euler("xyz", self.rpy_rad).as_matrix())
+
+    def local(self, point: Array) -> Array:
+        """A point (3,) of the frame that the pose refers to, in the pose's own frame, m."""
+        return np.asarray(self.rotation.T @ (point - self.translation))
+
+
+class Box(Model):
+    """A cuboid with its centre at `pose`."""
+
+    kind: Literal["box"] = "box"
+    size_m: tuple[Positive, Positive, Positive]
+    pose: Pose = Pose()
+
+    @cached_property
+    def corners(self) -> Array:
+        """(8, 3) in the frame that `pose` refers to, m."""
+        signs = np.array(np.meshgrid([-0.5, 0.5], [-0.5, 0.5], [-0.5, 0.5])).reshape(3, -1).T
+        return np.asarray(signs * np.array(self.size_m) @ self.pose.rotation.T + self.pose.translation)
+
+    def depth(self, point: Array) -> float:
+        """How far a point (3,) is below the surface, m; negative outside."""
+        return float(np.min(0.5 * np.array(self.size_m) - np.abs(self.pose.local(point))))
+
+
+class Sphere(Model):
+    """A ball with its centre at `pose`."""
+
+    kind: Literal["sphere"]
+    radius_m: Positive
+    pose: Pose = Pose()
+
+    def depth(self, point: Array) -> float:
+        """How far a point (3,) is below the surface, m; negative outside."""
+        return float(self.radius_m - np.linalg.norm(self.pose.local(point)))
+
+
+class Capsule(Model):
+    """A cylinder along the z axis of `pose` with round ends; `length_m` without the ends."""
+
+    kind: Literal["capsule"]
+    radius_m: Positive
+    length_m: Positive
+    pose: Pose = Pose()
+
+    def depth(self, point: Array) -> float:
+        """How far a point (3,) is below the surface, m; negative outside."""
+        x, y, z = self.pose.local(point)
+        half = self.length_m / 2
+        return float(self.radius_m - np.linalg.norm([x, y, z - np.clip(z, -half, half)]))
+
+
+Shape = Annotated[Box | Sphere | Capsule, Field(discriminator="kind")]

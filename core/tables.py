@@ -1,0 +1,86 @@
+"""The tables that the command line prints."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from rich.table import Table
+
+from core.cell import Cell
+from core.inertia import PHI_NAMES, PHI_UNITS
+from core.plan import Plan
+from core.result import Result
+
+Array = NDArray[np.float64]
+
+
+def _number(value: float | None, digits: int = 5) -> str:
+    return "" if value is None else f"{value:.{digits}g}"
+
+
+def parameters_table(result: Result) -> Table:
+    """All ten parameters: reference, the paper's estimate, ours with its 95 % half-width, and the error against the reference."""
+    table = Table(title="Payload in the sensor frame", caption="± is the half-width of the 95 % interval; inertia about the sensor origin")
+    table.add_column("")
+    for heading in ("reference", "paper's method", "Heft", "±", "error"):
+        table.add_column(heading, justify="right")
+    table.add_column("unit")
+    estimate, reference = result.estimate, result.reference
+    for k, (name, unit) in enumerate(zip(PHI_NAMES, PHI_UNITS, strict=True)):
+        truth = reference.phi[k] if reference else None
+        value = estimate.phi[k] if estimate else None
+        std = estimate.std[k] if estimate else None
+        known = estimate is not None and estimate.determined[k]
+        table.add_row(
+            name,
+            _number(truth),
+            _number(result.paper.phi[k]),
+            _number(value) if known else "not determined",
+            _number(1.96 * std, 2) if known and std is not None else "",
+            _error(value if known else None, truth),
+            unit,
+        )
+    return table
+
+
+def _error(value: float | None, truth: float | None) -> str:
+    if value is None or truth is None:
+        return ""
+    return f"{value - truth:+.2g}" if truth == 0 else f"{100 * (value / truth - 1):+.3f} %"
+
+
+def plan_table(plan: Plan) -> Table:
+    """Where each pose is, how close it gets, and how long it takes."""
+    table = Table(title="Plan (nothing has moved)")
+    for heading in ("axis", "joints, deg", "clearance, m", "nearest", "manipulability", "transfer, s", "least margin, m", "rotation, s"):
+        table.add_column(heading, justify="left" if heading in ("axis", "nearest", "joints, deg") else "right")
+    for leg in plan.legs:
+        table.add_row(
+            leg.axis,
+            " ".join(f"{v:.0f}" for v in np.degrees(leg.start.q)),
+            f"{leg.start.clearance_m:.3f}",
+            leg.start.nearest,
+            f"{leg.start.manipulability:.3f}",
+            f"{leg.transfer.trajectory.duration:.1f}",
+            f"{leg.transfer.least_margin_m:.3f}",
+            "" if leg.profile is None else f"{leg.profile.duration:.1f}",
+        )
+    table.add_row("home", "", "", "", "", f"{plan.home.trajectory.duration:.1f}", f"{plan.home.least_margin_m:.3f}", "")
+    return table
+
+
+def cells_table(cells: list[Cell]) -> Table:
+    """The cells at hand."""
+    table = Table()
+    for heading in ("cell", "title", "axes", "obstacles", "protected zones", "payloads"):
+        table.add_column(heading)
+    for cell in cells:
+        table.add_row(
+            cell.name,
+            cell.title,
+            str(len(cell.robot.home_rad)),
+            ", ".join(item.name for item in cell.obstacles),
+            ", ".join(zone.name for zone in cell.zones),
+            ", ".join(cell.payloads),
+        )
+    return table

@@ -1,0 +1,124 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from kinematic_session import CELLS, PERIOD, bench
+from scipy.spatial.transform import Rotation as Orientation
+
+from core.control.bounds import JointLimits
+from core.control.decoupling import decoupling_profile
+from core.control.movers import Mover, Playback, StandStill
+from core.control.rotation import Rotation
+from core.control.speed import fastest_point
+from core.errors import BadState, OutOfLimits
+from core.sessions.session import RobotState
+from core.trajectory import AngularProfile, JointTrajectory
+
+
+def standing(q: np.ndarray) -> RobotState:
+    return RobotState(0.0, q, np.zeros_like(q), q, np.zeros(6))
+
+
+def drain(mover: Mover, q: np.ndarray) -> np.ndarray:
+    """All commanded positions, the start first."""
+    rows = [q]
+    while (target := mover.next(standing(q))) is not None:
+        rows.append(target)
+    return np.array(rows)
+
+
+def rotation_of(name: str, axis: int, profile: AngularProfile, speed: float = 0.25) -> Rotation:
+    it = bench(name)
+    limits = JointLimits.of(it.cell, it.robot)
+    return Rotation(it.robot, it.collision.points, limits, cartesian_speed=speed, profile=profile, axis=axis)
+
+
+def profile_of(name: str, **options: float) -> AngularProfile:
+    return decoupling_profile(bench(name).cell.payload_box, **{"cartesian_speed": 0.2, "period": PERIOD, **options})
+
+
+def turned(name: str, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rotation vectors in the sensor frame and displacements of the sensor origin, both from the first row on."""
+    poses = bench(name).robot.sensor_poses(q)
+    R = poses.rotation
+    return Orientation.from_matrix(R[0].T @ R).as_rotvec(), poses.position - poses.position[0]
+
+
+def assert_within_limits(name: str, q: np.ndarray) -> None:
+    limits = JointLimits.of(bench(name).cell, bench(name).robot)
+    dq = np.diff(q, axis=0, prepend=q[:1]) / PERIOD
+    assert (q >= limits.lower).all() and (q <= limits.upper).all()
+    assert (np.abs(dq) <= limits.velocity * (1 + 1e-9)).all()
+    assert (np.abs(np.diff(dq, axis=0)) / PERIOD <= limits.acceleration * (1 + 1e-6)).all()
+
+
+@pytest.mark.parametrize("name", CELLS)
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_the_rotation_follows_the_profile_and_the_sensor_origin_stays(name, axis):
+    profile = profile_of(name, repetitions=3, cartesian_speed=0.12)
+    mover = rotation_of(name, axis, profile)
+    q = drain(mover, bench(name).home)
+    angle, displacement = turned(name, q)
+    assert mover.scaled == 0 and mover.progress == 1.0
+    assert len(profile.angle) <= len(q) <= len(profile.angle) + 10
+    np.testing.assert_allclose(angle[: len(profile.angle), axis], profile.angle, atol=2e-6)
+    np.testing.assert_allclose(np.delete(angle, axis, axis=1), 0.0, atol=1e-5)
+    assert np.abs(displacement).max() < 2e-6
+    assert_within_limits(name, q)
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_it_ends_at_rest(name):
+    q = drain(rotation_of(name, 0, profile_of(name)), bench(name).home)
+    assert np.abs(q[-1] - q[-2]).max() / PERIOD < 1e-3
+
+
+@pytest.mark.parametrize("name", CELLS)
+@pytest.mark.parametrize("axis", [0, 1])
+def test_where_a_link_would_be_too_fast_time_passes_more_slowly(name, axis):
+    profile = profile_of(name)
+    mover = rotation_of(name, axis, profile, speed=0.1)
+    q = drain(mover, bench(name).home)
+    angle, displacement = turned(name, q)
+    it = bench(name)
+    dq = np.diff(q, axis=0) / PERIOD
+    speeds = [fastest_point(it.robot.chain, it.collision.points, *row).speed for row in zip(q[:-1], dq, strict=True)]
+    assert mover.scaled > 0 and mover.progress == 1.0
+    assert 0.095 < max(speeds) <= 0.0975
+    assert angle[:, axis].max() == pytest.approx(profile.angle.max(), abs=1e-3)
+    assert np.abs(angle[-1]).max() < 1e-5 and np.abs(displacement).max() < 5e-6
+    assert_within_limits(name, q)
+
+
+def test_a_rotation_that_meets_a_joint_limit_is_given_up_inside_the_limits():
+    it = bench("ur5e_line")
+    t = np.arange(0, 8, PERIOD)
+    rate = np.minimum(1.0, np.minimum(4.8 * t, 4.8 * (t[-1] - t)))
+    profile = AngularProfile(PERIOD, np.concatenate(([0.0], np.cumsum(PERIOD * 0.5 * (rate[1:] + rate[:-1])))), rate)
+    start = it.home.copy()
+    start[5] = it.robot.upper[5] - 0.3
+    mover = rotation_of("ur5e_line", 2, profile)
+    rows = [start]
+    with pytest.raises(OutOfLimits, match=r"rotation about sensor axis z stands still at \d+ % .* joint wrist_3 is 0\.000 rad"):
+        while (target := mover.next(standing(start))) is not None:
+            rows.append(target)
+    assert_within_limits("ur5e_line", np.array(rows))
+    np.testing.assert_allclose(rows[-1], rows[-2], atol=1e-9)
+
+
+def test_playback_gives_the_trajectory_sample_by_sample():
+    q = bench().home + np.linspace(0, 0.1, 20)[:, None] ** 2
+    np.testing.assert_array_equal(drain(Playback(JointTrajectory(PERIOD, q)), q[0]), q)
+
+
+def test_playback_refuses_to_start_elsewhere():
+    q = np.tile(bench().home, (5, 1))
+    away = q[0] + np.array([0, 0.02, 0, 0, 0, 0, 0])
+    with pytest.raises(BadState, match=r"joint 2 stands 0\.0200 rad from where the trajectory starts"):
+        Playback(JointTrajectory(PERIOD, q)).next(standing(away))
+
+
+def test_standstill_holds_the_command_for_its_time():
+    q = drain(StandStill(0.25, PERIOD), bench().home)
+    assert len(q) == 1 + 250
+    np.testing.assert_array_equal(q, np.tile(bench().home, (251, 1)))

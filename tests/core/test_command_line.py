@@ -1,0 +1,110 @@
+"""The command line as a person or a script uses it."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from core.recording_folder import read_recording
+
+ROOT = Path(__file__).parents[2]
+REAL = ROOT.parent / "shared" / "real"
+
+
+def heft(*arguments: str, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
+    """Runs the command in a pipe."""
+    command = [sys.executable, "-m", "core", *arguments]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "COLUMNS": "200"}
+    return subprocess.run(command, capture_output=True, text=True, cwd=cwd, env=environment, timeout=300, check=False)
+
+
+def test_help_names_every_command():
+    done = heft("--help")
+    assert done.returncode == 0
+    for command in ("run", "identify", "plan", "cells"):
+        assert command in done.stdout
+
+
+def test_cells_are_listed_with_their_zones():
+    done = heft("cells")
+    assert done.returncode == 0
+    assert "lwr4_bench" in done.stdout
+    assert "ur5e_line" in done.stdout
+    assert "operator" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [
+        (("run", "no_such_cell"), "no_such_cell"),
+        (("run", "lwr4_bench", "--payload", "piano"), "piano"),
+        (("identify", "no/such/recording"), "no/such/recording"),
+        (("plan", "lwr4_bench", "--json", "no/such/folder/plan.json"), "folder"),
+    ],
+)
+def test_bad_input_ends_with_2_and_one_sentence(arguments, word):
+    done = heft(*arguments)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert word in done.stderr
+    assert "Traceback" not in done.stderr
+    assert len(done.stderr.strip().splitlines()) == 1
+
+
+def test_a_plan_moves_nothing_and_says_what_would_be_done(tmp_path):
+    file = tmp_path / "plan.json"
+    done = heft("plan", "lwr4_bench", "--payload", "cylinder", "--json", str(file))
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""  # quiet in a pipe
+    plan = json.loads(file.read_text())
+    assert [pose["axis"] for pose in plan["poses"]] == ["x-", "x+", "y-", "y+", "z-", "z+"]
+    assert plan["robot_s"] <= 120
+    assert plan["least_margin_m"] >= 0
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_a_refused_plan_ends_with_3_and_says_what_is_in_the_way(tmp_path):
+    cell = tmp_path / "narrow"
+    cell.mkdir()
+    (cell / "robot.urdf").write_text((ROOT / "cells/lwr4_bench/robot.urdf").read_text())
+    toml = (ROOT / "cells/lwr4_bench/cell.toml").read_text()
+    (cell / "cell.toml").write_text(toml.replace("size_m = [0.12, 0.13, 0.08], pose.xyz_m = [0.0, -0.017, 0.04]", "size_m = [0.9, 0.9, 0.3], pose.xyz_m = [0.0, 0.0, 0.15]"))
+    done = heft("plan", str(cell), "--payload", "steel_block")
+    assert done.returncode in (2, 3)
+    assert done.stdout == ""
+    assert "payload" in done.stderr
+
+
+def test_identify_answers_on_real_static_poses_that_the_inertia_is_not_excited():
+    done = heft("identify", str(REAL / "kuka-med14-static"), "--json", "-")
+    assert done.returncode == 0, done.stderr
+    answer = json.loads(done.stdout)
+    assert answer["estimate"]["determined"] == [True] * 4 + [False] * 6
+    assert answer["estimate"]["phi"][0] == pytest.approx(0.932, abs=0.01)
+    assert answer["estimate"]["phi"][4:] == [None] * 6
+    assert "not excited" in " ".join(answer["estimate"]["reasons"].values())
+
+
+def test_identify_says_what_joint_torques_alone_cannot_tell():
+    done = heft("identify", str(REAL / "kuka-lwr4-torques-1"))
+    assert done.returncode == 0, done.stderr
+    assert "wrist" in done.stdout
+
+
+def test_ctrl_c_stops_the_robot_and_leaves_a_readable_recording(tmp_path):
+    out = tmp_path / "cut"
+    command = [sys.executable, "-m", "core", "run", "lwr4_bench", "--real-time", "--out", str(out)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT) as process:
+        time.sleep(20)
+        process.send_signal(signal.SIGTERM)
+        _, message = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "the robot was stopped" in message
+    assert len(read_recording(out)) > 100
