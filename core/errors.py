@@ -1,21 +1,21 @@
 """The tree of errors. Every sentence says what, where, the value against the limit, and what to do next.
 
-    HeftError                      exit code 1
-    ├── BadInput                   2   a file, key or value that cannot be used; nothing was written
-    │   ├── BadCell                    cell.toml contradicts itself or is malformed
-    │   ├── BadRobot                   the URDF is malformed, hostile or lacks what is needed
-    │   ├── BadPayload                 a payload that no rigid body can have
-    │   └── BadRecording               a recording that cannot be read
-    ├── Refused                    3   the cell leaves no safe way to do it; the robot has not moved
-    │   ├── NoStartConfiguration       no start configuration for an axis (Algorithm 6)
-    │   └── NoPath                     no collision-free path, or none that can be timed
-    ├── Stopped                    4   the guard stopped the robot; carries the last samples
-    │   ├── TooClose                   to an obstacle, a protected zone or itself
-    │   ├── TooFast                    a link, a corner of the payload box, or a joint
-    │   ├── OutOfLimits                joint position
-    │   ├── OverLoad                   the wrist wrench
-    │   └── BadState                   stale, non-finite or inconsistent robot state
-    └── Interrupted                130 Ctrl-C or SIGTERM; the robot was stopped and the recording closed
+HeftError                      exit code 1
+├── BadInput                   2   a file, key or value that cannot be used; nothing was written
+│   ├── BadCell                    cell.toml contradicts itself or is malformed
+│   ├── BadRobot                   the URDF is malformed, hostile or lacks what is needed
+│   ├── BadPayload                 a payload that no rigid body can have
+│   └── BadRecording               a recording that cannot be read
+├── Refused                    3   the cell leaves no safe way to do it; the robot has not moved
+│   ├── NoStartConfiguration       no start configuration for an axis (Algorithm 6)
+│   └── NoPath                     no collision-free path, or none that can be timed
+├── Stopped                    4   the guard stopped the robot; carries the last samples
+│   ├── TooClose                   to an obstacle, a protected zone or itself
+│   ├── TooFast                    a link, a corner of the payload box, or a joint
+│   ├── OutOfLimits                joint position
+│   ├── OverLoad                   the wrist wrench
+│   └── BadState                   stale, non-finite or inconsistent robot state
+└── Interrupted                130 Ctrl-C or SIGTERM; the robot was stopped and the recording closed
 """
 
 from __future__ import annotations
@@ -82,9 +82,7 @@ class NoStartConfiguration(Refused):
         in_the_way: name of the obstacle, zone or link that was nearest in that best candidate.
     """
 
-    def __init__(
-        self, axis: str, reasons: dict[str, int], best_clearance_m: float | None = None, in_the_way: str | None = None
-    ) -> None:
+    def __init__(self, axis: str, reasons: dict[str, int], best_clearance_m: float | None = None, in_the_way: str | None = None) -> None:
         counts = ", ".join(f"{name} {count}" for name, count in sorted(reasons.items(), key=lambda item: -item[1]))
         best = "" if best_clearance_m is None else f"; the best clearance met was {best_clearance_m:.3f} m to {in_the_way!r}"
         super().__init__(

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Box, Cell
+from core.collision import Nearest
 from core.control.guard import SafetyRecord
 from core.estimation.estimate import Identification
 from core.plan import Plan
@@ -45,7 +46,7 @@ class Outcome:
 
     def result(self, folder: Path | None = None) -> Result:
         """The answer as it leaves the engine."""
-        nearest = self.safety.nearest
+        nearest = self._nearest
         safety = SafetyPart(
             min_distance_m=None if nearest is None else nearest.distance_m,
             nearest=None if nearest is None else nearest.second,
@@ -56,9 +57,15 @@ class Outcome:
         return result_of(self.identification, self.recording, seconds=seconds, safety=safety, folder=folder)
 
     @property
+    def _nearest(self) -> Nearest | None:
+        """What came nearest; None in a cell without obstacles and zones."""
+        nearest = self.safety.nearest
+        return None if nearest is None or not np.isfinite(nearest.distance_m) else nearest
+
+    @property
     def summary(self) -> RunSummary:
         """What the report shows of the run."""
-        nearest = self.safety.nearest
+        nearest = self._nearest
         return RunSummary(
             cell=self.cell,
             payload=self.recording.payload,

@@ -179,10 +179,21 @@ class _Run:
                 if final:
                     raise
                 self.restarts += 1
+                here = self._braked(log)
                 self.session.release()
-                plan = yield from self.planned(self.session.state().q_cmd, POSES[done:])
+                plan = yield from self.planned(here, POSES[done:])
             else:
                 return plan
+
+    def _braked(self, log: SampleLog) -> Array:
+        """Records the braking until the command stands still, and returns it."""
+        before = self.session.state()
+        while True:
+            state = self.session.state()
+            log.extend([state], "transfer")
+            if np.array_equal(state.q_cmd, before.q_cmd):
+                return state.q_cmd
+            before = state
 
     def leg(self, leg: Leg, log: SampleLog, plan: Plan, *, step: int) -> Generator[Event, None, None]:
         """Transfer, motionless phase, and where the axis lies along gravity the decoupling motion and another motionless phase."""

@@ -32,10 +32,19 @@ class SampleLog:
         return self.states[-1].t - self.states[0].t if self.states else 0.0
 
     def extend(self, states: Iterable[RobotState], phase: str) -> None:
-        """Appends samples of one phase."""
-        before = len(self.states)
-        self.states.extend(states)
-        self.phases.extend([phase] * (len(self.states) - before))
+        """Appends samples of one phase, but for those that no recording can hold: not finite, or with a clock that stands still.
+
+        The guard stops the robot at such a sample, and its error carries it.
+        """
+        for state in states:
+            if self._fits(state):
+                self.states.append(state)
+                self.phases.append(phase)
+
+    def _fits(self, state: RobotState) -> bool:
+        later = not self.states or state.t > self.states[-1].t
+        finite = np.isfinite(state.t + state.q.sum() + state.dq.sum() + state.q_cmd.sum() + state.wrench.sum())
+        return later and bool(finite) and (state.tau is None or bool(np.isfinite(state.tau).all()))
 
     def recording(self) -> Recording:
         """The samples so far. Gravity is turned into the base frame, which the recording's URDF starts from."""

@@ -68,7 +68,7 @@ class Findings(NamedTuple):
     Args:
         value: (1,) what was found wrong.
         speed: (1,) Cartesian speed of the fastest point as measured, m/s.
-        stop: (n,) where the joints stand still after the reaction time and braking, each at its own A_max, rad.
+        stop: (n,) where the robot stands still after the reaction time and braking, all joints in proportion, rad.
         known_q: (2, n) configurations whose exact margins are known: one for today's distance, one for that of the
             predicted stop.
         known_margin: (2,), m; -inf where none is known.
@@ -171,11 +171,14 @@ def _check(  # noqa: PLR0911, PLR0912  one return per fault, in the order of `Fa
         if abs(wrench[c]) >= numbers.load[c]:
             found.value[0] = wrench[c]
             return 11, c
+    braking = 0.0  # time
     for j in range(n):
         if abs(q[j] - q_cmd[j]) > numbers.tracking:
             found.value[0] = q[j] - q_cmd[j]
             return 12, j
-        found.stop[j] = q[j] + dq[j] * numbers.reaction + 0.5 * dq[j] * abs(dq[j]) / numbers.acceleration[j]
+        braking = max(braking, abs(dq[j]) / numbers.acceleration[j])
+    for j in range(n):
+        found.stop[j] = q[j] + dq[j] * (numbers.reaction + 0.5 * braking)
     found.certified[0] = found.known_margin[0] - _motion(numbers.reach, found.known_q[0], q)
     found.certified[1] = found.known_margin[1] - _motion(numbers.reach, found.known_q[1], found.stop)
     return 0, fastest

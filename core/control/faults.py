@@ -83,8 +83,9 @@ def too_close(nearest: Nearest, cell: Cell, *, predicted: bool, samples: Sequenc
     else:
         what, advice = nearest.second, "Plan again."
     verb = "would stop" if predicted else "is"
+    digits = 3 if nearest.margin_m < -1e-3 else 5
     return TooClose(
-        f"{nearest.first} {verb} {nearest.distance_m:.3f} m from {what} (limit {nearest.required_m:.3f} m); "
+        f"{nearest.first} {verb} {nearest.distance_m:.{digits}f} m from {what} (limit {nearest.required_m:.{digits}f} m); "
         f"the robot was stopped. {advice}",
         value=nearest.distance_m,
         limit=nearest.required_m,

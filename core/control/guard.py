@@ -2,16 +2,17 @@
 
 Checked are: the state (finite, fresh, a live wrench, following the command), joint positions and speeds, the Cartesian
 speed of every corner of the links' boxes and of the payload box (measured and commanded), the wrench, and the distance
-to obstacles, zones and the
-robot itself: today's, and that of the *predicted stop*, where the robot would stand if it braked now.
+to obstacles, zones and the robot itself: today's, and that of the *predicted stop*, where the robot would stand if it
+braked now, all joints in proportion, as hard as the first of them can (drives that keep to the path while they stop).
 
 An exact distance costs several times as much as everything else together. No margin changes by more than the motion
 bound of the collision model, so after an exact query the next is due only when the robot (or its predicted stop) has
 moved by the margin found there. Nothing is missed by that as long as obstacles and zones stand still; what moves (a
 live zone) is seen by the query every `SAMPLING` seconds, which also goes into the record.
 
-What planning must leave: both distances must keep the whole clearance. The predicted stop leaves the path of a robot that slows down or
-turns by what it travels in the reaction time, 1 mm at 0.25 m/s and towards the obstacle; a few millimetres of spare margin suffice.
+What planning must leave: both distances must keep the whole clearance. The predicted stop of a robot that slows down or
+turns in time is ahead of its path by what it travels in the reaction time, less than 1 mm at 0.25 m/s; a few
+millimetres of spare margin suffice.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ Array = NDArray[np.float64]
 SAMPLING = 0.02
 """An exact distance is taken at least this often, s."""
 
-REACTION = 4.0
+REACTION = 3.0
 """Periods that pass before braking begins: one until the next check, the rest until a stop reaches the arm through its drives."""
 
 SPEED_TOLERANCE = 1.02

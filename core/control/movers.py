@@ -37,7 +37,7 @@ class Playback(Mover):
 
     def __init__(self, trajectory: JointTrajectory) -> None:
         self.period = trajectory.period
-        self._q = trajectory.q
+        self._q = np.array(trajectory.q, dtype=float, order="C")  # one array type, or the guard compiles again while the robot moves
         self._k = 0
 
     def next(self, state: RobotState) -> Array | None:

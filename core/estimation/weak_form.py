@@ -6,8 +6,7 @@ damps the noise of the second differences as if its own second derivative had be
 1957, modulating functions). The windows are cubic B-splines: the whole set projects both sides on splines of knot spacing `STEP_S`.
 
 With `A = R^T p''` and `B = R^T R''` (sensor axes) Eq. (1) reads `f = m (A - g) + B mc`, `tau = mc x (A - g) + I alpha + omega x I omega`
-where `alpha` is the axial vector of B and `omega omega^T - omega^2 1` its symmetric part. Taken with second differences this is a discrete
-balance of momentum: noise in R does not bias it.
+where `alpha` is the axial vector of B and `omega omega^T - omega^2 1` its symmetric part.
 """
 
 from __future__ import annotations
@@ -30,9 +29,6 @@ STEP_S = 0.025
 """Knot spacing of the windows: features up to 20 Hz are kept."""
 MARGIN_S = 0.06
 """Largest delay that the windows can be shifted by."""
-TOLERATED_BIAS = 1e-4
-"""m/s2, by which correlated noise of pose and second difference may bias the acceleration; sets the stride of the differences."""
-LEVER_M = 1.0
 BAND = 4
 """Cubic B-splines overlap with three neighbours on each side."""
 
@@ -101,27 +97,27 @@ class WeakForm:
             self._rows = np.flatnonzero(still_only)
             self.centres = t[self._rows]
         else:
-            stride = _stride(poses)
-            D = second_difference(t, stride)
-            B = np.einsum("nji,njk->nik", rotation, (D @ rotation.reshape(len(t), 9)).reshape(-1, 3, 3))
+            D = second_difference(t)
+            apart = _rotation_from_neighbours(rotation)
+            B = np.einsum("nji,njk->nik", apart, (D @ rotation.reshape(len(t), 9)).reshape(-1, 3, 3))
             if poses.position is not None:
-                a = np.einsum("nji,nj->ni", rotation, D @ poses.position)
+                a = np.einsum("nji,nj->ni", apart, D @ poses.position)
             self._difference = D
-            self._step = max(STEP_S, 8.0 * poses.period, 4.0 * stride * poses.period)
-            self.centres = self._centres(t, stride)
+            self._step = max(STEP_S, 8.0 * poses.period)
+            self.centres = self._centres(t)
         self._samples = np.concatenate((a, poses.g, tilt.reshape(-1, 6), B.reshape(-1, 9)), axis=1)
 
     def __len__(self) -> int:
         return len(self.centres)
 
-    def _centres(self, t: Array, stride: int) -> Array:
+    def _centres(self, t: Array) -> Array:
         """Centres of the windows that lie inside the recording, with room for a delay, and hold no gap."""
         first, last = t[0] + MARGIN_S, t[-1] - MARGIN_S
         self._first = first
         count = max(0, int(np.floor((last - first) / self._step)) - 3)
         centres = first + self._step * (2 + np.arange(count))
         gaps = np.flatnonzero(np.diff(t) > 4.0 * self.poses.period)
-        reach = 2.0 * self._step + MARGIN_S + stride * self.poses.period
+        reach = 2.0 * self._step + MARGIN_S + 3.0 * self.poses.period
         keep = np.ones(count, dtype=bool)
         for k in gaps:
             keep &= (centres < t[k] - reach) | (centres > t[k + 1] + reach)
@@ -172,15 +168,29 @@ class WeakForm:
         return _bands(W @ W.T), _bands((W @ self._difference) @ (W @ self._difference).T)
 
 
-def second_difference(t: Array, stride: int) -> csr_array:
-    """(N, N) matrix of second divided differences over `stride` samples to each side; zero rows at the ends."""
+def second_difference(t: Array) -> csr_array:
+    """(N, N) matrix of second divided differences; zero rows at the ends."""
     n = len(t)
-    ahead, behind = t[2 * stride :] - t[stride:-stride], t[stride:-stride] - t[: -2 * stride]
-    mean = 0.5 * (ahead + behind)
-    zero = np.zeros(stride)
-    right = np.concatenate((zero, 1.0 / (ahead * mean), zero))
-    left = np.concatenate((zero, 1.0 / (behind * mean), zero))
-    return csr_array(diags_array([left[stride:], -(left + right), right[:-stride]], offsets=[-stride, 0, stride], shape=(n, n)))
+    step = np.diff(t)
+    mean = 0.5 * (step[1:] + step[:-1])
+    right = np.concatenate(([0.0], 1.0 / (step[1:] * mean), [0.0]))
+    left = np.concatenate(([0.0], 1.0 / (step[:-1] * mean), [0.0]))
+    return csr_array(diags_array([left[1:], -(left + right), right[:-1]], offsets=[-1, 0, 1], shape=(n, n)))
+
+
+def _rotation_from_neighbours(R: Array) -> Array:
+    """R (N, 3, 3) interpolated from the samples two and three places away (third order).
+
+    The second difference uses the sample itself and its next neighbours: with other samples in the rotation the noise of the two is
+    independent, and their product has no mean that would look like an acceleration.
+    """
+    n = len(R)
+    k = np.arange(n)
+
+    def pair(distance: int) -> Array:
+        return 0.5 * (R[np.minimum(k + distance, n - 1)] + R[np.maximum(k - distance, 0)])
+
+    return np.asarray((9.0 * pair(2) - 4.0 * pair(3)) / 5.0)
 
 
 def whiten(bands: Array, x: Array) -> Array:
@@ -190,11 +200,6 @@ def whiten(bands: Array, x: Array) -> Array:
     if info != 0:
         raise FloatingPointError("the covariance of the windows is singular")
     return np.asarray(solved)
-
-
-def _stride(poses: Poses) -> int:
-    variance = max(float(poses.noise[:3, :3].max()), float(poses.noise[3:, 3:].max()) * LEVER_M**2)
-    return max(1, int(np.ceil(np.sqrt(2.0 * variance / TOLERATED_BIAS) / poses.period)))
 
 
 def _features(values: Array) -> Features:

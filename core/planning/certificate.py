@@ -1,7 +1,8 @@
 """Certified distances along a motion: no violation between samples.
 
 The margin of a pair of bodies cannot change by more than one moves relative to the other. With margins m_a and m_b at the ends of an
-interval over which that is at most b, the margin inside is at least (m_a + m_b - b) / 2; an interval for which that does not suffice is halved.
+interval over which that is at most b, the margin inside is at least (m_a + m_b - b) / 2; an interval for which that does not suffice is
+halved.
 """
 
 from __future__ import annotations

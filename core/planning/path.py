@@ -175,7 +175,7 @@ def _search(room: Room, ends: Array, planner: Planner, seed: int, seconds: float
     return _Found(q, bool(setup.haveExactSolutionPath()))
 
 
-class _Edges(base.MotionValidator):  # type: ignore[misc]
+class _Edges(base.MotionValidator):
     """OMPL's question whether the robot may move straight from one state to another."""
 
     def __init__(self, information: base.SpaceInformation, room: Room, n: int) -> None:

@@ -38,7 +38,7 @@ def _accelerations(tangent: Array, curvature: Array, limit: Array, x: float) -> 
 def _can_reach(tangent: Array, curvature: Array, limit: Array, x: float, ds: float, x_next: float) -> bool:
     """Whether an allowed u leads from x into [0, x_next] over ds."""
     low, high = _accelerations(tangent, curvature, limit, x)
-    return low <= high and x + 2.0 * ds * low <= x_next and x + 2.0 * ds * high >= 0.0
+    return bool(low <= high and x + 2.0 * ds * low <= x_next and x + 2.0 * ds * high >= 0.0)
 
 
 @njit(cache=True)

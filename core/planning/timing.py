@@ -67,7 +67,7 @@ def least_seconds(q: Array, robot: RobotModel, limits: MotionLimits, *, step: fl
 def _slowness(q: Array, tangent: Array, robot: RobotModel, limits: MotionLimits) -> Array:
     """(N,), 1 / (largest sdot) at q (N, n) moving along tangent (N, n), from velocity and Cartesian speed."""
     cartesian = point_speeds(robot.chain, limits.points, q, tangent).max(axis=1) / limits.cartesian_speed_m_s
-    return np.maximum(cartesian, (np.abs(tangent) / limits.velocity).max(axis=1))
+    return np.asarray(np.maximum(cartesian, (np.abs(tangent) / limits.velocity).max(axis=1)))
 
 
 def time_path(

@@ -75,7 +75,11 @@ def test_a_refused_plan_ends_with_3_and_says_what_is_in_the_way(tmp_path):
     cell.mkdir()
     (cell / "robot.urdf").write_text((ROOT / "cells/lwr4_bench/robot.urdf").read_text())
     toml = (ROOT / "cells/lwr4_bench/cell.toml").read_text()
-    (cell / "cell.toml").write_text(toml.replace("size_m = [0.12, 0.13, 0.08], pose.xyz_m = [0.0, -0.017, 0.04]", "size_m = [0.9, 0.9, 0.3], pose.xyz_m = [0.0, 0.0, 0.15]"))
+    (cell / "cell.toml").write_text(
+        toml.replace(
+            "size_m = [0.12, 0.13, 0.08], pose.xyz_m = [0.0, -0.017, 0.04]", "size_m = [0.9, 0.9, 0.3], pose.xyz_m = [0.0, 0.0, 0.15]"
+        )
+    )
     done = heft("plan", str(cell), "--payload", "steel_block")
     assert done.returncode in (2, 3)
     assert done.stdout == ""

@@ -9,13 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell import Cell, Pose, load_cell
-from core.errors import Interrupted, TooClose
+from core.cell import Cell, load_cell
+from core.errors import BadState, Interrupted, OverLoad
 from core.events import Event, Finished, Planned, Progress, RecordingWritten, RobotStopped
 from core.outcome import Outcome
 from core.plan import Timing
 from core.procedure import identify
 from core.recording_folder import read_recording
+from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 
 CELLS = Path(__file__).parents[2] / "cells"
@@ -89,12 +90,57 @@ def test_sensor_axes_lie_along_and_against_gravity_in_the_holds(whole_run):
         assert against - along == pytest.approx(2 * weight, rel=0.01)
 
 
-class ZoneMovesIn(SimulatedSession):
-    """After some time a protected zone is found right beside the robot, and leaves again."""
+class Knocked(SimulatedSession):
+    """Somebody knocks against the payload `times` times, `every_s` seconds apart: the wrist sensor reads more than it may."""
 
-    def __init__(self, *args, collision_of, at_s: float, **kwargs) -> None:
-        super().__init__(*args, **kwargs)
-        self.collision_of, self.at_s, self.moved = collision_of, at_s, False
+    def __init__(self, cell: Cell, *, times: int, every_s: float) -> None:
+        super().__init__(cell, cell.payloads["cylinder"].parameters, seed=5)
+        self.due = [every_s * (k + 1) for k in range(times)]
+
+    def state(self) -> RobotState:
+        state = super().state()
+        if self.due and state.t > self.due[0]:
+            self.due.pop(0)
+            return replace(state, wrench=state.wrench + np.array([0, 200.0, 0, 0, 0, 0]))
+        return state
+
+
+def test_after_a_stop_by_the_guard_the_rest_is_done_from_new_start_configurations(tmp_path):
+    cell = load_cell(CELLS / "lwr4_bench")
+    carried = cell.payloads["cylinder"]
+    session = Knocked(cell, times=1, every_s=9.0)
+    events, outcome = drained(identify(cell, session, carried.box, seed=2, timing=SHORT, out=tmp_path / "knocked"))
+    stops = [event for event in events if isinstance(event, RobotStopped)]
+    assert [stop.error for stop in stops] == ["OverLoad"]
+    assert outcome.restarts == 1
+    assert sum(isinstance(event, Planned) for event in events) == 2
+    assert {"rotate:x", "rotate:y", "rotate:z"} <= set(outcome.recording.phase)
+    assert np.diff(outcome.recording.t).max() < 0.01  # the braking is in the recording
+    estimate = outcome.identification.estimate
+    assert np.all(np.abs(estimate.phi - carried.parameters.phi) < 5 * estimate.std)
+
+
+def test_a_run_that_is_stopped_again_and_again_is_given_up_with_its_samples(tmp_path):
+    cell = load_cell(CELLS / "lwr4_bench")
+    session = Knocked(cell, times=10, every_s=1.0)
+    run = identify(cell, session, cell.payloads["cylinder"].box, seed=2, timing=SHORT, out=tmp_path / "given_up")
+    with pytest.raises(OverLoad) as stopped:
+        drained(run)
+    assert len(stopped.value.samples) > 100
+    assert len(read_recording(tmp_path / "given_up")) > 1000
+
+
+def test_a_sample_that_is_not_finite_stops_the_robot_and_is_not_written(tmp_path):
+    class Broken(SimulatedSession):
+        def state(self) -> RobotState:
+            state = super().state()
+            return replace(state, wrench=np.full(6, np.nan)) if 2.0 < state.t < 2.0015 or state.t > 4.0 else state
+
+    cell = load_cell(CELLS / "lwr4_bench")
+    session = Broken(cell, cell.payloads["cylinder"].parameters, seed=5)
+    with pytest.raises(BadState, match="finite"):
+        drained(identify(cell, session, cell.payloads["cylinder"].box, seed=2, timing=SHORT, out=tmp_path / "broken"))
+    assert np.isfinite(read_recording(tmp_path / "broken").wrench).all()
 
 
 def test_an_interrupted_run_stops_the_robot_and_leaves_a_readable_recording(tmp_path):

@@ -142,7 +142,8 @@ def test_it_stops_at_the_very_tick_that_checking_everything_exactly_would(name, 
     stopped_at = session.k
     acceleration = np.array(it.cell.robot.acceleration_rad_s2)
     dq = np.diff(q, axis=0, prepend=q[:1]) / PERIOD
-    stop = q + REACTION * PERIOD * dq + dq * np.abs(dq) / (2 * acceleration)
+    braking = np.max(np.abs(dq) / acceleration, axis=1, keepdims=True)
+    stop = q + dq * (REACTION * PERIOD + braking / 2)
     unsafe = [k for k in range(stopped_at + 1) if it.collision.margin(q[k]) < 0 or it.collision.margin(stop[k]) < 0]
     assert unsafe == [stopped_at]
     assert it.collision.margin(q[stopped_at]) > -1e-3  # what a single period can do

@@ -1,0 +1,85 @@
+"""An independent opinion on distances: python-fcl, bodies as boxes (exact there), Pinocchio's own placements of a freshly read URDF."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from pathlib import Path
+
+import fcl
+import numpy as np
+import pinocchio as pin
+import pytest
+from hypothesis import settings
+from scipy.spatial.transform import Rotation
+
+from core.cell import Box, Cell, load_cell
+
+settings.register_profile("no_deadline", deadline=None)  # the first example compiles
+settings.load_profile("no_deadline")
+
+ROOT = Path(__file__).parents[2]
+CELLS = ("lwr4_bench", "ur5e_line")
+
+FclDistances = Callable[[np.ndarray], dict[tuple[str, str], float]]
+
+
+def _fcl_box(size: object, rotation: np.ndarray, translation: np.ndarray) -> fcl.CollisionObject:
+    return fcl.CollisionObject(fcl.Box(*np.array(size, dtype=float)), fcl.Transform(rotation, translation))
+
+
+class FclScene:
+    """Distances of all links and the payload box to everything in the cell that is a box (a sphere as a tiny box less its radius)."""
+
+    def __init__(self, cell: Cell, payload_box: Box) -> None:
+        self.cell = cell
+        self.model = pin.buildModelFromXML(cell.urdf)
+        self.data = self.model.createData()
+        self.world = pin.SE3(cell.robot.base.rotation, cell.robot.base.translation)
+        self.bodies: list[tuple[str, str, object, pin.SE3]] = []
+        for link in ET.fromstring(cell.urdf).iter("link"):
+            for body in link.iter("collision"):
+                origin, box = body.find("origin"), body.find("geometry/box")
+                xyz = [float(x) for x in origin.get("xyz").split()]
+                rpy = [float(x) for x in origin.get("rpy", "0 0 0").split()]
+                local = pin.SE3(Rotation.from_euler("xyz", rpy).as_matrix(), np.array(xyz))
+                self.bodies.append((link.get("name"), link.get("name"), [float(x) for x in box.get("size").split()], local))
+        local = pin.SE3(payload_box.pose.rotation, payload_box.pose.translation)
+        self.bodies.append(("payload", cell.robot.sensor_frame, payload_box.size_m, local))
+
+    def _placed(self, q: np.ndarray) -> dict[str, fcl.CollisionObject]:
+        pin.framesForwardKinematics(self.model, self.data, q)
+        placed = {}
+        for name, frame, size, local in self.bodies:
+            T = self.world * self.data.oMf[self.model.getFrameId(frame)] * local
+            placed[name] = _fcl_box(size, T.rotation, T.translation)
+        return placed
+
+    def to_environment(self, q: np.ndarray) -> dict[tuple[str, str], float]:
+        """Distance of every body to every obstacle and zone; negative or 0 where they touch."""
+        distances = {}
+        for item in (*self.cell.obstacles, *self.cell.zones):
+            size, radius = (item.shape.size_m, 0.0) if item.shape.kind == "box" else ((1e-9,) * 3, item.shape.radius_m)
+            thing = _fcl_box(size, item.shape.pose.rotation, item.shape.pose.translation)
+            for name, body in self._placed(q).items():
+                distances[name, item.name] = _distance(body, thing) - radius
+        return distances
+
+    def between(self, q: np.ndarray, first: str, second: str) -> float:
+        placed = self._placed(q)
+        return _distance(placed[first], placed[second])
+
+
+def _distance(first: fcl.CollisionObject, second: fcl.CollisionObject) -> float:
+    request, result = fcl.DistanceRequest(enable_signed_distance=True), fcl.DistanceResult()
+    return float(fcl.distance(first, second, request, result))
+
+
+@pytest.fixture(scope="session")
+def fcl_scene() -> Callable[[Cell, Box], FclScene]:
+    return FclScene
+
+
+@pytest.fixture(scope="session", params=CELLS)
+def cell(request: pytest.FixtureRequest) -> Cell:
+    return load_cell(ROOT / "cells" / request.param)
