@@ -19,7 +19,7 @@ from core.plan import POSES, Timing
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
 from core.planning.path import plan_path
-from core.planning.rotation import Obstruction, RotationCheck, Turn
+from core.planning.rotation_room import Obstruction, RotationCheck, Turn
 from core.planning.start_configuration import find_start_configuration
 from core.planning.throw import ThrowCheck, loads_of
 from core.robot import RobotModel

@@ -20,6 +20,7 @@ import numpy as np
 from bench.brute_force import BruteForce
 from core.collision import CollisionModel
 from core.errors import NoStartConfiguration, Refused
+from core.events import StartConfigurationFound
 from core.plan import POSES, Plan, plan_procedure
 from core.robot import RobotModel
 from core.trajectory import JointTrajectory
@@ -35,16 +36,14 @@ class Judgement:
 
     Args:
         refusal: the engine's sentence, empty where the cell was solved.
-        axis: at which the refusal was.
         solvable: whether it was solved or the brute-force search says that it could be.
-        confirmed: whether the brute-force search found nothing for the axis of the refusal either.
+        confirmed: whether the brute-force search found nothing either where the refusal was.
         planning_s, robot_s: of the planner and of the plan (0 where refused).
         least_margin_m: of all transfers, by the checker.
     """
 
     seed: int
     refusal: str = ""
-    axis: str = ""
     solvable: bool = True
     confirmed: bool = True
     planning_s: float = 0.0
@@ -71,15 +70,17 @@ def judge(seed: int) -> Judgement:
     mass = drawn.cell.payloads["random"].mass_kg
     events = plan_procedure(drawn.cell, robot, collision, drawn.payload_box, start=home, mass_guess_kg=mass, seed=seed)
     began = time.perf_counter()
-    transfers = 0
+    axis = POSES[0]
     try:
         while True:
-            transfers += next(events).kind == "transfer_planned"  # type: ignore[attr-defined]
+            event = next(events)
+            if isinstance(event, StartConfigurationFound):
+                axis = event.axis
     except StopIteration as end:
         return judge_plan(drawn, end.value, time.perf_counter() - began)
     except Refused as refusal:
-        axis = refusal.axis if isinstance(refusal, NoStartConfiguration) else (*POSES, POSES[-1])[transfers]
-        return judge_refusal(drawn, f"{axis}: {refusal}", axis, time.perf_counter() - began)
+        blamed = (refusal.axis,) if isinstance(refusal, NoStartConfiguration) else (f"{axis[0]}-", f"{axis[0]}+")
+        return judge_refusal(drawn, f"{', '.join(blamed)}: {refusal}", blamed, time.perf_counter() - began)
 
 
 def judge_plan(drawn: RandomCell, plan: Plan, planning_s: float) -> Judgement:
@@ -100,17 +101,15 @@ def judge_plan(drawn: RandomCell, plan: Plan, planning_s: float) -> Judgement:
         direction = checker.axis_direction(leg.start.q, "xyz".index(leg.axis[0])) * (1.0 if leg.axis[1] == "+" else -1.0)
         if np.linalg.norm(direction - down) > ALIGNED_RAD:
             violations.append(f"{leg.axis}: sensor axis {np.linalg.norm(direction - down):.2e} rad from gravity")
-    return Judgement(
-        drawn.seed, planning_s=planning_s, robot_s=plan.robot_s, least_margin_m=float(least), violations=tuple(violations)
-    )
+    return Judgement(drawn.seed, planning_s=planning_s, robot_s=plan.robot_s, least_margin_m=float(least), violations=tuple(violations))
 
 
-def judge_refusal(drawn: RandomCell, refusal: str, axis: str, planning_s: float) -> Judgement:
+def judge_refusal(drawn: RandomCell, refusal: str, blamed: tuple[str, ...], planning_s: float) -> Judgement:
     """Asks the brute-force search whether the cell could have been solved, and whether the axis of the refusal is to blame."""
     search = BruteForce(drawn.cell, drawn.payload_box, seed=drawn.seed)
-    blamed = search.answer(axis)
-    solvable = blamed.reachable and all(answer.reachable for answer in search.answers())
-    return Judgement(drawn.seed, refusal, axis, solvable, not blamed.reachable, planning_s)
+    confirmed = not all(search.answer(axis).reachable for axis in blamed)
+    solvable = not confirmed and all(answer.reachable for answer in search.answers())
+    return Judgement(drawn.seed, refusal, solvable, confirmed, planning_s)
 
 
 def legs(plan: Plan) -> Iterator[tuple[str, JointTrajectory]]:

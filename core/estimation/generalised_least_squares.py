@@ -144,7 +144,7 @@ class _Problem:
         phi, tilt, delay = x[:10], x[TILT], float(x[DELAY])
         features, rate = self.form.features(delay)
         V = features.regressor(tilt)
-        shared = np.concatenate((V, features.tilt_columns(phi), (rate.regressor(tilt) @ phi)[..., None]), axis=2)
+        shared = np.concatenate((V, features.tilt_columns(phi, tilt), (rate.regressor(tilt) @ phi)[..., None]), axis=2)
         target = self.y + shared[:, :, TILT] @ tilt + shared[:, :, DELAY] * delay
         K = self.form.poses.noise
         M = spatial_inertia(phi)
@@ -153,7 +153,8 @@ class _Problem:
         normal, right = np.zeros((size, size)), np.zeros(size)
         white = []
         for c in range(6):
-            sensor = self.noise.variance[c] * scale[c]
+            # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
+            sensor = max(self.noise.variance[c] * scale[c], 1e-7 * kinematic[c] * float(self.spectrum.max()))
             bands = sensor * self.wrench_gram + kinematic[c] * self.pose_gram
             own = np.column_stack((shared[:, c], np.ones(len(self.y)), self.ramps, target[:, c]))
             w = whiten(bands, own)

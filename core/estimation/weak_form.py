@@ -20,7 +20,7 @@ from scipy.linalg import cholesky_banded
 from scipy.linalg.lapack import dtbtrs
 from scipy.sparse import csr_array, diags_array
 
-from core.estimation.kinematics import Poses, axial
+from core.estimation.kinematics import Poses, axial, rotation_of
 from core.inertia import inertia_columns, skew, symmetric
 
 Array = NDArray[np.float64]
@@ -39,24 +39,29 @@ class Features:
 
     Args:
         a: (K, 3), acceleration of the sensor origin.
-        g: (K, 3), gravity.
-        tilt: (K, 3, 2), change of gravity per radian of base tilt.
+        base: (K, 3, 3), R^T, which turns gravity of the base frame into the sensor's.
         B: (K, 3, 3), `R^T R''`.
+        gravity: (3,), nominal, base frame.
     """
 
     a: Array
-    g: Array
-    tilt: Array
+    base: Array
     B: Array
+    gravity: Array
 
-    def regressor(self, base_tilt: Array) -> Array:
-        """V (K, 6, 10)."""
-        return regressor_of(self.a - self.g - self.tilt @ base_tilt, self.B)
+    def regressor(self, tilt: Array) -> Array:
+        """V (K, 6, 10) for gravity turned by the base tilt (2,), rad."""
+        return regressor_of(self.a - self.base @ (rotation_of(tilt_axes(self.gravity) @ tilt) @ self.gravity), self.B)
 
-    def tilt_columns(self, phi: Array) -> Array:
+    def tilt_columns(self, phi: Array, tilt: Array) -> Array:
         """Change of the wrench (K, 6, 2) per radian of base tilt."""
-        columns = [regressor_of(-self.tilt[:, :, i], np.zeros_like(self.B)) @ phi for i in (0, 1)]
-        return np.stack(columns, axis=-1)
+        axes = tilt_axes(self.gravity)
+        v = axes @ tilt
+        g = rotation_of(v) @ self.gravity
+        zero = np.zeros_like(self.B)
+        # to first order in the tilt a change of the rotation vector by e turns by e + v x e / 2
+        change = [np.cross(e + 0.5 * np.cross(v, e), g) for e in axes.T]
+        return np.stack([regressor_of(-self.base @ dg, zero) @ phi for dg in change], axis=-1)
 
 
 def regressor_of(b: Array, B: Array) -> Array:
@@ -91,7 +96,6 @@ class WeakForm:
         self.static = still_only is not None
         t = poses.t
         rotation = poses.rotation
-        tilt = np.einsum("nji,jk->nik", rotation, np.cross(tilt_axes(poses.gravity).T, poses.gravity).T)
         a, B = np.zeros((len(t), 3)), np.zeros((len(t), 3, 3))
         if still_only is not None:
             self._rows = np.flatnonzero(still_only)
@@ -105,7 +109,9 @@ class WeakForm:
             self._difference = D
             self._step = max(STEP_S, 8.0 * poses.period)
             self.centres = self._centres(t)
-        self._samples = np.concatenate((a, poses.g, tilt.reshape(-1, 6), B.reshape(-1, 9)), axis=1)
+        self._samples = np.concatenate(
+            (a, np.swapaxes(rotation, 1, 2).reshape(-1, 9), B.reshape(-1, 9)), axis=1
+        )
 
     def __len__(self) -> int:
         return len(self.centres)
@@ -152,12 +158,14 @@ class WeakForm:
 
     def features(self, delay: float) -> tuple[Features, Features]:
         """Features at the times `centres - delay`, and their derivative by the delay."""
+        gravity = self.poses.gravity
         if self.static:
             values = self._samples[self._rows]
-            return _features(values), _features(np.zeros_like(values))
+            return _features(values, gravity), _features(np.zeros_like(values), gravity)
         W, dW = self._windows(delay), self._windows(delay, derivative=True)
         total = np.asarray(W.sum(axis=1))[:, None]
-        return _features(np.asarray(W @ self._samples) / total), _features(np.asarray(dW @ self._samples) / total)
+        rate = np.asarray(dW @ self._samples) / total
+        return _features(np.asarray(W @ self._samples) / total, gravity), _features(rate, gravity)
 
     def gram(self) -> tuple[Array, Array]:
         """Covariances of the windowed noise, as lower bands (4, K), for white noise of unit variance in the wrench, and in the pose."""
@@ -202,8 +210,8 @@ def whiten(bands: Array, x: Array) -> Array:
     return np.asarray(solved)
 
 
-def _features(values: Array) -> Features:
-    return Features(values[:, :3], values[:, 3:6], values[:, 6:12].reshape(-1, 3, 2), values[:, 12:].reshape(-1, 3, 3))
+def _features(values: Array, gravity: Array) -> Features:
+    return Features(values[:, :3], values[:, 3:12].reshape(-1, 3, 3), values[:, 12:].reshape(-1, 3, 3), gravity)
 
 
 def _bands(matrix: csr_array) -> Array:

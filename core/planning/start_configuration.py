@@ -21,7 +21,7 @@ from core.planning.candidates import Candidates, CandidateSearch, Weights
 from core.planning.certificate import is_clear
 from core.planning.grid import draw_postures, first_grid, second_grid
 from core.planning.pair_margins import PairMargins
-from core.planning.rotation import Obstruction, RotationCheck, Turn
+from core.planning.rotation_room import Obstruction, RotationCheck, Turn
 from core.planning.throw import Throw, ThrowCheck, loads_of
 from core.robot import RobotModel
 from core.trajectory import AngularProfile
@@ -210,7 +210,7 @@ def _described(axis: str, candidates: Candidates, accepted: Accepted, collision:
         q=candidates.q[row].copy(),
         objective=float(candidates.objective[row]),
         clearance_m=float(candidates.clearance[row]),
-        least_clearance_m=nearest.distance_m,
+        least_clearance_m=min(nearest.distance_m, float(candidates.clearance[row])),
         nearest=nearest.second,
         manipulability=float(candidates.manipulability[row]),
         throw=accepted.throw,

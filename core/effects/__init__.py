@@ -1,0 +1,1 @@
+"""What the nominal model leaves out, one effect per file. The folder is the registry."""

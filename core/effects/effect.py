@@ -1,0 +1,136 @@
+"""What an effect is: something that the nominal twin leaves out, as a model that can be added to the simulation and fitted to a recording.
+
+The folder is the registry: every module of `core.effects` with an `Effect` class in it is in the `library()`.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import ClassVar, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.scene import Scene
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+
+Stage = Literal["sensor", "timing", "mounting", "kinematics", "payload", "environment", "actuation"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter of an effect.
+
+    Args:
+        name: with its unit, for example `delay_s`.
+        unit: for people.
+        absent: the value at which the effect is not there.
+        lower, upper: bounds of the fit.
+        scale: plausible size; the standard deviation of the prior around `absent`.
+    """
+
+    name: str
+    unit: str
+    absent: float
+    lower: float
+    upper: float
+    scale: float
+
+
+class Effect(ABC):
+    """One unmodelled effect. Stateless; everything it knows of the run stands in the `Scene`."""
+
+    id: ClassVar[str]
+    """Identifier that reports use."""
+    title: ClassVar[str]
+    """In words, lower case, as in "the gap is explained by <title>"."""
+    stage: ClassVar[Stage]
+
+    @abstractmethod
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """The parameters; their number may depend on the number of joints."""
+
+    @abstractmethod
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """The sensor's reading with the effect.
+
+        Args:
+            scene: the nominal run, causal: row k depends on rows up to k only.
+            w: (N, 6), what the nominal twin predicts, N and N m; offsets are not in it.
+            theta: parameters, in the order of `parameters`. At their `absent` values the result equals `w`.
+        """
+
+    def missing(self, scene: Scene) -> str | None:
+        """Why this recording cannot show the effect (no joints, no temperature ...), None where it can."""
+        del scene
+        return None
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """Parameters from which a fit may start, most promising first; a few where the likelihood has several hills (times, frequencies).
+
+        Args:
+            residual: (N, 6), measured minus predicted, in standard deviations of the noise.
+        """
+        del residual
+        return [np.array([p.absent + 0.3 * p.scale for p in self.parameters(scene)])]
+
+    @abstractmethod
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """What a person should do about it, one sentence in the imperative with the numbers in everyday units."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What a symptom found in a recording.
+
+    Args:
+        theta, std: values of the parameters and their uncertainty.
+        sigma: how many standard deviations it stands above what chance gives.
+        material: whether it matters by the effect's own measure (its docstring says which).
+        sentence: what was seen, with numbers and units.
+    """
+
+    theta: Array
+    std: Array
+    sigma: float
+    material: bool
+    sentence: str
+
+
+class Symptom(ABC):
+    """An effect that does not change the wrench which the twin predicts, and is read off the recording directly. Stateless."""
+
+    id: ClassVar[str]
+    title: ClassVar[str]
+    stage: ClassVar[Stage]
+
+    @abstractmethod
+    def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
+        """The parameters; their number may depend on the number of joints."""
+
+    @abstractmethod
+    def observe(self, recording: Recording, view: View) -> Finding | None:
+        """What the recording shows of it; None where the recording cannot show it or shows nothing."""
+
+    @abstractmethod
+    def advice(self, finding: Finding) -> str:
+        """What a person should do about it, one sentence in the imperative."""
+
+
+@dataclass(frozen=True)
+class View:
+    """What has been worked out of a recording before symptoms are read off.
+
+    Args:
+        holds: rows of each motionless phase.
+        noise_std: (6,), of one sample in the motionless phases, trends taken out.
+        phi, phi_std: (10,), payload estimate; NaN where not determined.
+    """
+
+    holds: tuple[slice, ...]
+    noise_std: Array
+    phi: Array
+    phi_std: Array

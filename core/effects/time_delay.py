@@ -1,0 +1,31 @@
+"""The wrench is late against the joints: transport, buffering, or clocks that differ."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Effect, Parameter
+from core.effects.scene import Scene
+
+Array = NDArray[np.float64]
+
+
+class TimeDelay(Effect):
+    """`W(t - tau)`."""
+
+    id = "time_delay"
+    title = "a delay of the wrench against the joints"
+    stage = "timing"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`."""
+        return (Parameter("delay_s", "s", 0.0, -0.01, 0.1, 0.02),)
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        return np.column_stack([np.interp(scene.t - theta[0], scene.t, channel) for channel in w.T])
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        return f"Stamp wrench and joints with one clock, or set a delay of {1e3 * theta[0]:.1f} ms in the recorder."
