@@ -1,4 +1,4 @@
-"""Whether a pose exists at all: many random configurations instead of a grid, no room beyond what the cell requires, long searches for paths.
+"""Whether a pose exists at all: many random configurations instead of a grid, nothing to spare, long searches for paths.
 
 Slow and without taste; it only tells whether a cell that the planner refused could have been solved.
 """

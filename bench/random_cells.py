@@ -2,8 +2,8 @@
 
     python -m bench.random_cells [--count N] [--first N] [--processes N]
 
-Counts violations (none is allowed), cells solved of those that can be solved, refusals whose reason the brute-force search confirms, and the
-seconds of planning.
+Counts violations (none is allowed), cells solved of those that can be solved, refusals whose reason the brute-force search confirms, and
+the seconds of planning.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from multiprocessing import get_context
 
 import numpy as np
 
-from bench.brute_force import BruteForce
+from bench.brute_force import CANDIDATES, BruteForce
 from core.collision import CollisionModel
 from core.errors import NoStartConfiguration, Refused
 from core.events import StartConfigurationFound
@@ -104,9 +104,9 @@ def judge_plan(drawn: RandomCell, plan: Plan, planning_s: float) -> Judgement:
     return Judgement(drawn.seed, planning_s=planning_s, robot_s=plan.robot_s, least_margin_m=float(least), violations=tuple(violations))
 
 
-def judge_refusal(drawn: RandomCell, refusal: str, blamed: tuple[str, ...], planning_s: float) -> Judgement:
+def judge_refusal(drawn: RandomCell, refusal: str, blamed: tuple[str, ...], planning_s: float, candidates: int = CANDIDATES) -> Judgement:
     """Asks the brute-force search whether the cell could have been solved, and whether the axis of the refusal is to blame."""
-    search = BruteForce(drawn.cell, drawn.payload_box, seed=drawn.seed)
+    search = BruteForce(drawn.cell, drawn.payload_box, candidates=candidates, seed=drawn.seed)
     confirmed = not all(search.answer(axis).reachable for axis in blamed)
     solvable = not confirmed and all(answer.reachable for answer in search.answers())
     return Judgement(drawn.seed, refusal, solvable, confirmed, planning_s)

@@ -16,13 +16,15 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.cell import BASE_IN_OBSTACLE, Box, Capsule, Cell, Obstacle, Pose, Shape, Sphere, Zone
+from core.bodies import Body, SpeedPoints, corners_of, fixed_body, link_bodies, payload_body, reach_of
+from core.cell import BASE_IN_OBSTACLE, Box, Cell, Obstacle, Pose, Zone
 from core.errors import BadCell
 from core.robot import RobotModel
 
+__all__ = ["Body", "CollisionModel", "Nearest", "SpeedPoints"]
+
 Array = NDArray[np.float64]
 
-PAYLOAD = "payload"
 CONTACT_M = 0.001  # links that provably stay this far apart cannot touch
 MOST_DIVISIONS = 20_000  # of the joints' ranges in such a proof; a pair that needs more is kept
 
@@ -52,48 +54,6 @@ class Nearest:
         return self.distance_m - self.required_m
 
 
-@dataclass(frozen=True)
-class SpeedPoints:
-    """Corners of the box round every moving link and of the payload box.
-
-    The speed of a rigid body is a convex function of the point: no point of the body is faster than the fastest corner.
-
-    Args:
-        joint: (n_points,), index of the joint that carries the point, 0 for the first joint of the chain.
-        local: (n_points, 3), in that joint's frame, m.
-        owner: name of the link, or "payload", of each point.
-    """
-
-    joint: NDArray[np.int64]
-    local: Array
-    owner: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class Body:
-    """A rigid convex body.
-
-    Args:
-        name: of the link, the obstacle or the zone, or "payload".
-        joint: number of the joint that carries it as Pinocchio counts, 0 for what does not move.
-        geometry: Coal's shape.
-        placement: in that joint's frame, or in the world.
-    """
-
-    name: str
-    joint: int
-    geometry: Any
-    placement: Any
-
-    @property
-    def corners(self) -> Array:
-        """(8, 3), corners of the box round the body, in the joint's frame or the world, m."""
-        self.geometry.computeLocalAABB()
-        ends = np.array([self.geometry.aabb_local.min_, self.geometry.aabb_local.max_])
-        corners = np.stack(np.meshgrid(*ends.T), axis=-1).reshape(-1, 3)
-        return np.asarray(corners @ self.placement.rotation.T + self.placement.translation)
-
-
 class CollisionModel:
     """Distances of one robot with one payload box in one cell.
 
@@ -116,10 +76,10 @@ class CollisionModel:
         self.cell = cell
         self.robot = robot
         self.payload_box = payload_box
-        bodies = [*_links(cell, robot), _payload(robot, payload_box)]
-        things = [_thing(item.name, item.shape) for item in _standing(cell)]
-        self.points = _speed_points(bodies)
-        self.reach = _reach(robot, self.points)
+        bodies = [*link_bodies(cell, robot), payload_body(robot, payload_box)]
+        things = [fixed_body(item.name, item.shape) for item in _standing(cell)]
+        self.points = corners_of(bodies)
+        self.reach = reach_of(robot, self.points)
         """(n,), the largest distance from axis i of any point behind joint i over all configurations, m."""
         self._environment = _Pairs(robot, cell.limits.clearance_m, [(body, thing) for body in bodies if body.joint > 0 for thing in things])
         links = [(a, b) for a in bodies for b in bodies if a.joint - b.joint >= 2]
@@ -257,72 +217,9 @@ class _Pairs:
         self._object(name).placement = placement
 
 
-def _links(cell: Cell, robot: RobotModel) -> list[Body]:
-    """The collision bodies of the URDF; those of the base are in the world frame, as the model's frames are."""
-    geometry = pin.buildGeomFromUrdfString(robot.model, cell.urdf, pin.GeometryType.COLLISION, None, str(cell.folder))
-    return [
-        Body(robot.model.frames[body.parentFrame].name, body.parentJoint, _convex(body.geometry), body.placement)
-        for body in geometry.geometryObjects
-    ]
-
-
-def _convex(geometry: Any) -> Any:
-    """The convex hull of a mesh; other shapes as they are."""
-    if not isinstance(geometry, coal.BVHModelBase):
-        return geometry
-    geometry.buildConvexHull(True, "Qt")
-    return geometry.convex
-
-
-def _payload(robot: RobotModel, box: Box) -> Body:
-    placement = robot.model.frames[robot.sensor_frame_id].placement * pin.SE3(box.pose.rotation, box.pose.translation)
-    return Body(PAYLOAD, robot.n, coal.Box(*box.size_m), placement)
-
-
 def _standing(cell: Cell) -> list[Obstacle | Zone]:
     """Everything that the robot must keep away from."""
     return [*cell.obstacles, *cell.zones]
-
-
-def _thing(name: str, shape: Shape) -> Body:
-    """An obstacle or a zone."""
-    return Body(name, 0, _coal(shape), pin.SE3(shape.pose.rotation, shape.pose.translation))
-
-
-def _coal(shape: Shape) -> Any:
-    match shape:
-        case Box():
-            return coal.Box(*shape.size_m)
-        case Sphere():
-            return coal.Sphere(shape.radius_m)
-        case Capsule():
-            return coal.Capsule(shape.radius_m, shape.length_m)
-
-
-def _speed_points(bodies: list[Body]) -> SpeedPoints:
-    moving = [body for body in bodies if body.joint > 0]
-    return SpeedPoints(
-        joint=np.repeat([body.joint - 1 for body in moving], 8),
-        local=np.concatenate([body.corners for body in moving]),
-        owner=tuple(body.name for body in moving for _ in range(8)),
-    )
-
-
-def _reach(robot: RobotModel, points: SpeedPoints) -> Array:
-    """Largest distance of any point behind joint i from its axis, over all configurations.
-
-    Behind joint i the chain may be stretched in any direction: a point of a farther body is at most the length of the
-    links between away from the origin of joint i + 1, which itself turns about axis i at a fixed distance.
-    """
-    placements, axes = robot.chain.placements, robot.chain.axes
-    reach = np.zeros(robot.n)
-    length = 0.0  # of the longest way from the origin of joint i + 1 to a point behind it
-    for i in reversed(range(robot.n)):
-        own = points.local[points.joint == i]
-        following = placements[i + 1, :3, 3]
-        reach[i] = max([np.linalg.norm(np.cross(axes[i], following)) + length, *np.linalg.norm(np.cross(axes[i], own), axis=1)])
-        length = max([np.linalg.norm(following) + length, *np.linalg.norm(own, axis=1)])
-    return reach
 
 
 def _can_collide(cell: Cell, robot: RobotModel, pair: tuple[Body, Body]) -> bool:
@@ -341,7 +238,7 @@ def _keeps(robot: RobotModel, pair: tuple[Body, Body], required_m: float) -> boo
     """
     first, second = pair
     between = np.arange(second.joint, first.joint)
-    reach = _reach(robot, _speed_points([first]))[between]
+    reach = reach_of(robot, corners_of([first]))[between]
     low = robot.lower[between]
     margin = _Pairs(robot, required_m, [pair]).margin
     q = pin.neutral(robot.model)

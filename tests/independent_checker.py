@@ -1,4 +1,4 @@
-"""A second opinion on a motion, sharing nothing with the engine but the cell: python-fcl for distances (boxes and spheres, where it is exact),
+"""A second opinion on a motion, sharing nothing with the engine but the cell: python-fcl for distances (boxes, where it is exact),
 kinematics in numpy read from the URDF's XML, speeds by finite differences.
 
 Any sequence of joint positions can be judged: commanded or measured, of a transfer or of a whole run.
@@ -29,7 +29,7 @@ class Findings:
     """What a motion does, against what it may.
 
     Args:
-        margins_m: for each kind of pair ("obstacle", "zone", "self") the smallest distance minus what is required that was met, and its pair.
+        margins_m: for each kind of pair ("obstacle", "zone", "self") the smallest distance minus what is required, and its pair.
         speed_m_s, velocity, acceleration, position: largest Cartesian speed of a corner, and largest ratio of a joint to its limit
             (for positions the excess, rad).
     """
@@ -224,9 +224,9 @@ class IndependentChecker:
                 number, T = number + 1, np.eye(4)
             where[link] = (number, T)
         bodies = []
-        for link in root.findall("link"):
-            name = link.get("name", "")
-            for collision in link.findall("collision"):
+        for element in root.findall("link"):
+            name = element.get("name", "")
+            for collision in element.findall("collision"):
                 if name in where:
                     number, T = where[name]
                     placement = T @ _origin(collision.find("origin"))

@@ -78,14 +78,15 @@ def _obstacle(rng: np.random.Generator, arm: Cell) -> Box:
     """Tables, pillars, walls and small things within reach."""
     kind = rng.integers(4)
     bearing, distance = rng.uniform(-np.pi, np.pi), rng.uniform(0.3, 1.0)
-    size = [
+    sizes: list[Array | list[float]] = [
         rng.uniform(0.3, 1.0, 3) * [1, 1, 0.5],
         [*rng.uniform(0.08, 0.2, 2), rng.uniform(0.8, 2.0)],
         [0.08, rng.uniform(0.6, 1.5), rng.uniform(0.4, 1.5)],
         rng.uniform(0.08, 0.35, 3),
-    ][kind]
+    ]
+    size = np.array(sizes[kind])
     height = [rng.uniform(-0.6, 0.0), 0.3, rng.uniform(0.0, 0.9), rng.uniform(0.0, 1.2)][kind]
-    return _box(arm, bearing, distance + 0.5 * size[0], height, np.array(size))
+    return _box(arm, bearing, distance + 0.5 * size[0], height, size)
 
 
 def _zone(rng: np.random.Generator, arm: Cell) -> Box:
@@ -96,7 +97,7 @@ def _zone(rng: np.random.Generator, arm: Cell) -> Box:
 
 def _box(arm: Cell, bearing: float, distance: float, height: float, size: Array) -> Box:
     """A box facing the base."""
-    place = arm.robot.base.translation + [distance * np.cos(bearing), distance * np.sin(bearing), height]
+    place = arm.robot.base.translation + np.array([distance * np.cos(bearing), distance * np.sin(bearing), height])
     return Box(size_m=_numbers(size), pose=Pose(xyz_m=_numbers(place), rpy_rad=(0.0, 0.0, float(bearing))))
 
 

@@ -100,9 +100,7 @@ def wrench_of(run: Run, body: InertialParameters, gravity: np.ndarray = GRAVITY)
     return result
 
 
-def record(
-    run: Run, body: InertialParameters, rng: np.random.Generator, imperfections: Imperfections | None = None
-) -> Recording:
+def record(run: Run, body: InertialParameters, rng: np.random.Generator, imperfections: Imperfections | None = None) -> Recording:
     """The run as a sensor and encoders see it."""
     how = imperfections or Imperfections()
     gravity = pin.exp3(np.array([*how.tilt_rad, 0.0])) @ GRAVITY
@@ -270,9 +268,7 @@ def _followed(command: np.ndarray, period: float, lag: float) -> tuple[np.ndarra
     return result[0] + command[0], result[1], result[2]
 
 
-def _exact(
-    cell: str, robot: RobotModel, period: float, q: np.ndarray, dq: np.ndarray, ddq: np.ndarray, phase: np.ndarray
-) -> Run:
+def _exact(cell: str, robot: RobotModel, period: float, q: np.ndarray, dq: np.ndarray, ddq: np.ndarray, phase: np.ndarray) -> Run:
     model, data, frame = robot.model, robot.data, robot.sensor_frame_id
     n = len(q)
     rotation, a, omega, alpha = np.empty((n, 3, 3)), np.empty((n, 3)), np.empty((n, 3)), np.empty((n, 3))

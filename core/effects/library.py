@@ -1,22 +1,33 @@
-"""All effects at hand: the `Effect` classes of the modules in this folder."""
+"""All effects at hand: the classes of the modules in this folder."""
 
 from __future__ import annotations
 
 import importlib
 import inspect
 import pkgutil
+from collections.abc import Iterator
 from functools import cache
 
 import core.effects
-from core.effects.effect import Effect
+from core.effects.effect import Effect, Symptom
 
 
 @cache
 def library() -> tuple[Effect, ...]:
-    """One instance of every effect, in the order of their identifiers."""
-    found: list[Effect] = []
+    """One instance of every effect that changes the wrench, in the order of their identifiers."""
+    return tuple(sorted((kind() for kind in _classes() if issubclass(kind, Effect)), key=lambda effect: effect.id))
+
+
+@cache
+def symptoms() -> tuple[Symptom, ...]:
+    """One instance of every effect that is read off a recording directly, in the order of their identifiers."""
+    return tuple(sorted((kind() for kind in _classes() if issubclass(kind, Symptom)), key=lambda symptom: symptom.id))
+
+
+def _classes() -> Iterator[type]:
+    """Concrete classes, each from the module that defines it."""
     for module in pkgutil.iter_modules(core.effects.__path__):
-        for _, kind in inspect.getmembers(importlib.import_module(f"core.effects.{module.name}"), inspect.isclass):
-            if issubclass(kind, Effect) and not inspect.isabstract(kind) and kind.__module__ == f"core.effects.{module.name}":
-                found.append(kind())
-    return tuple(sorted(found, key=lambda effect: effect.id))
+        name = f"core.effects.{module.name}"
+        for _, kind in inspect.getmembers(importlib.import_module(name), inspect.isclass):
+            if kind.__module__ == name and not inspect.isabstract(kind):
+                yield kind

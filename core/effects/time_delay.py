@@ -6,13 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
+from core.effects.filters import delayed
 from core.effects.scene import Scene
 
 Array = NDArray[np.float64]
 
 
 class TimeDelay(Effect):
-    """`W(t - tau)`."""
+    """`W(t - tau)`, between samples by a cubic. A wrench that is early means joints that are late, which is `kinematic_lag`."""
 
     id = "time_delay"
     title = "a delay of the wrench against the joints"
@@ -20,11 +21,15 @@ class TimeDelay(Effect):
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
-        return (Parameter("delay_s", "s", 0.0, -0.01, 0.1, 0.02),)
+        return (Parameter("delay_s", "s", 0.0, 0.0, 0.1, 0.02),)
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        return np.column_stack([np.interp(scene.t - theta[0], scene.t, channel) for channel in w.T])
+        return delayed(w, theta[0] / scene.period)
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """See `Effect.starts`."""
+        return [np.array([delay]) for delay in (0.006, 0.02, 0.05)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""

@@ -19,7 +19,7 @@ _LOWER = np.tril_indices(4)
 def nearest_consistent(phi: Array, covariance: Array) -> Array:
     """The parameters (10,) that a body can have and that are nearest to phi in the metric of its covariance (10, 10).
 
-    phi itself where it is consistent. Otherwise the problem is solved over `P = S (L L^T + SMALLEST 1) S`, L lower triangular and S a scale:
+    phi itself where it is consistent. Otherwise the problem is solved over `P = S (L L^T + SMALLEST 1) S`, L lower triangular, S a scale:
     any L is allowed, so that no constraint is left, and the best body may lie on the edge of what can exist.
     """
     if is_consistent(phi):
@@ -37,7 +37,18 @@ def nearest_consistent(phi: Array, covariance: Array) -> Array:
     def distance(entries: Array) -> Array:
         return np.asarray(root @ (body(entries) - phi))
 
-    solution = least_squares(distance, np.linalg.cholesky(start)[_LOWER], x_scale="jac", xtol=1e-12, ftol=1e-12, gtol=1e-12)
+    def slope(entries: Array) -> Array:
+        L = np.zeros((4, 4))
+        L[_LOWER] = entries
+        columns = []
+        for i, j in zip(*_LOWER, strict=True):
+            E = np.zeros((4, 4))
+            E[i] = L[:, j]
+            columns.append(phi_of_pseudo_inertia((E + E.T) * np.outer(scale, scale)))
+        return np.asarray(root @ np.column_stack(columns))
+
+    first = np.linalg.cholesky(start)[_LOWER]
+    solution = least_squares(distance, first, jac=slope, x_scale="jac", xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=200)
     return body(solution.x)
 
 

@@ -70,8 +70,8 @@ class Estimate:
         determined: (10,).
         reasons: name of the parameter -> why it is not determined.
         offset, offset_std: (6,), mean over the recording.
-        consistent: whether the pseudo-inertia is positive definite; True always when all ten are determined.
-        constrained: whether that had to be enforced (the data alone asked for a body that cannot exist).
+        consistent: whether a body can have these parameters (positive definite pseudo-inertia); enforced, so False only without a mass.
+        constrained: whether that moved what is determined (the data alone asked for a body that cannot exist).
         base_tilt_rad, base_tilt_std: (2,), rotation of the true gravity against the nominal one about base x and y.
         delay_s, delay_std: how late the wrench is against the joints.
         residual_rms, noise_std: (6,), per sample, N and N m.
@@ -106,7 +106,7 @@ class Estimate:
     @cached_property
     def com_m(self) -> Array:
         """(3,), centre of mass; NaN where not determined."""
-        return self.phi[1:4] / self.phi[0]
+        return np.asarray(self.phi[1:4] / self.phi[0])
 
     @cached_property
     def com_covariance(self) -> Array:
@@ -191,5 +191,3 @@ class Identification:
     segments: tuple[Segment, ...] = ()
     series: TimeSeries | None = None
     bounds: tuple[str, ...] = field(default=())
-
-

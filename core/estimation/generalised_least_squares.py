@@ -6,8 +6,8 @@ Solved is, for the windowed wrench y and the windowed regressor V(delay, tilt),
         sum over channels |y - V(delay, tilt) phi - offset - drift|^2 in the metric C^-1  +  weak priors,
     C = noise of the wrench * Gram of the windows  +  noise of the kinematics * Gram of their second differences,
 
-by Gauss-Newton. The noise of the kinematics enters the wrench through the payload's own spatial inertia M(phi): `M (da, dalpha)`. It also sits
-in the regressor, where it would shrink the parameters; that bias is subtracted (bias-compensated least squares).
+by Gauss-Newton. The noise of the kinematics enters the wrench through the payload's own spatial inertia, as `M(phi) (da, dalpha)`. It
+also sits in the regressor, where it would shrink the parameters; that bias is subtracted (bias-compensated least squares).
 """
 
 from __future__ import annotations
@@ -72,7 +72,8 @@ def fit(form: WeakForm, wrench: Array, noise: SensorNoise) -> Fit:
     The noise is widened where the residuals exceed it, and the fit repeated with the new weights, so that the covariance stays honest where
     the model leaves something out.
     """
-    result = _Problem(form, wrench, noise).solve(np.ones(6))
+    problem = _Problem(form, wrench, noise)
+    result = problem.solve(np.ones(6))
     if not noise.measured:
         # the channels weigh each other by their noise: the residual of the first fit, then that of the second
         for _ in range(2):
@@ -80,7 +81,7 @@ def fit(form: WeakForm, wrench: Array, noise: SensorNoise) -> Fit:
             result = _Problem(form, wrench, noise).solve(np.ones(6))
         return result
     scale = _misfit(result, noise)
-    return result if (scale == 1.0).all() else replace(_Problem(form, wrench, noise).solve(scale), scale=scale)
+    return result if (scale == 1.0).all() else replace(problem.solve(scale), scale=scale)
 
 
 def spatial_inertia(phi: Array) -> Array:
@@ -126,9 +127,7 @@ class _Problem:
         drift = np.column_stack([self.ramps @ x[self._drift_rows(c)] for c in range(6)])
         spread = [self._range_std(normal, c) for c in range(6)]
         covariance = normal[: OFFSET.stop, : OFFSET.stop]
-        return Fit(
-            x[: OFFSET.stop], covariance, self.form.centres, drift, np.array(spread), whitened, np.ones(6), self.noise
-        )
+        return Fit(x[: OFFSET.stop], covariance, self.form.centres, drift, np.array(spread), whitened, np.ones(6), self.noise)
 
     def _drift_rows(self, channel: int) -> slice:
         n = self.ramps.shape[1]
@@ -183,9 +182,7 @@ class _Problem:
             x = covariance @ right
             for c in range(6 if n else 0):
                 rows = self._drift_rows(c)
-                self.drift_variance[c] = improved_variance(
-                    self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c]
-                )
+                self.drift_variance[c] = improved_variance(self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c])
         return covariance, x
 
 

@@ -38,23 +38,24 @@ def identify_recording(recording: Recording) -> Identification:
     What the recording lacks limits what is said, and is said; it is no error.
     """
     poses = poses_of(recording)
-    if recording.wrench is None or poses is None:
+    wrench = recording.wrench
+    if wrench is None or poses is None:
         return torque_only(recording, poses)
     static = poses.period > SLOWEST_PERIOD_S or len(recording) < 50
     motion, speed = _motion(poses, static)
     segments = _segments(recording, motion, speed, static)
     still = _labelled_still(recording, segments) if static else motionless(recording.t, segments)
-    noise = sensor_noise(recording, still, segments)
+    noise = sensor_noise(wrench, still, segments, nominal_std=recording.sensor.noise_std)
     rows_only = static or (poses.position is None) or not bool((~still).any())
     if rows_only and int(still.sum()) < FEWEST_ROWS:
-        return _nothing(recording, segments, "too few motionless samples, and no motion that could be used instead")
+        return _nothing(segments, "too few motionless samples, and no motion that could be used instead")
     form = WeakForm(poses, still_only=still if rows_only else None)
     if len(form) < FEWEST_ROWS:
-        return _nothing(recording, segments, f"{recording.t[-1] - recording.t[0]:.2f} s are too short to say anything")
-    found = fit(form, recording.wrench, noise or unknown_noise())
+        return _nothing(segments, f"{recording.t[-1] - recording.t[0]:.2f} s are too short to say anything")
+    found = fit(form, wrench, noise or unknown_noise())
     estimate = _estimate(found, motion, static=rows_only)
-    paper = _paper(recording, motion, speed, still, found.noise)
-    series = None if rows_only else _series(recording, motion, found)
+    paper = _paper(wrench, motion, speed, still, found.noise)
+    series = None if rows_only else _series(recording.t, wrench, motion, found)
     warnings = warnings_of(recording, estimate, found, static=rows_only)
     return Identification(paper, estimate, verdict_of(estimate, static=rows_only), warnings, segments, series)
 
@@ -86,9 +87,9 @@ def _estimate(found: Fit, motion: Motion, *, static: bool) -> Estimate:
     phi, S = found.phi.copy(), covariance[:10, :10].copy()
     std = np.sqrt(np.diag(S))
     known = determined(phi, std)
-    constrained = bool(known.all()) and not is_consistent(phi)
-    if constrained:
-        phi = nearest_consistent(phi, S)
+    body = nearest_consistent(phi, S) if known[0] else phi
+    constrained = bool((np.abs(body - phi)[known] > 0.01 * std[known]).any())
+    phi = body.copy()
     why = reasons(phi, std, known, static=static, motion=None if static else motion)
     phi[~known] = np.nan
     S[~known, :] = np.nan
@@ -104,7 +105,7 @@ def _estimate(found: Fit, motion: Motion, *, static: bool) -> Estimate:
         why,
         offset=found.x[OFFSET],
         offset_std=np.sqrt(np.diag(covariance)[OFFSET]),
-        consistent=constrained or bool(known.all()),
+        consistent=is_consistent(body),
         constrained=constrained,
         residual_rms=rms,
         noise_std=found.noise.std,
@@ -116,30 +117,25 @@ def _estimate(found: Fit, motion: Motion, *, static: bool) -> Estimate:
     )
 
 
-def _paper(recording: Recording, motion: Motion, speed: Array, still: Bools, noise: SensorNoise) -> PaperEstimate:
+def _paper(wrench: Array, motion: Motion, speed: Array, still: Bools, noise: SensorNoise) -> PaperEstimate:
     """Algorithms 1-5 on the smoothed motion; thresholds from what its noise is at rest."""
-    assert recording.wrench is not None
-    offset = offset_of_opposed_poses(motion.g[still], recording.wrench[still]) if still.any() else np.full(6, np.nan)
+    offset = offset_of_opposed_poses(motion.g[still], wrench[still]) if still.any() else np.full(6, np.nan)
     quiet = motion.alpha[still]
     alpha_std = float(np.median(np.abs(quiet)) * 1.4826) if quiet.size and quiet.any() else 0.03
     thresholds = Thresholds.of_noise(0.0, 0.0, alpha_std)
-    found = regression(motion, speed, recording.wrench, still, thresholds=thresholds, variance=noise.std**2)
+    found = regression(motion, speed, wrench, still, thresholds=thresholds, variance=noise.std**2)
     phi, std = found.parameters(offset, torque_std=noise.std[3:], alpha_std=alpha_std)
     return PaperEstimate(phi, std, offset)
 
 
-def _series(recording: Recording, motion: Motion, found: Fit) -> TimeSeries:
+def _series(t: Array, wrench: Array, motion: Motion, found: Fit) -> TimeSeries:
     """Measured and reconstructed at the same times; the reconstruction is delayed like the measurement."""
-    assert recording.wrench is not None
-    t = recording.t
     drift = np.column_stack([np.interp(t, found.centres, found.drift[:, c]) for c in range(6)])
     predicted = regressor(motion) @ found.phi
     late = np.column_stack([np.interp(t - found.x[DELAY], t, predicted[:, c]) for c in range(6)])
-    return TimeSeries(t, motion, recording.wrench - found.x[OFFSET] - drift, late)
+    return TimeSeries(t, motion, wrench - found.x[OFFSET] - drift, late)
 
 
-def _nothing(recording: Recording, segments: tuple[Segment, ...], why: str) -> Identification:
+def _nothing(segments: tuple[Segment, ...], why: str) -> Identification:
     nan = np.full(10, np.nan)
-    return Identification(
-        PaperEstimate(nan, nan, np.full(6, np.nan)), None, f"The payload is not determined: {why}.", (why,), segments
-    )
+    return Identification(PaperEstimate(nan, nan, np.full(6, np.nan)), None, f"The payload is not determined: {why}.", (why,), segments)

@@ -11,12 +11,13 @@ from functools import cached_property
 
 import numpy as np
 from filterpy.kalman import KalmanFilter
+from numba import njit
 from numpy.typing import NDArray
 from scipy.linalg import solve_discrete_are
 from scipy.ndimage import convolve1d
 from scipy.signal import savgol_coeffs
 
-from core.inertia import Motion, skew
+from core.inertia import Motion
 from core.recording import Recording
 from core.robot import RobotModel
 
@@ -125,21 +126,43 @@ def _derivative(x: Array, length: int, order: int, period: float) -> Array:
     return np.asarray(convolve1d(x, weights, axis=0, mode="nearest"))
 
 
+@njit(cache=True)
+def _logarithm(R: Array) -> Array:
+    v = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    s = np.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
+    if s < 1e-9:
+        return v
+    factor: float = np.arctan2(s, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0)) / s
+    return factor * v
+
+
+@njit(cache=True)
+def _exponential(v: Array) -> Array:
+    square = v[0] ** 2 + v[1] ** 2 + v[2] ** 2
+    angle = np.sqrt(square)
+    s, c = (1.0 - square / 6.0, 0.5 - square / 24.0) if angle < 1e-4 else (np.sin(angle) / angle, (1.0 - np.cos(angle)) / square)
+    R = np.empty((3, 3))
+    for i in range(3):
+        for j in range(3):
+            R[i, j] = c * v[i] * v[j]
+        R[i, i] += 1.0 - c * square
+    R[2, 1] += s * v[0]
+    R[1, 2] -= s * v[0]
+    R[0, 2] += s * v[1]
+    R[2, 0] -= s * v[1]
+    R[1, 0] += s * v[2]
+    R[0, 1] -= s * v[2]
+    return R
+
+
 def rotation_vector(R: Array) -> Array:
     """(3,), logarithm of a rotation (3, 3) by less than pi."""
-    v = axial(R)
-    s = float(np.sqrt(v @ v))
-    angle = float(np.arctan2(s, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0)))
-    return v if s < 1e-9 else v * (angle / s)
+    return np.asarray(_logarithm(np.ascontiguousarray(R)))
 
 
 def rotation_of(v: Array) -> Array:
     """(3, 3), exponential of a rotation vector (3,)."""
-    angle = float(np.sqrt(v @ v))
-    K = skew(v)
-    if angle < 1e-6:
-        return np.asarray(np.eye(3) + K + 0.5 * K @ K)
-    return np.asarray(np.eye(3) + np.sin(angle) / angle * K + (1.0 - np.cos(angle)) / angle**2 * K @ K)
+    return np.asarray(_exponential(np.ascontiguousarray(v)))
 
 
 class KinematicFilter:
@@ -173,12 +196,14 @@ class KinematicFilter:
         kf.P = np.diag(np.repeat([orientation_std**2, 1.0, 100.0, position_std**2, 1.0, 100.0], 3))
         kf.x = np.zeros(18)
         self._filter = kf
-        self._rotation: Array | None = None
+        self._rotation = np.eye(3)
+        self._started = False
 
     def update(self, rotation: Array, position: Array) -> None:
         """Takes the pose of the next period: rotation (3, 3) and position (3,) of the sensor in the base frame."""
         kf = self._filter
-        if self._rotation is None:
+        if not self._started:
+            self._started = True
             self._rotation = rotation.copy()
             kf.x[9:12] = position
             return
@@ -197,7 +222,7 @@ class KinematicFilter:
     @property
     def rotation(self) -> Array:
         """(3, 3), sensor axes in the base frame."""
-        return np.eye(3) if self._rotation is None else self._rotation
+        return self._rotation
 
     @property
     def twist(self) -> Array:
@@ -224,9 +249,7 @@ class KinematicFilter:
         settled = P - P @ H.T @ H @ P / (P[0, 0] + 1.0)
         rate, acceleration = np.sqrt(np.diag(settled)[1:])
         orientation_std, position_std = self._std
-        return np.array(
-            [orientation_std * rate, orientation_std * acceleration, position_std * rate, position_std * acceleration]
-        )
+        return np.array([orientation_std * rate, orientation_std * acceleration, position_std * rate, position_std * acceleration])
 
 
 def _chain(T: float) -> Array:

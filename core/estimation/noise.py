@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.estimation.segments import Segment
-from core.recording import Recording
 
 Array = NDArray[np.float64]
 
@@ -36,18 +35,19 @@ class SensorNoise:
         return self.std**2 * self.long_run
 
 
-def sensor_noise(recording: Recording, still: NDArray[np.bool_], segments: tuple[Segment, ...]) -> SensorNoise | None:
+def sensor_noise(
+    wrench: Array, still: NDArray[np.bool_], segments: tuple[Segment, ...], *, nominal_std: Array | None = None
+) -> SensorNoise | None:
     """Noise after a straight line is taken out of every hold; the median over the holds, so that a disturbed one does not decide.
 
     Returns the nominal figure where no hold is long enough, and None where there is neither.
     """
-    assert recording.wrench is not None
     variances, products = [], []
     for part in segments:
         rows = np.flatnonzero(still[part.rows]) + part.start
         if not part.is_hold or len(rows) < SHORTEST:
             continue
-        x = _without_line(recording.wrench[rows])
+        x = _without_line(wrench[rows])
         variances.append((x**2).sum(axis=0) / (len(rows) - 2))
         products.append((x[1:] * x[:-1]).sum(axis=0) / (len(rows) - 2))
     if variances:
@@ -56,9 +56,7 @@ def sensor_noise(recording: Recording, still: NDArray[np.bool_], segments: tuple
         samples = len(variances) * SHORTEST
         seen = np.where(correlation > 4.0 / np.sqrt(samples), np.minimum(correlation, 0.98), 0.0)
         return SensorNoise(np.sqrt(variance), (1.0 + seen) / (1.0 - seen), True)
-    if recording.sensor.noise_std is not None:
-        return SensorNoise(np.asarray(recording.sensor.noise_std, dtype=float), np.ones(6), False)
-    return None
+    return None if nominal_std is None else SensorNoise(np.asarray(nominal_std, dtype=float), np.ones(6), False)
 
 
 def _without_line(x: Array) -> Array:

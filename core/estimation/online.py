@@ -25,9 +25,7 @@ class OnlineEstimator:
         encoder_std: of one joint position, rad; with the arm's reach it gives the noise of the measured pose.
     """
 
-    def __init__(
-        self, robot: RobotModel, gravity: Array, *, period: float, noise_std: Array, encoder_std: float = 2e-6
-    ) -> None:
+    def __init__(self, robot: RobotModel, gravity: Array, *, period: float, noise_std: Array, encoder_std: float = 2e-6) -> None:
         self._robot = robot
         self._gravity = gravity
         self._noise_std = noise_std

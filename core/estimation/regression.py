@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.estimation.segments import ALONG_AXIS
-from core.estimation.uncertainty import inertia_uncertainty, one_sigma, propagated
+from core.estimation.uncertainty import gain, inertia_uncertainty, one_sigma, propagated
 from core.inertia import Motion, skew
 
 Array = NDArray[np.float64]
 
-DIFFUSE = 1e6
+DIFFUSE = 100.0
 """Variance of the parameters before the first sample, SI."""
 INERTIA_OF_AXIS = (4, 7, 9)
 """Places of Ixx, Iyy, Izz in Phi."""
@@ -42,7 +42,7 @@ class Thresholds:
 
     @classmethod
     def of_noise(cls, omega_std: float, velocity_std: float, alpha_std: float) -> Thresholds:
-        """Six standard deviations keep nearly every sample of a robot that is really still; an acceleration counts when its noise is 2 %."""
+        """Six standard deviations keep a robot that is still; an acceleration counts when its noise is below 2 %."""
         return cls((6.0 * omega_std, 6.0 * velocity_std), 50.0 * alpha_std, 10.0 * alpha_std)
 
     def rotating_axis(self, g: Array, v: Array, alpha: Array) -> int | None:
@@ -83,9 +83,9 @@ class RecursiveLeastSquares:
 
     def update(self, regr: Array, resp: Array) -> None:
         """Takes one sample: regr (r, size) and resp (r, columns)."""
-        self.covariance = propagated(self.covariance, regr, self.variance)
-        # the gain S_{k-1} r^T (r S_{k-1} r^T + L)^-1 equals S_k r^T L^-1
-        self.psi += self.covariance @ (regr.T / self.variance) @ (resp - regr @ self.psi)
+        K = gain(self.covariance, regr, self.variance)
+        self.covariance = propagated(self.covariance, regr, K)
+        self.psi += K @ (resp - regr @ self.psi)
         self.count += 1
 
 
@@ -149,15 +149,18 @@ class RecursiveRegression:
         self._moment = RecursiveLeastSquares(3, 4, variance[3:])
         self._inertia = [RecursiveLeastSquares(1, 2, variance[3 + i : 4 + i]) for i in range(3)]
         self._square = np.zeros(3)
+        self._resp = np.zeros((2, 3, 4))
+        self._resp[:, :, 1:] = np.eye(3)
 
     def update(self, g: Array, omega: Array, v: Array, alpha: Array, wrench: Array) -> bool:
         """One sample in the sensor frame, (3,) each, and the raw wrench (6,); returns whether the robot is motionless."""
         omega_limit, v_limit = self.thresholds.still
         still = bool(omega @ omega < omega_limit**2 and v @ v < v_limit**2)
         if still:
-            unit = np.eye(3)
-            self._mass.update(-g[:, None], np.column_stack((wrench[:3], unit)))
-            self._moment.update(skew(g), np.column_stack((wrench[3:], unit)))
+            self._resp[0, :, 0], self._resp[1, :, 0] = wrench[:3], wrench[3:]
+            cross = np.array([[0.0, -g[2], g[1]], [g[2], 0.0, -g[0]], [-g[1], g[0], 0.0]])
+            self._mass.update(-g[:, None], self._resp[0])
+            self._moment.update(cross, self._resp[1])
         axis = self.thresholds.rotating_axis(g, v, alpha)
         if axis is not None:
             self._inertia[axis].update(np.array([[alpha[axis]]]), np.array([[wrench[3 + axis], 1.0]]))
@@ -168,8 +171,10 @@ class RecursiveRegression:
     def found(self) -> Decoupled:
         """What is known so far."""
         counts = np.array([max(r.count, 1) for r in self._inertia])
+        mass, moment = ((r.psi, r.covariance) if r.count else None for r in (self._mass, self._moment))
         return Decoupled(
-            *((r.psi, r.covariance) if r.count else None for r in (self._mass, self._moment)),
+            mass,
+            moment,
             (self._pair(0), self._pair(1), self._pair(2)),
             np.sqrt(self._square / counts),
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,7 +53,7 @@ def segments_of_phase(phase: NDArray[np.str_]) -> tuple[Segment, ...]:
     """Runs of equal labels (N,)."""
     changes = np.flatnonzero(phase[1:] != phase[:-1]) + 1
     edges = [0, *changes.tolist(), len(phase)]
-    return tuple(Segment(a, b, str(phase[a])) for a, b in zip(edges[:-1], edges[1:], strict=True) if b > a)
+    return tuple(Segment(a, b, str(phase[a])) for a, b in pairwise(edges) if b > a)
 
 
 def segments_of_motion(t: Array, omega: Array, speed: Array, g: Array, *, threshold: Array) -> tuple[Segment, ...]:

@@ -18,13 +18,17 @@ def gain(covariance: Array, regr: Array, variance: Array) -> Array:
     """
     rS = regr @ covariance
     innovation = rS @ regr.T
-    innovation[np.diag_indices_from(innovation)] += variance
+    innovation.flat[:: len(variance) + 1] += variance
     return np.asarray(np.linalg.solve(innovation, rS).T)
 
 
-def propagated(covariance: Array, regr: Array, variance: Array) -> Array:
-    """Eq. (8): `S_k = [1 - S_{k-1} r^T (r S_{k-1} r^T + L)^-1 r] S_{k-1}`; the print lacks the inverse and the last factor."""
-    return covariance - gain(covariance, regr, variance) @ regr @ covariance
+def propagated(covariance: Array, regr: Array, K: Array) -> Array:
+    """Eq. (8): `S_k = [1 - S_{k-1} r^T (r S_{k-1} r^T + L)^-1 r] S_{k-1}` with the gain K; the print lacks the inverse and the last factor.
+
+    Made symmetric again, which rounding would undo over many thousand samples.
+    """
+    S = covariance - K @ (regr @ covariance)
+    return 0.5 * (S + S.T)
 
 
 def one_sigma(covariance: Array) -> Array:

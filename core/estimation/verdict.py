@@ -62,6 +62,6 @@ def warnings_of(recording: Recording, estimate: Estimate, found: Fit, *, static:
 def _saturation(recording: Recording) -> list[str]:
     if recording.wrench is None or recording.sensor.range is None:
         return []
-    clipped = (np.abs(recording.wrench) >= 0.999 * np.asarray(recording.sensor.range)).any(axis=0)
-    names = [name for name, at_limit in zip(CHANNELS, clipped, strict=True) if at_limit]
+    clipped = np.asarray((np.abs(recording.wrench) >= 0.999 * np.asarray(recording.sensor.range)).any(axis=0))
+    names = [name for name, at_limit in zip(CHANNELS, clipped.tolist(), strict=True) if at_limit]
     return [f"the sensor reached the end of its range in {', '.join(names)}"] if names else []

@@ -109,9 +109,7 @@ class WeakForm:
             self._difference = D
             self._step = max(STEP_S, 8.0 * poses.period)
             self.centres = self._centres(t)
-        self._samples = np.concatenate(
-            (a, np.swapaxes(rotation, 1, 2).reshape(-1, 9), B.reshape(-1, 9)), axis=1
-        )
+        self._samples = np.concatenate((a, np.swapaxes(rotation, 1, 2).reshape(-1, 9), B.reshape(-1, 9)), axis=1)
 
     def __len__(self) -> int:
         return len(self.centres)
@@ -139,15 +137,16 @@ class WeakForm:
         inside = (x >= knots[0]) & (x < knots[-1])
         weights = np.gradient(t)[inside] / self._step
         degree = 2 if derivative else 3
-        padded = np.concatenate((knots[0] - self._step * np.arange(degree, 0, -1), knots, knots[-1] + self._step * np.arange(1, degree + 1)))
+        padded = np.concatenate(
+            (knots[0] - self._step * np.arange(degree, 0, -1), knots, knots[-1] + self._step * np.arange(1, degree + 1))
+        )
         design = csr_array(BSpline.design_matrix(x[inside], padded, degree))
         columns = np.arange(degree, degree + count + (1 if derivative else 0))
         design = design[:, columns]
         if derivative:
             design = (design[:, :-1] - design[:, 1:]) * (1.0 / self._step)
         W = csr_array((diags_array(weights) @ design).T)[np.flatnonzero(self._kept)]
-        full = csr_array((W.data, np.flatnonzero(inside)[W.indices], W.indptr), shape=(W.shape[0], len(t)))
-        return full
+        return csr_array((W.data, np.flatnonzero(inside)[W.indices], W.indptr), shape=(W.shape[0], len(t)))
 
     def average(self, x: Array) -> Array:
         """Windowed means (K, n) of samples (N, n)."""
@@ -183,7 +182,9 @@ def second_difference(t: Array) -> csr_array:
     mean = 0.5 * (step[1:] + step[:-1])
     right = np.concatenate(([0.0], 1.0 / (step[1:] * mean), [0.0]))
     left = np.concatenate(([0.0], 1.0 / (step[:-1] * mean), [0.0]))
-    return csr_array(diags_array([left[1:], -(left + right), right[:-1]], offsets=[-1, 0, 1], shape=(n, n)))
+    return csr_array(
+        diags_array(left[1:], offsets=-1, shape=(n, n)) - diags_array(left + right) + diags_array(right[:-1], offsets=1, shape=(n, n))
+    )
 
 
 def _rotation_from_neighbours(R: Array) -> Array:

@@ -12,7 +12,8 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.collision import Body, CollisionModel
+from core.bodies import Body
+from core.collision import CollisionModel
 from core.robot import RobotModel
 
 Array = NDArray[np.float64]

@@ -66,29 +66,42 @@ def plan_path(
     seed: int = 0,
     seconds: float = 5.0,
 ) -> Path:
-    """Path from start to goal (n,) that keeps every required distance, short in time at the cell's Cartesian speed limit.
+    """Path from start (n,) to a goal that keeps every required distance, short in time at the cell's Cartesian speed limit.
 
     Args:
+        goal: (n,), or (K, n) for a path to any one of them, whichever is found (see `one_turn_away`).
         seed: the same seed gives the same path, unless the time runs out or the planner uses all of it (RRT*).
         seconds: bound on the search.
 
     Raises:
         NoPath: start or goal outside the limits or too close to something; or nothing found in the time.
     """
-    start, goal = np.array(start, dtype=float), np.array(goal, dtype=float)
-    for name, q in (("start", start), ("goal", goal)):
-        _check_end(name, q, robot, collision)
+    start = np.array(start, dtype=float)
+    _check_end("start", start, robot, collision)
+    ends = np.stack((start, *_possible_goals(np.atleast_2d(np.array(goal, dtype=float)), robot, collision)))
     limits = MotionLimits.of_cell(cell, robot, collision)
-    room = Room(robot, collision, start, goal, SPARE_M)
+    room = Room(robot, collision, ends, SPARE_M)
 
     def cost(q: Array) -> float:
         return least_seconds(q, robot, limits)
 
-    line = np.stack((start, goal))
-    found = [line] if room.has_all(line) else _searched(room, collision, line, planner, seed, seconds)
+    lines = sorted((np.stack((start, q)) for q in ends[1:]), key=cost)
+    straight = next((line for line in lines if room.has_all(line)), None)
+    found = _searched(room, collision, ends, planner, seed, seconds) if straight is None else [straight]
     rng = np.random.default_rng(seed)
     short = [shortened(q, cost, room.has_all, rng, attempts=_SHORTENING_ATTEMPTS) for q in found]
     return _described(min(short, key=cost), room.margins, collision)
+
+
+def one_turn_away(robot: RobotModel, q: Array, near: Array) -> Array:
+    """(K, n), q (n,) and the configurations that differ from it by one whole turn of one joint, within the limits; nearest to `near` first.
+
+    They are the same pose: a goal behind an obstacle may be free to reach the other way round.
+    """
+    turned = [q + sign * 2.0 * np.pi * unit for unit in np.eye(robot.n) for sign in (-1.0, 1.0)]
+    low, high = robot.lower + 0.05, robot.upper - 0.05
+    within = [row for row in turned if (row >= low).all() and (row <= high).all()]
+    return np.stack((q, *sorted(within, key=lambda row: float(np.linalg.norm(row - near)))))
 
 
 def dense(q: Array, step: float = _STEP_RAD) -> Array:
@@ -113,6 +126,20 @@ def _described(q: Array, margins: PairMargins, collision: CollisionModel) -> Pat
     return Path(rows, least.margin_m, nearest_names(collision, least), length)
 
 
+def _possible_goals(goals: Array, robot: RobotModel, collision: CollisionModel) -> list[Array]:
+    """Those that the robot may be at; if there are none, the reason of the first is raised."""
+    possible, reasons = [], []
+    for q in goals:
+        try:
+            _check_end("goal", q, robot, collision)
+            possible.append(q)
+        except NoPath as reason:
+            reasons.append(reason)
+    if not possible:
+        raise reasons[0]
+    return possible
+
+
 def _check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel) -> None:
     if q.shape != (robot.n,) or not np.isfinite(q).all():
         raise NoPath(f"the {name} of the path is {q.tolist()}, expected {robot.n} finite joint positions in rad.")
@@ -132,7 +159,7 @@ def _check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel
 
 
 def _searched(room: Room, collision: CollisionModel, ends: Array, planner: Planner, seed: int, seconds: float) -> list[Array]:
-    """Paths (M, n) between the two rows of `ends`: the first that is found, and one more that may be shorter in time."""
+    """Paths (M, n) from the first row of `ends` to any other: the first that is found, and one more that may be shorter in time."""
     first = _search(room, ends, planner, seed, seconds)
     if not first.arrived:
         raise NoPath(_not_found(collision, first, ends, planner, seconds))
@@ -160,11 +187,11 @@ def _search(room: Room, ends: Array, planner: Planner, seed: int, seconds: float
     information = setup.getSpaceInformation()
     setup.setStateValidityChecker(lambda state: bool(room.has(np.array(state[0:n]))))  # numpy.bool_ would be a bad cast
     information.setMotionValidator(_Edges(information, room, n))
-    states = [space.allocState() for _ in ends]
-    for state, q in zip(states, ends, strict=True):
-        for j in range(n):
-            state[j] = float(q[j])
-    setup.setStartAndGoalStates(*states)
+    setup.setStartState(_state(space, ends[0]))
+    goals = base.GoalStates(information)
+    for q in ends[1:]:
+        goals.addState(_state(space, q))
+    setup.setGoal(goals)
     search = {"rrt_connect": geometric.RRTConnect, "rrt_star": geometric.RRTstar}[planner](information)
     search.setRange(_RANGE_RAD)
     setup.setPlanner(search)
@@ -173,6 +200,13 @@ def _search(room: Room, ends: Array, planner: Planner, seed: int, seconds: float
         return _Found(ends[:1], False)
     q = np.array([state[0:n] for state in setup.getSolutionPath().getStates()])
     return _Found(q, bool(setup.haveExactSolutionPath()))
+
+
+def _state(space: base.RealVectorStateSpace, q: Array) -> base.State:
+    state = space.allocState()
+    for j, value in enumerate(q):
+        state[j] = float(value)
+    return state
 
 
 class _Edges(base.MotionValidator):
@@ -199,9 +233,9 @@ def _bounds(room: Room, ends: Array) -> base.RealVectorBounds:
 
 def _not_found(collision: CollisionModel, best: _Found, ends: Array, planner: Planner, seconds: float) -> str:
     tight = min((collision.nearest(q) for q in ends), key=lambda pair: pair.margin_m)
-    left = float(np.linalg.norm(best.q[-1] - ends[1]))
+    left, whole = (float(np.linalg.norm(ends[1:] - q, axis=1).min()) for q in (best.q[-1], ends[0]))
     return (
         f"no path found in {seconds:.1f} s by {planner}: the search from the start came within {left:.2f} rad of the goal, "
-        f"{float(np.linalg.norm(ends[1] - ends[0])):.2f} rad away; the tighter end has {tight.first!r} {tight.distance_m:.3f} m from "
+        f"{whole:.2f} rad away; the tighter end has {tight.first!r} {tight.distance_m:.3f} m from "
         f"{tight.second!r} (limit {tight.required_m:.3f} m). Give it more time, choose another start configuration, or clear the cell."
     )

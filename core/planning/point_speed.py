@@ -6,8 +6,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from core.bodies import SpeedPoints
 from core.chain import Chain, _joint_frames
-from core.collision import SpeedPoints
 
 Array = NDArray[np.float64]
 

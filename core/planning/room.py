@@ -15,27 +15,30 @@ Array = NDArray[np.float64]
 LIMIT_ROOM_RAD = 0.02
 """Paths keep this far from the joint limits, except where start or goal is closer."""
 
+_RISE = 0.05
+"""How fast the wanted margin rises with the bound of the motion from a tight end; that bound is far larger than what leads away."""
+
 
 class Room:
-    """Where a path from start to goal may go.
+    """Where a path between given ends may go.
 
     Args:
+        ends: (K, n), start and goals.
         spare_m: wanted margin. Near an end that has less, less is asked: half of that end's margin, rising with the distance from it.
     """
 
-    def __init__(self, robot: RobotModel, collision: CollisionModel, start: Array, goal: Array, spare_m: float) -> None:
+    def __init__(self, robot: RobotModel, collision: CollisionModel, ends: Array, spare_m: float) -> None:
         self.margins = PairMargins(collision)
         self._collision = collision
-        self.lower = np.minimum(robot.lower + LIMIT_ROOM_RAD, np.minimum(start, goal))
-        self.upper = np.maximum(robot.upper - LIMIT_ROOM_RAD, np.maximum(start, goal))
+        self.lower = np.minimum(robot.lower + LIMIT_ROOM_RAD, ends.min(axis=0))
+        self.upper = np.maximum(robot.upper - LIMIT_ROOM_RAD, ends.max(axis=0))
         self._spare_m = spare_m
-        ends = [(q, collision.margin(q)) for q in (start, goal)]
-        self._tight = [(q, margin) for q, margin in ends if margin < 2.0 * spare_m]
+        self._tight = [(q, margin) for q in ends if (margin := collision.margin(q)) < 2.0 * spare_m]
 
     def spare(self, q: Array) -> float:
         """Margin that is wanted at q (n,), m."""
         moved = self._collision.motion_bound
-        return min([self._spare_m, *(0.5 * (margin + moved(end, q)) for end, margin in self._tight)])
+        return min([self._spare_m, *(0.5 * margin + _RISE * moved(end, q) for end, margin in self._tight)])
 
     def has(self, q: Array) -> bool:
         """Whether the robot may be at q (n,)."""

@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
+from core.bodies import SpeedPoints
 from core.cell import Cell
-from core.collision import CollisionModel, SpeedPoints
+from core.collision import CollisionModel
 from core.errors import NoPath
 from core.planning.blending import rounded
 from core.planning.phase_plane import fastest_profile

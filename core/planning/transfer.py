@@ -47,6 +47,11 @@ class Transfer:
     nearest: str
     length_rad: float
 
+    @property
+    def goal(self) -> Array:
+        """(n,), where it ends."""
+        return np.asarray(self.trajectory.q[-1])
+
 
 def plan_transfer(
     cell: Cell,
@@ -60,24 +65,25 @@ def plan_transfer(
     planner: Planner = "rrt_connect",
     seconds: float = 5.0,
 ) -> Transfer:
-    """Timed transfer between two configurations (n,) that keeps all distances and limits.
+    """Timed transfer from start (n,) to goal that keeps all distances and limits.
 
     Args:
+        goal: (n,), or (K, n) for a transfer to any one of them; `Transfer.goal` tells which.
         period: control period, s.
         seconds: bound on the search for a path, for each of a few tries.
 
     Raises:
         NoPath: with the reason of the last try.
     """
-    if np.array_equal(start, goal):
+    if any(np.array_equal(start, q) for q in np.atleast_2d(goal)):
         return _resting(collision, start, period)
     limits = MotionLimits.of_cell(cell, robot, collision)
     limits = replace(limits, cartesian_speed_m_s=SPEED_FRACTION * limits.cartesian_speed_m_s)
-    room = Room(robot, collision, start, goal, ROUNDING_SPARE_M)
     for attempt in range(_TRIES):
         path = plan_path(cell, robot, collision, start, goal, planner=planner, seed=seed + 1000 * attempt, seconds=seconds)
+        room = Room(robot, collision, path.q[[0, -1]], ROUNDING_SPARE_M)
         try:
-            trajectory = time_curve(rounded(path.q, room.has_all), robot, limits, period=period)
+            trajectory = _between(path.q, time_curve(rounded(path.q, room.has_all), robot, limits, period=period))
         except NoPath as error:
             failure = error
             continue
@@ -90,6 +96,13 @@ def plan_transfer(
             "Plan again with another seed, or give the path more room."
         )
     raise failure
+
+
+def _between(path_q: Array, trajectory: JointTrajectory) -> JointTrajectory:
+    """The trajectory with the very ends of the path, which polynomials only meet to the last digit but one."""
+    q = trajectory.q.copy()
+    q[0], q[-1] = path_q[0], path_q[-1]
+    return replace(trajectory, q=q)
 
 
 def _resting(collision: CollisionModel, q: Array, period: float) -> Transfer:

@@ -18,6 +18,8 @@ Array = NDArray[np.float64]
 PERIOD = 0.001
 """Step of the simulation and period of the joint controller, s."""
 
+NOTHING = InertialParameters(np.zeros(10))
+
 SOFT = 0.2
 """Share of a joint's acceleration that dry friction takes away before it breaks loose (MuJoCo's impedance). Low, as in
 drives that dither or compensate their friction: with a stiff value the arm creeps for seconds on arrival."""
@@ -42,6 +44,11 @@ class Drives:
 
 
 def build_model(arm: Arm, payload: InertialParameters, gravity: Array, drives: Drives) -> mujoco.MjModel:
+    """The compiled `build_spec`; arguments and errors as there."""
+    return build_spec(arm, payload, gravity, drives).compile()
+
+
+def build_spec(arm: Arm, payload: InertialParameters, gravity: Array, drives: Drives) -> mujoco.MjSpec:
     """A model with hinges, drives, the payload as a jointless body at the sensor frame, and a force/torque sensor at
     its origin.
 
@@ -79,12 +86,21 @@ def build_model(arm: Arm, payload: InertialParameters, gravity: Array, drives: D
     load.add_site(name="ft")
     for name, kind in (("force", mujoco.mjtSensor.mjSENS_FORCE), ("torque", mujoco.mjtSensor.mjSENS_TORQUE)):
         spec.add_sensor(name=name, type=kind, objtype=mujoco.mjtObj.mjOBJ_SITE, objname="ft")
-    return spec.compile()
+    return spec
 
 
 def _add_body(parent: mujoco.MjsBody, name: str, placement: Array, parameters: InertialParameters) -> mujoco.MjsBody:
-    """A body with principal moments and axes about its centre of mass; without mass where all parameters are zero."""
     body = parent.add_body(name=name, pos=placement[:3, 3], quat=quaternion(placement[:3, :3]))
+    set_parameters(body, parameters)
+    return body
+
+
+def set_parameters(body: mujoco.MjsBody, parameters: InertialParameters) -> None:
+    """Gives a body principal moments and axes about its centre of mass; no mass where all parameters are zero.
+
+    Raises:
+        BadPayload: no body has the inertial parameters.
+    """
     body.explicitinertial = True
     if parameters.phi.any():
         principal = principal_inertia(parameters)
@@ -92,7 +108,15 @@ def _add_body(parent: mujoco.MjsBody, name: str, placement: Array, parameters: I
         body.ipos = parameters.com
         body.inertia = principal.moments
         body.iquat = quaternion(principal.axes)
-    return body
+    else:
+        body.mass, body.inertia = 0.0, np.zeros(3)
+
+
+def parameters_of(body: mujoco.MjsBody) -> InertialParameters:
+    """What `set_parameters` has given to a body, in the body's frame."""
+    axes = Rotation.from_quat(np.array(body.iquat), scalar_first=True).as_matrix()
+    inertia_com = axes @ np.diag(np.array(body.inertia)) @ axes.T
+    return InertialParameters.from_com(float(body.mass), np.array(body.ipos), inertia_com) if body.mass > 0 else NOTHING
 
 
 def quaternion(rotation: Array) -> Array:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Sensor
+from core.plant.faults.fault import Channel
 from core.plant.imperfections import Drift
 
 Array = NDArray[np.float64]
@@ -43,7 +44,7 @@ class WhiteNoise:
 
 
 class WristSensor:
-    """Force/torque sensor: `reading = round(clip(W(t - delay) + offset + drift(t) + noise))`.
+    """Force/torque sensor: `reading = digitize(round(clip(amplify(sense(W)(t - delay) + offset + drift(t) + noise))))`.
 
     Args:
         sensor: noise, range and resolution.
@@ -51,6 +52,7 @@ class WristSensor:
         delay: s.
         drift: changes of the offset.
         period: between two readings, s.
+        sense, amplify, digitize: what faults make of the signal at these places, one after the other.
     """
 
     def __init__(
@@ -61,6 +63,9 @@ class WristSensor:
         period: float,
         delay: float = 0.0,
         drift: tuple[Drift, ...] = (),
+        sense: Sequence[Channel] = (),
+        amplify: Sequence[Channel] = (),
+        digitize: Sequence[Channel] = (),
     ) -> None:
         self._noise_std = np.array(sensor.noise_std)
         self._range = np.array(sensor.range)
@@ -68,7 +73,8 @@ class WristSensor:
         self.offset = rng.standard_normal(6) * np.repeat([OFFSET_FORCE_STD, OFFSET_TORQUE_STD], 3)
         """(6,), N and N m."""
         self._drift = drift
-        self._delay_line = _DelayLine(delay / period)
+        self._delay_line = DelayLine(delay / period)
+        self._sense, self._amplify, self._digitize = sense, amplify, digitize
 
     def read(self, t: float, wrench: Array, noise: Array) -> Array:
         """One reading (6,).
@@ -78,13 +84,20 @@ class WristSensor:
             wrench: (6,), true, at t.
             noise: (6,), standard normal.
         """
+        for felt in self._sense:
+            wrench = felt(t, wrench)
         value = self._delay_line.push(wrench) + self.offset + self._noise_std * noise
         for drift in self._drift:
             value = value + drift.offset(t)
-        return quantize(np.minimum(np.maximum(value, -self._range), self._range), self._resolution)
+        for amplified in self._amplify:
+            value = amplified(t, value)
+        reading = quantize(np.minimum(np.maximum(value, -self._range), self._range), self._resolution)
+        for digitized in self._digitize:
+            reading = digitized(t, reading)
+        return reading
 
 
-class _DelayLine:
+class DelayLine:
     """Delays a signal by a number of samples that need not be whole; before its start the signal was constant."""
 
     def __init__(self, samples: float) -> None:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TypeVar
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
@@ -13,11 +14,14 @@ from core.cell import Cell
 from core.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.controller import JointController
+from core.plant.faults.fault import Fault, Machine, Setting
 from core.plant.imperfections import Imperfections
-from core.plant.mechanics import PERIOD, Drives, build_model
+from core.plant.links import Links
+from core.plant.mechanics import NOTHING, PERIOD, Drives, build_model, build_spec
 from core.plant.sensor import Encoders, WhiteNoise, WristSensor
 
 Array = NDArray[np.float64]
+Hook = TypeVar("Hook")
 
 TORQUE_NOISE = 1e-3
 """Standard deviation of a measured joint torque, share of the joint's torque limit."""
@@ -40,7 +44,7 @@ class Truth:
     """What really was at the instant of the last sample. For tests only.
 
     Args:
-        q, dq, ddq: (n,), joints.
+        q, dq, ddq: (n,), joints on the side of the links, counted from the zeros of their encoders.
         tau: (n,), drive torques, N m.
         wrench: (6,), on the payload, sensor axes, about the sensor origin.
         offset: (6,), of the wrist sensor, without drift.
@@ -60,10 +64,13 @@ class VirtualRobot:
 
     Args:
         cell: arm, sensor, gravity, base pose.
-        payload: what it really carries, sensor frame; all zero for nothing.
+        payload: what it carries, sensor frame; all zero for nothing. Faults may make something else of it.
         rng: source of all chance: offset first, then the noise of every period.
-        imperfections: what is planted.
+        imperfections, faults: what is planted.
         drives: mechanical properties of the joints.
+
+    Raises:
+        BadRobot, BadPayload: the simulation cannot be built.
     """
 
     def __init__(
@@ -74,22 +81,33 @@ class VirtualRobot:
         *,
         imperfections: Imperfections | None = None,
         drives: Drives | None = None,
+        faults: tuple[Fault, ...] = (),
     ) -> None:
-        faults, drives = imperfections or Imperfections(), drives or Drives()
+        imperfections, drives = imperfections or Imperfections(), drives or Drives()
         self.arm = arm_of_cell(cell)
         self.home = np.array(cell.robot.home_rad)
-        self._model = build_model(self.arm, payload, tilted_gravity(cell, faults.base_tilt_rad), drives)
-        self._data = data = mujoco.MjData(self._model)
-        data.qpos[:] = self.home
-        mujoco.mj_forward(self._model, data)
+        gravity = tilted_gravity(cell, imperfections.base_tilt_rad)
+        self._links = Links(self.arm, build_spec(self.arm, payload, gravity, drives), Setting(cell, payload), faults)
+        self._machine = machine = self._links.machine
         frictionless = Drives(drives.armature_s2, drives.damping_s, friction=0.0)
         self._controller = JointController(
-            build_model(self.arm, InertialParameters(np.zeros(10)), cell.gravity, frictionless),
+            build_model(self.arm, NOTHING, cell.gravity, frictionless),
             torque_limit=self.arm.effort,
             acceleration_limit=2 * np.array(cell.robot.acceleration_rad_s2),
         )
-        self._controller.settle(self.home, np.array(data.qfrc_bias))
-        self._sensor = WristSensor(cell.sensor, rng, period=PERIOD, delay=faults.wrench_delay_s, drift=faults.offset_drift)
+        self._gears = _present(fault.gear(machine) for fault in faults)
+        self._encode = _present(fault.encode(machine) for fault in faults)
+        self._controller.settle(self.home, self._links.rest(self.home))
+        self._sensor = WristSensor(
+            cell.sensor,
+            rng,
+            period=PERIOD,
+            delay=imperfections.wrench_delay_s,
+            drift=imperfections.offset_drift,
+            sense=_present(fault.sense(machine) for fault in faults),
+            amplify=_present(fault.amplify(machine) for fault in faults),
+            digitize=_present(fault.digitize(machine) for fault in faults),
+        )
         self._encoders = Encoders(self.home, period=PERIOD)
         self._noise = WhiteNoise(rng, 6 + 2 * self.arm.n)
         self._torque_noise = TORQUE_NOISE * self.arm.effort
@@ -109,26 +127,26 @@ class VirtualRobot:
         Args:
             q_cmd: (n,), rad; kept, so it must not change afterwards.
         """
-        data, n = self._data, self.arm.n
+        n = self.arm.n
         t = PERIOD * self._tick
-        q, dq = data.qpos.copy(), data.qvel.copy()
-        tau = self._controller.torque(q, dq, q_cmd)
-        data.qfrc_applied[:] = tau
-        # accelerations and sensors after a step still belong to the instant before it, which is that of q, dq and tau
-        mujoco.mj_step(self._model, data)
-        wrench = data.sensordata.copy()
-        self._truth = Truth(t, q, dq, data.qacc.copy(), tau, wrench, self._sensor.offset)
+        q, dq = motor_q, motor_dq = self._links.motors()
+        for gear in self._gears:
+            motor_q, motor_dq = gear(t, motor_q, motor_dq)
+        tau = self._controller.torque(motor_q, motor_dq, q_cmd)
+        moved = self._links.step(t, q, dq, tau)
+        self._truth = Truth(t, moved.q, moved.dq, moved.ddq, tau, moved.wrench, self._sensor.offset)
         self._tick += 1
         noise = self._noise.row()
-        joints = self._encoders.read(q, noise[6 : 6 + n])
-        return Sample(
-            t,
-            joints.q,
-            joints.dq,
-            q_cmd,
-            self._sensor.read(t, wrench, noise[:6]),
-            tau + self._torque_noise * noise[6 + n :],
-        )
+        joints = self._encoders.read(motor_q, noise[6 : 6 + n])
+        q_read, dq_read = joints.q, joints.dq
+        for encode in self._encode:
+            q_read, dq_read = encode(t, q_read, dq_read)
+        reading = self._sensor.read(t, moved.wrench, noise[:6])
+        return Sample(t, q_read, dq_read, q_cmd, reading, tau + self._torque_noise * noise[6 + n :])
+
+
+def _present(hooks: Iterable[Hook | None]) -> list[Hook]:
+    return [hook for hook in hooks if hook is not None]
 
 
 def tilted_gravity(cell: Cell, tilt_rad: tuple[float, float]) -> Array:

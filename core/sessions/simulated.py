@@ -13,6 +13,7 @@ from core.cell import Cell
 from core.errors import BadState, OutOfLimits, TooFast
 from core.inertia import InertialParameters
 from core.plant.braking import braking_positions
+from core.plant.faults.fault import Fault
 from core.plant.imperfections import Imperfections
 from core.plant.mechanics import PERIOD
 from core.plant.virtual_robot import VirtualRobot
@@ -38,7 +39,7 @@ class SimulatedSession(RobotSession):
         payload: what the robot carries, sensor frame; all zero for a bare flange.
         seed: of offset and noise.
         pace: as fast as possible, or real time for a person who watches.
-        imperfections: what is planted; nothing where absent.
+        imperfections, faults: what is planted; nothing where absent.
 
     Raises:
         BadRobot, BadPayload: the simulation cannot be built.
@@ -54,8 +55,9 @@ class SimulatedSession(RobotSession):
         seed: int = 0,
         pace: Pace | None = None,
         imperfections: Imperfections | None = None,
+        faults: tuple[Fault, ...] = (),
     ) -> None:
-        self.plant = VirtualRobot(cell, payload, np.random.default_rng(seed), imperfections=imperfections)
+        self.plant = VirtualRobot(cell, payload, np.random.default_rng(seed), imperfections=imperfections, faults=faults)
         """The virtual robot; its `truth` is for tests only."""
         self._pace = pace or AsFastAsPossible()
         self._acceleration = np.array(cell.robot.acceleration_rad_s2)

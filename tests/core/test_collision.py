@@ -122,7 +122,8 @@ def test_a_base_somewhere_else_moves_everything_with_it(cell, fcl_scene):
     moved = moved.model_copy(update={"obstacles": (wall,)})
     collision, scene = model_of(moved), fcl_scene(moved, moved.payload_box)
     for q in random_q(collision, 20):
-        assert collision.obstacle_distance(q).distance_m == pytest.approx(min(watched(collision, scene.to_environment(q)).values()), abs=2e-6)
+        least = min(watched(collision, scene.to_environment(q)).values())
+        assert collision.obstacle_distance(q).distance_m == pytest.approx(least, abs=2e-6)
     base_pairs = [(a.name, b.name) for a, b in collision.pairs[1] if b.joint == 0]
     q = np.array(moved.robot.home_rad)
     assert collision.self_margin(q) + cell.limits.self_clearance_m <= min(scene.between(q, *pair) for pair in base_pairs) + 2e-6

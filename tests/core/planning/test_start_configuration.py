@@ -183,8 +183,9 @@ def test_a_zone_under_everything_is_refused_because_of_the_load_that_would_fall_
         search(cell.model_copy(update={"zones": (under,)}), "z+", grid=Grid(vertices=100, rounds=1))
 
 
-def test_a_room_just_large_enough_for_home_is_refused_with_what_is_in_the_way(cell):
+def test_a_room_just_large_enough_for_home_is_refused_with_what_is_in_the_way():
     """Walls and a ceiling 5 cm from the robot at home: the sensor cannot be turned upside down inside."""
+    cell = load_cell(ROOT / "cells" / "lwr4_bench")
     robot = RobotModel.of_cell(cell)
     home = np.array(cell.robot.home_rad)
     corners = point_positions(robot.chain, CollisionModel(cell, robot, cell.payload_box).points, home[None])[0]

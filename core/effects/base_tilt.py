@@ -1,0 +1,50 @@
+"""The base does not stand level: true gravity is turned against the nominal one."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Effect, Parameter
+from core.effects.rigid_body import cross, rotation
+from core.effects.scene import Scene
+
+Array = NDArray[np.float64]
+
+
+class BaseTilt(Effect):
+    """True gravity is `R(a, b) g0` with the rotation vector (a, b) about two axes of the base frame, those that lie most across gravity.
+
+    The base itself stands turned by the opposite rotation. The arm moves against its base as believed, so only gravity changes:
+    `f = -m dg`, `tau = -mc x dg` with `dg` in sensor axes.
+    """
+
+    id = "base_tilt"
+    title = "a base that is not level"
+    stage = "mounting"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`."""
+        return tuple(Parameter(f"about_{'xyz'[i]}_rad", "rad", 0.0, -0.2, 0.2, 0.015) for i in _axes(scene))
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        vector = np.zeros(3)
+        vector[_axes(scene)] = theta
+        dg = (rotation(vector) @ scene.gravity - scene.gravity) @ scene.rotation
+        return w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)])
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        i, j = _axes(scene)
+        a, b = -np.degrees(theta)
+        return (
+            f"Level the base: it stands turned by {a:+.2f} deg about {'xyz'[i]} and {b:+.2f} deg about {'xyz'[j]} of the base frame; "
+            "or correct the direction of gravity in the cell."
+        )
+
+
+def _axes(scene: Scene) -> list[int]:
+    """The two base axes most across gravity."""
+    along = int(np.argmax(np.abs(scene.gravity)))
+    return [i for i in range(3) if i != along]

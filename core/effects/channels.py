@@ -1,0 +1,53 @@
+"""The six channels of a wrist sensor: names, units, and what their full scale is."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Parameter
+from core.effects.scene import Scene
+
+Array = NDArray[np.float64]
+
+CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
+UNITS = ("N", "N", "N", "N m", "N m", "N m")
+SUFFIXES = ("n", "n", "n", "nm", "nm", "nm")
+"""Units as they stand in the names of parameters."""
+
+
+def six(force: float, torque: float) -> Array:
+    """(6,): one value for the three forces, one for the three torques."""
+    return np.repeat([force, torque], 3)
+
+
+def shares(what: str, *, lower: float, upper: float, scale: float) -> tuple[Parameter, ...]:
+    """Six dimensionless parameters `fx_<what>` to `tz_<what>`, absent at zero."""
+    return tuple(Parameter(f"{channel}_{what}", "1", 0.0, lower, upper, scale) for channel in CHANNELS)
+
+
+def amplitudes(what: str, *, bound: Array, scale: Array) -> tuple[Parameter, ...]:
+    """Six parameters `fx_<what>_n` to `tz_<what>_nm`, absent at zero; `bound` and `scale` are (6,)."""
+    return tuple(
+        Parameter(f"{channel}_{what}_{suffix}", unit, 0.0, -float(b), float(b), float(s))
+        for channel, suffix, unit, b, s in zip(CHANNELS, SUFFIXES, UNITS, bound, scale, strict=True)
+    )
+
+
+def full_scale(scene: Scene, w: Array) -> Array:
+    """(6,), N and N m: the sensor's range; where it is unknown the largest load of the run, which alone looks at all rows."""
+    if scene.range is not None:
+        return np.asarray(scene.range, dtype=float)
+    return np.maximum(np.abs(w).max(axis=0), six(1.0, 0.05))
+
+
+def largest(values: Array) -> tuple[int, str]:
+    """Index and name of the channel with the largest magnitude."""
+    k = int(np.abs(values).argmax())
+    return k, CHANNELS[k]
+
+
+def in_words(values: Array) -> str:
+    """Force and torque (6,) in words: the largest force in N and the largest torque in N m, with their channels."""
+    f, t = int(np.abs(values[:3]).argmax()), 3 + int(np.abs(values[3:]).argmax())
+    return f"{values[f]:+.2g} N in {CHANNELS[f]} and {values[t]:+.2g} N m in {CHANNELS[t]}"

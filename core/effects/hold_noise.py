@@ -1,0 +1,160 @@
+"""The noise of the wrench while nothing moves: what is left of each hold without its trend, and the narrow line in it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import median_filter
+from scipy.special import gammaincc
+from scipy.stats import norm
+
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+
+SETTLING = 0.25
+"""Share of each hold that is left out at its start, where the arm still rings."""
+SHORTEST = 64
+"""Samples; a shorter hold says too little of noise."""
+LOWEST_HZ = 5.0
+"""Slower than this, a line may be the arm or a swinging load."""
+REACH = 20
+"""Bins of the spectrum to either side that tell what the noise is there."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A narrow line.
+
+    Args:
+        frequency, frequency_std: Hz, as it appears at the sample rate.
+        amplitude, amplitude_std: (6,), N and N m.
+        sigma: how far it stands above what white noise would show somewhere in the band, standard deviations.
+        floor: (6,), standard deviation of the noise beside the line.
+    """
+
+    frequency: float
+    frequency_std: float
+    amplitude: Array
+    amplitude_std: Array
+    sigma: float
+    floor: Array
+
+
+def rate(recording: Recording) -> float:
+    """Samples per second, Hz."""
+    return float(1.0 / np.median(np.diff(recording.t)))
+
+
+def fresh(wrench: Array) -> NDArray[np.bool_]:
+    """(N,), whether a row differs from the one before it; a row that does not may be an old sample held."""
+    return np.concatenate([[True], (np.diff(wrench, axis=0) != 0).any(axis=1)])
+
+
+def hold_noise(recording: Recording, holds: tuple[slice, ...]) -> list[Array]:
+    """(M_i, 6) of each hold that is long enough: its later part without a quadratic trend, N and N m."""
+    noise = []
+    for hold in holds:
+        rows = range(*hold.indices(len(recording)))
+        first = rows.start + round(SETTLING * len(rows))
+        if recording.wrench is None or rows.stop - first < SHORTEST:
+            continue
+        part = recording.wrench[first : rows.stop]
+        trend, _ = np.linalg.qr(np.vander(np.linspace(-1, 1, len(part)), 3))
+        noise.append(part - trend @ (trend.T @ part))
+    return noise
+
+
+def line_in(noise: list[Array], rate: float) -> Line | None:
+    """The strongest line in the noise of all holds together, whatever its significance; None where they are too short.
+
+    Averaged periodograms of pieces as long as the shortest hold (Welch 1967); a bin against the median of its neighbours, since noise need not be white.
+    """
+    L = min((len(part) for part in noise), default=0)
+    if L < SHORTEST:
+        return None
+    pieces = np.array([part[k : k + L] for part in noise for k in range(0, len(part) - L + 1, L)])
+    window = np.hanning(L)[:, None]
+    power = (np.abs(np.fft.rfft(pieces * window, axis=1)) ** 2).sum(axis=0)
+    K = len(pieces)
+    f = np.arange(len(power)) * rate / L
+    floor = np.maximum(median_filter(power, size=(2 * REACH + 1, 1), mode="nearest"), np.finfo(float).tiny)
+    floor *= K / (K - 1 / 3)  # the median of a sum of K exponentials is about K - 1/3 of their scale
+    ratio = K * power / floor
+    band = (f > max(LOWEST_HZ, 3 * rate / L)) & (f < 0.49 * rate)
+    if not band.any():
+        return None
+    single = _log_tail(ratio[band], K)
+    joint = _log_tail(ratio[band].sum(axis=1), 6 * K)
+    best = np.minimum(single.min(axis=1), joint)
+    peak = int(np.flatnonzero(band)[best.argmin()])
+    sigma = _sigma(float(best.min()) + np.log(7 * band.sum()))
+    noise_std = np.sqrt(floor[peak] / (K * (window**2).sum()))
+    return _measured(pieces, f[peak], rate, noise_std, sigma)
+
+
+def without_line(noise: list[Array], frequency: float, rate: float) -> list[Array]:
+    """The noise with a sinusoid of the given frequency fitted to each hold and taken out."""
+    left = []
+    for part in noise:
+        wave, _ = np.linalg.qr(_wave(frequency, len(part), rate))
+        left.append(part - wave @ (wave.T @ part))
+    return left
+
+
+def steady(noise: list[Array], frequency: float, rate: float, channel: int) -> bool:
+    """Whether the line is as strong late in the holds as early in them; ringing is not."""
+    early = np.mean([_power(part[: len(part) // 2, channel], frequency, rate) for part in noise])
+    late = np.mean([_power(part[len(part) // 2 :, channel], frequency, rate) for part in noise])
+    return bool(late > 0.5 * early)
+
+
+def _measured(pieces: Array, coarse: float, rate: float, noise_std: Array, sigma: float) -> Line:
+    """Frequency refined by the power of fitted sinusoids, amplitudes freed of what the noise adds to them."""
+    K, L, _ = pieces.shape
+    grid = coarse + np.linspace(-1, 1, 41) * rate / L
+    weight = 1.0 / np.maximum(noise_std, np.finfo(float).tiny) ** 2
+    powers = np.array([_squared_amplitudes(pieces, f, rate) for f in grid])
+    k = int(np.clip((powers @ weight).argmax(), 1, 39))
+    y = (powers @ weight)[k - 1 : k + 2]
+    bend = y[0] - 2 * y[1] + y[2]
+    f = grid[k] + (0.5 * (y[0] - y[2]) / bend if bend < 0 else 0.0) * (grid[1] - grid[0])
+    amplitude = np.sqrt(np.maximum(_squared_amplitudes(pieces, f, rate) - 4 * noise_std**2 / L, 0.0))
+    ratio = float((amplitude**2 * weight).sum())
+    std = np.sqrt(24 / (max(ratio, 1e-12) * L**3 * K)) * rate / (2 * np.pi)  # Rife and Boorstyn 1974, unknown phase
+    return Line(float(f), min(float(std), rate / L), amplitude, noise_std * np.sqrt(2 / (L * K)), sigma, noise_std)
+
+
+def _squared_amplitudes(pieces: Array, frequency: float, rate: float) -> Array:
+    """(6,), mean over the pieces of the squared amplitude of a fitted sinusoid."""
+    L = pieces.shape[1]
+    wave = _wave(frequency, L, rate)
+    coefficients = np.linalg.solve(wave.T @ wave, np.tensordot(wave.T, pieces, axes=(1, 1)).reshape(2, -1))
+    return np.asarray((coefficients**2).sum(axis=0).reshape(len(pieces), -1).mean(axis=0))
+
+
+def _power(x: Array, frequency: float, rate: float) -> float:
+    wave, _ = np.linalg.qr(_wave(frequency, len(x), rate))
+    return float(((wave.T @ x) ** 2).sum()) / len(x)
+
+
+def _wave(frequency: float, length: int, rate: float) -> Array:
+    angle = 2 * np.pi * frequency / rate * np.arange(length)
+    return np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def _log_tail(x: Array, shape: float) -> Array:
+    """Logarithm of the probability that a sum of `shape` unit exponentials exceeds `x`; asymptotic where it underflows."""
+    tail = gammaincc(shape, x)
+    safe = np.maximum(x, shape + 1.0)
+    far = (shape - 1) * np.log(safe / shape) - (safe - shape)
+    return np.where(tail > 1e-290, np.log(np.maximum(tail, 1e-300)), np.minimum(far, -667.0))
+
+
+def _sigma(log_p: float) -> float:
+    """Standard deviations of a normal variable with the same one-sided probability."""
+    if log_p > -30:
+        return max(0.0, float(norm.isf(min(1.0, np.exp(log_p)))))
+    return float(np.sqrt(-2 * log_p - np.log(-4 * np.pi * log_p)))

@@ -1,0 +1,126 @@
+"""What the sensor's motion becomes when the true joint angles are `q + error`.
+
+With `J_j` the column of joint j (twist in sensor axes) and `V_<j` the part of the sensor's twist that the joints before j cause, the
+twist changes by `-sum_j error_j ad(J_j) V_<j`: only what comes from before the joint is seen from turned axes. Gravity comes
+from before all joints.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from core.effects.rigid_body import rigid_wrench
+from core.effects.scene import Scene
+from core.inertia import Motion
+
+Array = NDArray[np.float64]
+
+
+@njit(cache=True)
+def _add_twist_change(J: Array, dq: Array, error: Array, sign: float, out: Array) -> None:
+    """Adds `sign` times the change of the twist (6,) to `out`."""
+    vx = vy = vz = wx = wy = wz = 0.0
+    for j in range(len(dq)):
+        e = sign * error[j]
+        ax, ay, az, bx, by, bz = J[0, j], J[1, j], J[2, j], J[3, j], J[4, j], J[5, j]
+        out[0] -= e * (by * vz - bz * vy + ay * wz - az * wy)
+        out[1] -= e * (bz * vx - bx * vz + az * wx - ax * wz)
+        out[2] -= e * (bx * vy - by * vx + ax * wy - ay * wx)
+        out[3] -= e * (by * wz - bz * wy)
+        out[4] -= e * (bz * wx - bx * wz)
+        out[5] -= e * (bx * wy - by * wx)
+        s = dq[j]
+        vx += ax * s
+        vy += ay * s
+        vz += az * s
+        wx += bx * s
+        wy += by * s
+        wz += bz * s
+
+
+@njit(cache=True)
+def _true_motion(J: Array, dq: Array, error: Array, g0: Array, a0: Array, omega0: Array, alpha0: Array, period: float) -> Array:
+    """(4, N, 3): gravity, acceleration, angular velocity and acceleration."""
+    N, n = dq.shape
+    out = np.empty((4, N, 3))
+    twist = np.empty(6)
+    rate = np.empty(6)
+    for k in range(N):
+        gx, gy, gz = g0[k, 0], g0[k, 1], g0[k, 2]
+        vx = vy = vz = 0.0
+        for j in range(n):
+            e = error[k, j]
+            s = dq[k, j]
+            vx += J[k, 0, j] * s
+            vy += J[k, 1, j] * s
+            vz += J[k, 2, j] * s
+            if e != 0.0:  # R(-e J_j) to second order, joint after joint
+                rx, ry, rz = e * J[k, 3, j], e * J[k, 4, j], e * J[k, 5, j]
+                dx, dy, dz = ry * gz - rz * gy, rz * gx - rx * gz, rx * gy - ry * gx
+                gx += 0.5 * (ry * dz - rz * dy) - dx
+                gy += 0.5 * (rz * dx - rx * dz) - dy
+                gz += 0.5 * (rx * dy - ry * dx) - dz
+        twist[:] = 0.0
+        _add_twist_change(J[k], dq[k], error[k], 1.0, twist)
+        rate[:] = 0.0
+        if k > 0:
+            rate[:] = twist
+            _add_twist_change(J[k - 1], dq[k - 1], error[k], -1.0, rate)
+            rate /= period
+        px, py, pz = omega0[k, 0], omega0[k, 1], omega0[k, 2]
+        out[0, k, 0], out[0, k, 1], out[0, k, 2] = gx, gy, gz
+        # a = dv/dt + omega x v in sensor axes
+        out[1, k, 0] = a0[k, 0] + rate[0] + twist[4] * vz - twist[5] * vy + py * twist[2] - pz * twist[1]
+        out[1, k, 1] = a0[k, 1] + rate[1] + twist[5] * vx - twist[3] * vz + pz * twist[0] - px * twist[2]
+        out[1, k, 2] = a0[k, 2] + rate[2] + twist[3] * vy - twist[4] * vx + px * twist[1] - py * twist[0]
+        for i in range(3):
+            out[2, k, i] = omega0[k, i] + twist[3 + i]
+            out[3, k, i] = alpha0[k, i] + rate[3 + i]
+    return out
+
+
+def true_motion(scene: Scene, error: Array, jerkiness: Array | None = None) -> Motion:
+    """The sensor's motion with joints at `q + error`.
+
+    Args:
+        scene: with joints.
+        error: (N, n), rad. What its own change adds to velocities is left out; it is slow against the motion.
+        jerkiness: (N, n), second derivative of the error, rad/s2, where it is not slow.
+    """
+    if scene.jacobian is None or scene.dq is None:
+        raise ValueError("an error of the joints needs a scene with joints (see Effect.missing)")
+    m = scene.motion
+    out = _true_motion(scene.jacobian, scene.dq, np.ascontiguousarray(error), m.g, m.a, m.omega, m.alpha, scene.period)
+    if jerkiness is not None:
+        extra = (scene.jacobian @ jerkiness[:, :, None])[:, :, 0]
+        out[1] += extra[:, :3]
+        out[3] += extra[:, 3:]
+    return Motion(out[0], out[1], out[2], out[3])
+
+
+def without_joints(scene: Scene) -> str | None:
+    """Why errors of the joints cannot show in this recording."""
+    if scene.q is None or scene.dq is None or scene.jacobian is None:
+        return "the recording has no joint positions"
+    return None
+
+
+def joint_count(scene: Scene) -> int:
+    """n, 0 without joints."""
+    return 0 if scene.q is None else int(scene.q.shape[1])
+
+
+def joint_torque(scene: Scene) -> Array:
+    """(N, n), N m, that the joints exert; without a measurement or masses of the arm, what the payload alone asks: `J^T w`."""
+    if scene.torque is not None:
+        return scene.torque
+    if scene.jacobian is None:
+        raise ValueError("joint torques need a scene with joints (see Effect.missing)")
+    return np.asarray((rigid_wrench(scene.motion, scene.phi)[:, None, :] @ scene.jacobian)[:, 0, :])
+
+
+def largest(theta: Array) -> int:
+    """Index of the joint with the largest value."""
+    return int(np.argmax(np.abs(theta)))

@@ -1,0 +1,61 @@
+"""A damped oscillator driven sample by sample, exact for an input that is linear between samples."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from scipy.linalg import expm
+
+Array = NDArray[np.float64]
+
+
+@njit(cache=True)
+def _run(u: Array, A: Array, before: Array, now: Array, out: Array) -> None:
+    for c in range(u.shape[1]):
+        y, v = u[0, c], 0.0
+        out[0, 0, c] = y
+        out[1, 0, c] = v
+        for k in range(1, len(u)):
+            p, s = u[k - 1, c], u[k, c]
+            y, v = A[0, 0] * y + A[0, 1] * v + before[0] * p + now[0] * s, A[1, 0] * y + A[1, 1] * v + before[1] * p + now[1] * s
+            out[0, k, c] = y
+            out[1, k, c] = v
+
+
+def oscillate(u: Array, period: float, frequency_hz: float, damping: float) -> tuple[Array, Array, Array]:
+    """Solves `y'' + 2 zeta w y' + w^2 y = w^2 u` from rest at `y = u`; causal.
+
+    Args:
+        u: (N, c).
+        period: of the samples, s.
+        damping: zeta, a share of the critical one.
+
+    Returns:
+        y, y', y'', each (N, c).
+    """
+    w = 2.0 * np.pi * frequency_hz
+    block = np.zeros((4, 4))
+    block[0, 1] = 1.0
+    block[1, :3] = -w * w, -2.0 * damping * w, w * w
+    block[2, 3] = 1.0 / period
+    E = expm(period * block)
+    out = np.empty((2, *u.shape))
+    _run(np.ascontiguousarray(u), E[:2, :2], E[:2, 2] - E[:2, 3], E[:2, 3], out)
+    y, rate = out
+    return y, rate, w * w * (u - y) - 2.0 * damping * w * rate
+
+
+def spectral_peaks(residual: Array, period: float, lower_hz: float, upper_hz: float, count: int) -> list[float]:
+    """Frequencies (Hz) at which the residual (N, c) has most power beyond its surroundings, largest first."""
+    x = residual - residual.mean(axis=0)
+    size = 1 << max(6, int(np.log2(max(len(x), 64) / 4)))
+    segments = [x[i : i + size] for i in range(0, max(1, len(x) - size + 1), size // 2)]
+    window = np.hanning(size)[:, None]
+    power = sum(np.sum(np.abs(np.fft.rfft(window[: len(s)] * s, n=size, axis=0)) ** 2, axis=1) for s in segments)
+    f = np.fft.rfftfreq(size, period)
+    level = np.asarray(power)
+    inner = np.flatnonzero((f >= lower_hz) & (f <= upper_hz))
+    inner = inner[(inner > 0) & (inner < len(f) - 1)]
+    peaks = inner[(level[inner] >= level[inner - 1]) & (level[inner] >= level[inner + 1])]
+    return [float(f[i]) for i in peaks[np.argsort(-level[peaks])][:count]]

@@ -1,0 +1,96 @@
+"""A part of the payload is loose: it gives way under gravity and swings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Effect, Parameter
+from core.effects.oscillator import oscillate, spectral_peaks
+from core.effects.rigid_body import centre_of_mass, cross
+from core.effects.scene import Scene
+
+Array = NDArray[np.float64]
+
+SHARES = ("xx", "xy", "xz", "yy", "yz", "zz")
+
+
+class PayloadLoose(Effect):
+    """A part at r hangs on springs: `u'' + 2 zeta w u' + w^2 u = -b`, b the specific force `a - g` at r, sensor axes.
+
+    What moves is given by a symmetric matrix of shares of the payload's mass, `s = m S u` (kg m): `S = share e e^T` for a part on a slide along
+    e, `share 1` for one that is free in all directions. Its first moment s adds
+    `f = s'' + 2 omega x s' + alpha x s + omega x (omega x s)` and `tau = r x f + s x b`. That the swinging part turns its own surroundings
+    is left out, as is `s x s''`.
+    """
+
+    id = "payload_loose"
+    title = "a loose part in the payload"
+    stage = "payload"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`; the place is given from the centre of mass."""
+        return (
+            Parameter("frequency_hz", "Hz", 3.0, 0.5, min(10.0, 0.4 / scene.period), 2.0),
+            Parameter("damping_ratio", "1", 0.05, 0.003, 1.5, 0.15),
+            *(Parameter(f"moving_{axes}_share", "1", 0.0, -1.0, 1.0, 0.15) for axes in SHARES),
+            *(Parameter(f"place_{axis}_m", "m", 0.0, -0.3, 0.3, 0.05) for axis in "xyz"),
+        )
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        part = _Part(theta)
+        m = scene.motion
+        r = centre_of_mass(scene) + part.place
+        b = m.a - m.g + cross(m.alpha, r) + cross(m.omega, cross(m.omega, r))
+        y, rate, acceleration = oscillate(b, scene.period, part.frequency_hz, part.damping)
+        to_moment = -scene.phi[0] * part.shares / (2.0 * np.pi * part.frequency_hz) ** 2
+        s, ds, dds = y @ to_moment, rate @ to_moment, acceleration @ to_moment
+        f = dds + 2.0 * cross(m.omega, ds) + cross(m.alpha, s) + cross(m.omega, cross(m.omega, s))
+        return w + np.hstack([f, cross(r, f) + cross(s, b)])
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """Where the residual's spectrum has peaks, and over the plausible range."""
+        upper = self.parameters(scene)[0].upper
+        grid = [f for f in (1.0, 2.0, 4.0) if f < upper]
+        peaks = spectral_peaks(residual, scene.period, 0.8, upper, 2)
+        rest = [0.05, *([0.05] * 6), *([0.0] * 3)]
+        return [np.array([f, *rest]) for f in (*peaks, *grid)]
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        part = _Part(theta)
+        sag = 9.81e3 / (2 * np.pi * part.frequency_hz) ** 2
+        share = np.abs(np.linalg.eigvalsh(part.shares)).max()
+        return (
+            f"Fasten the loose part of the payload: about {100 * share:.0f} % of its mass gives by {sag:.0f} mm under its weight "
+            f"and swings at {part.frequency_hz:.1f} Hz."
+        )
+
+
+@dataclass(frozen=True)
+class _Part:
+    """The parameters by name."""
+
+    theta: Array
+
+    @property
+    def frequency_hz(self) -> float:
+        return float(self.theta[0])
+
+    @property
+    def damping(self) -> float:
+        return float(self.theta[1])
+
+    @property
+    def shares(self) -> Array:
+        """(3, 3)."""
+        xx, xy, xz, yy, yz, zz = self.theta[2:8]
+        return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+    @property
+    def place(self) -> Array:
+        """(3,), m, from the centre of mass."""
+        return self.theta[8:11]

@@ -1,0 +1,93 @@
+"""The payload is not what the reference says."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import chi2
+
+from core.effects.effect import Finding, Parameter, Symptom, View
+from core.inertia import PHI_NAMES, PHI_UNITS
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+
+CHANCE = 1e-4
+"""A difference that chance gives less often than this lies beyond the uncertainty."""
+SMALLEST_LEVER = 1e-3
+"""m; a first moment is compared with at least the mass on this lever, else a centred payload could never be right."""
+
+_PARTS = {"mass": (slice(0, 1), 0.01), "first moment": (slice(1, 4), 0.01), "inertia": (slice(4, 10), 0.03)}
+_SUFFIXES = {"kg": "kg", "kg m": "kgm", "kg m2": "kgm2"}
+_SCALES = np.array([0.1, *[0.01] * 3, *[0.002] * 6])
+
+
+class PayloadMismatch(Symptom):
+    """Estimate less reference, per parameter.
+
+    Material when a part of it is off by more than 1 % (mass, of the mass; first moment, of its norm) or 3 % (inertia, any element, of the
+    largest principal moment), and that part lies beyond the uncertainty: chi-square with a chance of less than 1e-4. Parameters that
+    were not determined do not count.
+    """
+
+    id = "payload_mismatch"
+    title = "a payload that is not the reference"
+    stage = "payload"
+
+    def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
+        """See `Symptom.parameters`."""
+        return tuple(
+            Parameter(f"{name.lower()}_difference_{_SUFFIXES[unit]}", unit, 0.0, -np.inf, np.inf, scale)
+            for name, unit, scale in zip(PHI_NAMES, PHI_UNITS, _SCALES, strict=True)
+        )
+
+    def observe(self, recording: Recording, view: View) -> Finding | None:
+        """See `Symptom.observe`."""
+        known = np.isfinite(view.phi) & np.isfinite(view.phi_std) & (view.phi_std > 0)
+        if recording.reference is None or not known.any():
+            return None
+        reference = recording.reference.phi
+        difference = np.where(known, view.phi - reference, np.nan)
+        z = np.where(known, difference / np.where(known, view.phi_std, 1.0), 0.0)
+        shares = _shares(difference, reference)
+        material = [
+            part
+            for part, (rows, limit) in _PARTS.items()
+            if shares[part] > limit and np.sum(z[rows] ** 2) > chi2.isf(CHANCE, max(int(known[rows].sum()), 1))
+        ]
+        words = ", ".join(f"{part} by {100 * shares[part]:.1f} %" for part in (material or _PARTS) if np.isfinite(shares[part]))
+        return Finding(
+            theta=difference,
+            std=np.where(known, view.phi_std, np.nan),
+            sigma=_sigma(float(z @ z), int(known.sum())),
+            material=bool(material),
+            sentence=f"The payload differs from the reference ({recording.reference_source or 'source not given'}): {words}.",
+        )
+
+    def advice(self, finding: Finding) -> str:
+        """See `Symptom.advice`."""
+        grams = 1e3 * finding.theta[0]
+        mass = f" (mass {grams:+.0f} g)" if np.isfinite(grams) else ""
+        return f"Check that the right payload is mounted and replace the reference by the identified parameters{mass}."
+
+
+def _shares(difference: Array, reference: Array) -> dict[str, float]:
+    """How far each part is off as a share of its size; NaN where it was not determined."""
+    m, mc, I6 = reference[0], reference[1:4], reference[4:]
+    full = np.array([[I6[0], I6[1], I6[2]], [I6[1], I6[3], I6[4]], [I6[2], I6[4], I6[5]]])
+    sizes = (abs(m), max(float(np.linalg.norm(mc)), abs(m) * SMALLEST_LEVER), float(np.abs(np.linalg.eigvalsh(full)).max()))
+    found = (abs(difference[0]), _norm(difference[1:4]), _largest(difference[4:]))
+    return {part: float(x / max(size, 1e-12)) for part, x, size in zip(_PARTS, found, sizes, strict=True)}
+
+
+def _norm(d: Array) -> float:
+    return float(np.sqrt(np.nansum(d**2))) if np.isfinite(d).any() else float("nan")
+
+
+def _largest(d: Array) -> float:
+    return float(np.nanmax(np.abs(d))) if np.isfinite(d).any() else float("nan")
+
+
+def _sigma(chi_square: float, k: int) -> float:
+    """Fisher's approximation: chi-square as standard deviations above what chance gives."""
+    return float(np.sqrt(2.0 * chi_square) - np.sqrt(2.0 * k - 1.0))

@@ -1,0 +1,48 @@
+"""The payload, or a part of it, slips once."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Effect, Parameter
+from core.effects.rigid_body import centre_of_mass, rigid_wrench
+from core.effects.scene import Scene
+from core.effects.window_search import best_windows, onset, onset_parameter_scale
+from core.inertia import regressor, six_of
+
+Array = NDArray[np.float64]
+
+
+class PayloadShift(Effect):
+    """The first moment jumps by d at t0, and the inertia with it as if what slips were at the centre of mass c: `2 c.d 1 - c d^T - d c^T`."""
+
+    id = "payload_shift"
+    title = "a payload that slipped"
+    stage = "payload"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`."""
+        middle, begin, end, spread = onset_parameter_scale(scene)
+        return (
+            Parameter("at_s", "s", middle, begin, end, spread),
+            *(Parameter(f"first_moment_{axis}_kgm", "kg m", 0.0, -0.5, 0.5, 0.02) for axis in "xyz"),
+        )
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        d, c = theta[1:4], centre_of_mass(scene)
+        inertia = 2.0 * (c @ d) * np.eye(3) - np.outer(c, d) - np.outer(d, c)
+        change = np.concatenate(([0.0], d, six_of(inertia)))
+        return w + onset(scene.t, theta[0], scene.period)[:, None] * rigid_wrench(scene.motion, change)
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """The times at which a jump of the first moment explains most of the residual."""
+        columns = regressor(scene.motion)[:, :, 1:4]
+        return [np.array([t0, 0.005, 0.005, 0.005]) for t0, _ in best_windows(scene, residual, columns, 3, open_end=True)]
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        d = float(np.linalg.norm(theta[1:4]))
+        whole = f" (the whole payload by {1e3 * d / scene.phi[0]:.1f} mm)" if scene.phi[0] > 0.01 else ""
+        return f"Clamp the payload more firmly: at {theta[0]:.1f} s it slipped by {1e3 * d:.1f} kg mm{whole}; identify it again afterwards."

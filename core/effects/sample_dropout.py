@@ -1,0 +1,106 @@
+"""Samples are held or lost: an overloaded bus, a sensor slower than the recorder."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Finding, Parameter, Symptom, View
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+
+MATERIAL = 0.05
+"""Share of the samples that are held or lost."""
+SIGNIFICANT = 5.0
+"""Standard deviations."""
+BLOCK = 200
+"""Samples over which the channels' own chance to repeat a value is taken as constant."""
+
+
+class SampleDropout(Symptom):
+    """Share of rows whose six channels repeat the row before beyond what rounding alone explains, and share of rows missing from the clock.
+
+    Rounded noise repeats a value by chance, each channel on its own: with share `p` held, a channel repeats with `e_i = p + (1 - p) c_i` and all six with
+    `p + (1 - p) c_1 ... c_6`; both are counted, `p` is solved for. Material from 5 % of the samples.
+    """
+
+    id = "sample_dropout"
+    title = "samples that are held or lost"
+    stage = "sensor"
+
+    def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
+        """See `Symptom.parameters`."""
+        return (Parameter("held_share", "1", 0.0, 0.0, 1.0, 0.3), Parameter("lost_share", "1", 0.0, 0.0, 1.0, 0.3))
+
+    def observe(self, recording: Recording, view: View) -> Finding | None:
+        """See `Symptom.observe`."""
+        if recording.wrench is None or len(recording) < 2 * BLOCK:
+            return None
+        held, informative, longest = held_share(recording.wrench)
+        lost = lost_share(recording.t)
+        std = np.sqrt(np.array([held * (1 - held) + 1e-6, lost * (1 - lost) + 1e-6]) / np.array([max(informative, 1), len(recording)]))
+        rows = informative if held >= lost else len(recording)
+        sigma = max(held, lost) * math.sqrt(rows) / math.sqrt(1e-4)  # against one row in ten thousand, which happens in good recorders
+        if sigma < SIGNIFICANT or max(held, lost) < 1e-3:
+            return None
+        period = float(np.median(np.diff(recording.t)))
+        sentence = (
+            f"{100 * held:.0f} % of the wrench samples repeat the one before, for up to {1e3 * longest * period:.0f} ms, "
+            f"and {100 * lost:.0f} % of the samples are missing"
+        )
+        return Finding(np.array([held, lost]), std, sigma, bool(held + lost > MATERIAL), sentence)
+
+    def advice(self, finding: Finding) -> str:
+        """See `Symptom.advice`."""
+        return (
+            f"Match the recorder's rate to the sensor's or relieve its bus: {100 * finding.theta[0]:.0f} % of the samples are held "
+            f"and {100 * finding.theta[1]:.0f} % are lost."
+        )
+
+
+def held_share(wrench: Array) -> tuple[float, int, int]:
+    """Share of held rows in `wrench` (N, 6), the number of rows that it is based on, and the longest run of equal rows.
+
+    Blocks in which all channels would rest on their values anyway (coarse steps, nothing moving) cannot tell and are left out.
+    """
+    same = np.diff(wrench, axis=0) == 0
+    every = same.all(axis=1)
+    blocks = len(same) // BLOCK
+    e = same[: blocks * BLOCK].reshape(blocks, BLOCK, 6).mean(axis=1)
+    joint = every[: blocks * BLOCK].reshape(blocks, BLOCK).mean(axis=1)
+    shares = np.array([_solved(joint[b], e[b]) for b in range(blocks)])
+    told = np.isfinite(shares)
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], every.astype(int), [0]])))
+    longest = int(np.max(edges[1::2] - edges[::2], initial=0))
+    return (float(shares[told].mean()), int(told.sum()) * BLOCK, longest) if told.any() else (0.0, 0, longest)
+
+
+def lost_share(t: Array) -> float:
+    """Share of rows that the clock `t` (N,) should have beyond those it has: gaps of one and a half periods and more."""
+    steps = np.diff(t)
+    period = float(np.median(steps))
+    missing = int(np.maximum(np.rint(steps / period) - 1, 0).sum())
+    return missing / (len(t) + missing)
+
+
+def _solved(joint: float, e: Array) -> float:
+    """p with `joint = p + (1 - p) prod((e - p)/(1 - p))`, the smallest; NaN where p could be anything."""
+    if joint == 0:
+        return 0.0
+    low, high = 0.0, float(e.min())
+    if _by_chance(0.0, e) > 0.3 * joint and high > 0.8:
+        return math.nan
+    if _by_chance(0.0, e) >= joint:
+        return 0.0
+    for _ in range(40):
+        p = 0.5 * (low + high)
+        low, high = (p, high) if p + (1 - p) * _by_chance(p, e) < joint else (low, p)
+    return 0.5 * (low + high)
+
+
+def _by_chance(p: float, e: Array) -> float:
+    """Chance that all channels repeat without being held, given that share p is."""
+    return float(np.prod(np.clip((e - p) / max(1 - p, 1e-12), 0.0, 1.0)))

@@ -1,0 +1,41 @@
+"""The reading creeps after a change of load: glue and strain gauges relax."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.channels import largest, shares
+from core.effects.effect import Effect, Parameter
+from core.effects.filters import low_passed
+from core.effects.scene import Scene
+
+Array = NDArray[np.float64]
+
+
+class SensorCreep(Effect):
+    """`W = w + K w / (1 + tau s)`: every step of load is followed by `K (1 - exp(-t / tau))` of it. At the start all creep is over."""
+
+    id = "sensor_creep"
+    title = "creep of the sensor"
+    stage = "sensor"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`."""
+        return (*shares("creep_share", lower=-0.2, upper=0.2, scale=0.005), Parameter("time_constant_s", "s", 30.0, 0.3, 1000.0, 40.0))
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        return np.asarray(w + theta[:6] * low_passed(w, theta[6], scene.period))
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """See `Effect.starts`."""
+        return [np.append(np.full(6, 0.002), tau) for tau in (10.0, 2.0, 60.0)]
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        k, channel = largest(theta[:6])
+        return (
+            f"Wait about {3 * theta[6]:.0f} s after a change of load before taring or measuring: "
+            f"{channel} creeps by {100 * theta[k]:+.2f} % of the change within {theta[6]:.0f} s."
+        )

@@ -1,0 +1,54 @@
+"""One channel shows in another: a calibration matrix that does not fit the sensor."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.channels import CHANNELS, SUFFIXES, UNITS
+from core.effects.effect import Effect, Parameter
+from core.effects.scene import Scene
+
+Array = NDArray[np.float64]
+
+PLAUSIBLE = 0.02
+"""Share of a channel's full scale that another at full scale brings into it."""
+ARM = 0.05
+"""m, torque over force at full scale where the range is unknown."""
+ROW, COLUMN = np.nonzero(~np.eye(6, dtype=bool))
+
+
+class SensorCrosstalk(Effect):
+    """`W = (I + C) w` with 30 entries off the diagonal; torques from forces in N m/N, forces from torques in N/(N m)."""
+
+    id = "sensor_crosstalk"
+    title = "cross-talk between the sensor's channels"
+    stage = "sensor"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`."""
+        full = np.repeat([1.0, ARM], 3) if scene.range is None else scene.range
+        return tuple(self._entry(i, j, PLAUSIBLE * float(full[i] / full[j])) for i, j in zip(ROW, COLUMN, strict=True))
+
+    def _entry(self, i: int, j: int, scale: float) -> Parameter:
+        name = f"{CHANNELS[i]}_from_{CHANNELS[j]}_{SUFFIXES[i]}_per_{SUFFIXES[j]}"
+        return Parameter(name, "1" if UNITS[i] == UNITS[j] else f"{UNITS[i]}/({UNITS[j]})", 0.0, -20 * scale, 20 * scale, scale)
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        C = np.zeros((6, 6))
+        C[ROW, COLUMN] = theta
+        return np.asarray(w + w @ C.T)
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """See `Effect.starts`."""
+        return [np.zeros(len(ROW))]  # linear in its parameters: one step finds them
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        largest = int(np.abs(theta / [p.scale for p in self.parameters(scene)]).argmax())
+        i, j = ROW[largest], COLUMN[largest]
+        return (
+            f"Load the sensor's calibration matrix anew or have it recalibrated: each {UNITS[j]} of {CHANNELS[j]} "
+            f"shows as {theta[largest]:+.2g} {UNITS[i]} in {CHANNELS[i]}."
+        )

@@ -1,0 +1,67 @@
+"""The offset changes with time or with temperature: a sensor that warms up."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.channels import amplitudes, in_words, six
+from core.effects.effect import Effect, Parameter
+from core.effects.scene import Scene
+
+Array = NDArray[np.float64]
+
+REFERENCE = 60.0
+"""s after the start; the amplitudes are the drift at this time."""
+
+
+class SensorDrift(Effect):
+    """`W = w + A (1 - exp(-k t)) / (1 - exp(-k 60 s)) + B (T - T(0))`, the last term where the temperature is recorded.
+
+    Zero at the start, `A` after one minute. `k` is one over the time constant: a ramp is `k = 0`, and a drift that grows faster and faster has `k < 0`.
+    """
+
+    id = "sensor_drift"
+    title = "drift of the sensor's offset"
+    stage = "sensor"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`."""
+        time = (
+            *amplitudes("drift_per_minute", bound=six(50.0, 2.5), scale=six(1.0, 0.05)),
+            Parameter("settling_rate_per_s", "1/s", 0.0, -0.02, 2.0, 0.03),
+        )
+        if scene.temperature is None:
+            return time
+        return (*time, *amplitudes("drift_per_kelvin", bound=six(10.0, 0.5), scale=six(0.3, 0.015)))
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        W = w + np.outer(settling(scene.t - scene.t[0], theta[6]), theta[:6])
+        if scene.temperature is not None:
+            W += np.outer(scene.temperature - scene.temperature[0], theta[7:])
+        return np.asarray(W)
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """See `Effect.starts`."""
+        third = max(1, len(residual) // 3)
+        sign = np.sign(residual[-third:].mean(axis=0) - residual[:third].mean(axis=0))
+        parameters = self.parameters(scene)
+        start = np.zeros(len(parameters))
+        start[:6] = 0.3 * sign * [p.scale for p in parameters[:6]]
+        return [np.concatenate([start[:6], [k], start[7:]]) for k in (0.01, 0.05, 0.2)]
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        seconds = float(scene.t[-1] - scene.t[0])
+        drift = theta[:6] * settling(np.array([seconds]), theta[6])
+        if scene.temperature is not None:
+            drift = drift + theta[7:] * (scene.temperature[-1] - scene.temperature[0])
+        return f"Let the sensor warm up for 20 min and tare it just before the run: its offset went {in_words(drift)} in {seconds:.0f} s."
+
+
+def settling(t: Array, k: float) -> Array:
+    """`(1 - exp(-k t)) / (1 - exp(-k 60 s))`, (N,); `t / 60 s` at `k = 0`."""
+    if abs(k) < 1e-8:
+        return np.asarray(t / REFERENCE)
+    return np.asarray(np.expm1(-k * t) / np.expm1(-k * REFERENCE))

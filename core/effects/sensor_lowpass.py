@@ -1,0 +1,51 @@
+"""A filter inside the sensor or its amplifier smooths the wrench."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Effect, Parameter
+from core.effects.filters import low_passed
+from core.effects.scene import Scene
+
+Array = NDArray[np.float64]
+
+
+class SensorLowpass(Effect):
+    """`W = w / (1 + tau s + kappa (tau s)^2)`.
+
+    `kappa = 0` is the first order with corner frequency `1 / (2 pi tau)`, 1/4 two equal poles, 1/2 a Butterworth filter of second order; slow
+    signals are late by `tau` whatever `kappa` is. Computed as two poles in a row, complex ones for `kappa > 1/4`.
+    """
+
+    id = "sensor_lowpass"
+    title = "a low-pass filter inside the sensor"
+    stage = "timing"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`."""
+        return (Parameter("time_constant_s", "s", 0.0, 0.0, 0.2, 0.03), Parameter("second_order_share", "1", 0.0, 0.0, 0.7, 0.3))
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        tau, kappa = theta
+        root = cmath.sqrt(1 - 4 * kappa)
+        slow, fast = tau * (1 + root) / 2, tau * (1 - root) / 2
+        if root.imag:
+            return np.ascontiguousarray(low_passed(low_passed(w, slow, scene.period), fast, scene.period).real)
+        return low_passed(low_passed(w, slow.real, scene.period), fast.real, scene.period)
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """See `Effect.starts`."""
+        return [
+            np.array([1 / (2 * math.pi * cutoff_hz), kappa]) for cutoff_hz, kappa in ((8.0, 0.05), (20.0, 0.05), (3.0, 0.05), (8.0, 0.45))
+        ]
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        cutoff_hz = 1 / (2 * math.pi * max(float(theta[0]), 1e-6))
+        return f"Switch the sensor's filter off or raise it well above {cutoff_hz:.0f} Hz; it makes slow signals late by {1e3 * theta[0]:.0f} ms."

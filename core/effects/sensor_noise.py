@@ -1,0 +1,97 @@
+"""The wrench is noisier than stated, or its noise is coloured."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.channels import CHANNELS, largest
+from core.effects.effect import Finding, Parameter, Symptom, View
+from core.effects.hold_noise import fresh, hold_noise, line_in, rate, steady, without_line
+from core.effects.sensor_interference import SIGNIFICANT
+from core.effects.sensor_quantization import step_of
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+
+TOLERANCE = 0.1
+"""Stated noise figures are not better than this."""
+MATERIAL = 1.3
+"""Times the stated noise, over all frequencies."""
+MATERIAL_SLOW = 1.7
+"""Times the stated noise, slow part: what averaging leaves."""
+
+
+class SensorNoise(Symptom):
+    """Noise `v_k = rho v_(k-1) + e_k` (AR(1)) of `factor` times the stated standard deviation, in the later part of the holds.
+
+    Trend, mains line, repeated samples and what the visible resolution adds are taken out first. Material where it is more than 1.3 times the stated
+    noise, or, correlated, 1.7 times of it in what is slow against the samples, `factor sqrt((1 + rho)/(1 - rho))`.
+    """
+
+    id = "sensor_noise"
+    title = "noise of the sensor above what is stated"
+    stage = "sensor"
+
+    def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
+        """See `Symptom.parameters`."""
+        factors = (Parameter(f"{channel}_noise_factor", "1", 1.0, 0.0, 100.0, 2.0) for channel in CHANNELS)
+        return (*factors, Parameter("correlation", "1", 0.0, -1.0, 1.0, 0.5))
+
+    def observe(self, recording: Recording, view: View) -> Finding | None:
+        """See `Symptom.observe`; nothing can be said where no noise is stated."""
+        stated, wrench = recording.sensor.noise_std, recording.wrench
+        noise = _lineless(recording, view)
+        if stated is None or wrench is None or not noise:
+            return None
+        step = np.array([step_of(channel) or 0.0 for channel in wrench.T])
+        variance, rho, spread = _moments(noise)
+        effective = np.maximum(1.0, sum(len(part) for part in noise) * (1 - rho**2) / (1 + rho**2))  # Bartlett 1946
+        factor = np.sqrt(variance / (stated**2 + step**2 / 12))
+        std = factor * np.sqrt(1 / (2 * effective) + spread**2)
+        common = float(np.median(rho))
+        slow = factor * np.sqrt((1 + np.clip(rho, 0, 0.999)) / (1 - np.clip(rho, 0, 0.999)))
+        rho_std = 1 / np.sqrt(6 * effective.mean())
+        sigma = max(float(((factor - 1 - TOLERANCE) / std).max()), (common - TOLERANCE) / rho_std if common > 0 else 0.0)
+        if sigma < SIGNIFICANT or not (factor.max() > 1 + TOLERANCE or slow.max() > MATERIAL):
+            return None
+        k, channel = largest(factor)
+        sentence = f"the noise of {channel} in the holds is {factor[k]:.2f} times the stated one, its correlation from sample to sample {common:.2f}"
+        return Finding(
+            np.append(factor, common), np.append(std, rho_std), sigma, bool(factor.max() > MATERIAL or slow.max() > MATERIAL_SLOW), sentence
+        )
+
+    def advice(self, finding: Finding) -> str:
+        """See `Symptom.advice`."""
+        k, channel = largest(finding.theta[:6])
+        return (
+            f"Check the sensor's supply, shield and cable ({channel} is {finding.theta[k]:.1f} times as noisy as stated), "
+            "or state the higher noise and hold longer."
+        )
+
+
+def _lineless(recording: Recording, view: View) -> list[Array]:
+    """Noise of the holds without the mains line, repeated samples left out."""
+    if recording.wrench is None:
+        return []
+    noise = hold_noise(recording, view.holds)
+    samples_per_second = rate(recording)
+    line = line_in(noise, samples_per_second)
+    if line is not None and line.sigma > SIGNIFICANT:
+        k = int((line.amplitude / line.floor).argmax())
+        if steady(noise, line.frequency, samples_per_second, k):
+            noise = without_line(noise, line.frequency, samples_per_second)
+    return [part[fresh(part)] for part in noise]
+
+
+def _moments(noise: list[Array]) -> tuple[Array, Array, Array]:
+    """Variance, correlation from row to row, and the relative uncertainty of the standard deviation as the holds differ in it, (6,) each.
+
+    The median over the holds: a hold in which the arm shakes does not speak for the sensor.
+    """
+    variance = np.array([part.var(axis=0) for part in noise])
+    lag = np.array([(part[1:] * part[:-1]).mean(axis=0) for part in noise])
+    middle = np.maximum(np.median(variance, axis=0), np.finfo(float).tiny)
+    rho = np.clip(np.median(lag, axis=0) / middle, -0.99, 0.99)
+    spread = np.median(np.abs(variance / middle - 1), axis=0) / np.sqrt(len(noise)) / 2
+    return middle, rho, spread

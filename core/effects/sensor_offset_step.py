@@ -1,0 +1,46 @@
+"""The offset jumps once: a knock, an overload, a re-tare during the run."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.change_points import change_points
+from core.effects.channels import amplitudes, in_words, six
+from core.effects.effect import Effect, Parameter
+from core.effects.scene import Scene
+
+Array = NDArray[np.float64]
+
+
+class SensorOffsetStep(Effect):
+    """`W = w + A` from `t0` on, reached within one sample after it so that `t0` can be fitted between samples."""
+
+    id = "sensor_offset_step"
+    title = "a jump of the sensor's offset"
+    stage = "sensor"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`; the time counts from the first sample."""
+        seconds = float(scene.t[-1] - scene.t[0])
+        time = Parameter("step_time_s", "s", seconds / 2, 0.0, seconds, max(seconds, scene.period))
+        return (*amplitudes("step", bound=six(100.0, 10.0), scale=six(1.5, 0.08)), time)
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        step = np.clip((scene.t - scene.t[0] - theta[6]) / scene.period, 0.0, 1.0)
+        return np.asarray(w + np.outer(step, theta[:6]))
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """See `Effect.starts`: the jumps that the residual shows, with the signs that it shows there."""
+        beside = max(2, round(0.5 / scene.period))
+        scale = np.array([p.scale for p in self.parameters(scene)[:6]])
+        starts = []
+        for row in change_points(residual, count=4, apart=beside):
+            jump = residual[row : row + beside].mean(axis=0) - residual[row - beside : row].mean(axis=0)
+            starts.append(np.append(0.3 * scale * np.sign(jump), (row - 0.5) * scene.period))
+        return starts or super().starts(scene, residual)
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        return f"Check the sensor's plug and cable and tare it again: its offset jumped {theta[6]:.1f} s after the start by {in_words(theta[:6])}."

@@ -1,0 +1,88 @@
+"""The wrench comes in coarser steps than stated."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.channels import CHANNELS, SUFFIXES, UNITS, six
+from core.effects.effect import Finding, Parameter, Symptom, View
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+
+COARSER = 1.4
+"""Times the stated resolution; less is a question of rounding."""
+VISIBLE = 0.5
+"""Standard deviation of the rounding, `d / sqrt(12)`, against that of the noise."""
+
+
+class SensorQuantization(Symptom):
+    """`round(W / d) d`: the step `d` read off the distinct values of each channel.
+
+    Material where `d` is coarser than stated and its rounding is more than half of the noise: finer steps are dithered away by the noise itself.
+    """
+
+    id = "sensor_quantization"
+    title = "coarse steps of the sensor's signal"
+    stage = "sensor"
+
+    def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
+        """See `Symptom.parameters`."""
+        return tuple(
+            Parameter(f"{channel}_step_{suffix}", unit, 0.0, 0.0, float(100 * scale), float(scale))
+            for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, six(0.5, 0.02), strict=True)
+        )
+
+    def observe(self, recording: Recording, view: View) -> Finding | None:
+        """See `Symptom.observe`."""
+        if recording.wrench is None:
+            return None
+        sensor = recording.sensor
+        step = np.array([step_of(channel) or 0.0 for channel in recording.wrench.T])
+        stated = np.zeros(6) if sensor.resolution is None else np.asarray(sensor.resolution)
+        noise = _noise(view.noise_std, sensor.noise_std, step)
+        rounding = step / np.sqrt(12)
+        coarse = step > COARSER * stated
+        if not (coarse & (rounding > 0.1 * noise)).any():
+            return None
+        k = int((coarse * rounding / noise).argmax())
+        levels = np.array([len(np.unique(channel)) for channel in recording.wrench.T])
+        std = np.maximum(stated, 1e-9) / np.sqrt(levels)
+        sentence = (
+            f"{CHANNELS[k]} comes in steps of {step[k]:.3g} {UNITS[k]}"
+            + (f", stated are {stated[k]:.3g}" if stated[k] else "")
+            + f"; rounding adds {rounding[k] / noise[k]:.1f} times its noise"
+        )
+        sigma = float(rounding[k] / noise[k] * np.sqrt(len(recording)))
+        return Finding(step, std, sigma, bool((coarse & (rounding > VISIBLE * noise)).any()), sentence)
+
+    def advice(self, finding: Finding) -> str:
+        """See `Symptom.advice`."""
+        k = int((finding.theta / six(1.0, 0.05)).argmax())
+        return (
+            f"Choose the sensor's finest resolution or a smaller range: {CHANNELS[k]} comes in steps of {finding.theta[k]:.3g} {UNITS[k]}; "
+            "until then move a little during the holds."
+        )
+
+
+def step_of(channel: Array) -> float | None:
+    """The step between neighbouring values of a channel (N,); None where its values are not repeated enough to tell.
+
+    The median gap between values that occur often: a channel that was rounded twice has gaps of two sizes, whose mean is the coarser step.
+    """
+    values, counts = np.unique(np.round(channel, 9), return_counts=True)
+    often = values[counts >= 3]
+    if len(often) < 4 or counts[counts >= 3].sum() < 0.5 * len(channel):
+        return None
+    gaps = np.diff(often)
+    middle = float(np.median(gaps))
+    near = gaps[np.abs(gaps - middle) < 0.5 * middle]
+    return float(near.mean())
+
+
+def _noise(seen: Array, stated: Array | None, step: Array) -> Array:
+    """(6,), noise before rounding: stated, else as seen in the holds without the share of the rounding."""
+    if stated is not None:
+        return np.asarray(stated)
+    return np.sqrt(np.maximum(seen**2 - step**2 / 12, (0.05 * seen) ** 2 + np.finfo(float).tiny))

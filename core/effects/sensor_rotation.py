@@ -1,0 +1,38 @@
+"""The sensor is mounted turned against what the kinematics believe."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Effect, Parameter
+from core.effects.rigid_body import rotation, wrench_change
+from core.effects.scene import Scene
+from core.inertia import Motion
+
+Array = NDArray[np.float64]
+
+
+class SensorRotation(Effect):
+    """The true sensor axes stand turned by the constant rotation vector theta (in sensor axes) against the believed ones.
+
+    Gravity and motion reach the sensor turned, `W = V(R(theta)^T motion) phi`; the payload's parameters are those in the true axes.
+    """
+
+    id = "sensor_rotation"
+    title = "a sensor that is mounted turned"
+    stage = "mounting"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`."""
+        return tuple(Parameter(f"about_{axis}_rad", "rad", 0.0, -0.3, 0.3, 0.02) for axis in "xyz")
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        R, m = rotation(theta), scene.motion
+        return w + wrench_change(scene, Motion(m.g @ R, m.a @ R, m.omega @ R, m.alpha @ R))
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        x, y, z = np.degrees(theta)
+        return f"Correct the sensor frame in the URDF: turn it by {x:+.2f}, {y:+.2f} and {z:+.2f} deg about its x, y and z axes, or remount the sensor."

@@ -1,0 +1,40 @@
+"""The sensor's origin is not where the kinematics believe."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Effect, Parameter
+from core.effects.rigid_body import cross, wrench_change
+from core.effects.scene import Scene
+from core.inertia import Motion
+
+Array = NDArray[np.float64]
+
+
+class SensorTranslation(Effect):
+    """The true origin lies at d (sensor axes) from the believed one: `a + alpha x d + omega x (omega x d)`. Nothing static shows it."""
+
+    id = "sensor_translation"
+    title = "a sensor origin that is off"
+    stage = "mounting"
+
+    def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
+        """See `Effect.parameters`."""
+        return tuple(Parameter(f"{axis}_m", "m", 0.0, -0.1, 0.1, 0.004) for axis in "xyz")
+
+    def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
+        """See `Effect.wrench`."""
+        m = scene.motion
+        a = m.a + cross(m.alpha, theta) + cross(m.omega, cross(m.omega, theta))
+        return w + wrench_change(scene, Motion(m.g, a, m.omega, m.alpha))
+
+    def missing(self, scene: Scene) -> str | None:
+        """See `Effect.missing`."""
+        return None if np.any(scene.motion.omega) else "nothing turns in this recording: the place of the sensor's origin does not show at rest"
+
+    def advice(self, scene: Scene, theta: Array) -> str:
+        """See `Effect.advice`."""
+        x, y, z = 1e3 * theta
+        return f"Move the sensor frame in the URDF by {x:+.1f}, {y:+.1f} and {z:+.1f} mm along its x, y and z axes."

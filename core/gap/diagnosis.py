@@ -1,0 +1,270 @@
+"""The diagnosis of one recording: where the gap lies, which effect causes it, how far it shrinks once that effect is added."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import Effect
+from core.effects.library import library
+from core.gap.answer import (
+    Cell,
+    Change,
+    Diagnosis,
+    Explanation,
+    GapPart,
+    Minor,
+    Pair,
+    Payload,
+    PayloadPart,
+    Tied,
+    Value,
+    Verdict,
+    Where,
+)
+from core.gap.attribution import Attribution, attribute
+from core.gap.basis import TooLittleError, basis_of
+from core.gap.effect_fit import STAGES, EffectFit, fit_effects, fit_nominal
+from core.gap.materiality import is_material, payload_shift
+from core.gap.residual import CHANNELS, Residual
+from core.gap.symptoms import observed
+from core.gap.windows import Windows
+from core.recording import Recording
+
+Array = NDArray[np.float64]
+
+PAIRED = 4
+"""How many of the best single effects are tried in pairs."""
+EXPLAINED = 0.5
+"""Probability from which one name is given."""
+SHOWN = 12
+"""Patches of the residual in the answer."""
+RESAMPLED = 300
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Everything that was fitted to one recording."""
+
+    windows: Windows
+    nominal: EffectFit
+    singles: tuple[EffectFit, ...]
+    pairs: tuple[EffectFit, ...]
+    attribution: Attribution
+    limits: tuple[str, ...]
+
+    @property
+    def best(self) -> EffectFit:
+        """The most probable explanation, the nominal twin where there is none."""
+        explained = self.attribution.explained
+        return explained[0][0] if explained else self.nominal
+
+
+def diagnose(recording: Recording, effects: Sequence[Effect] | None = None) -> Diagnosis:
+    """Answers the three questions for one recording, which is only read.
+
+    Args:
+        recording: with a wrist wrench and motion; anything less is answered with what is missing.
+        effects: candidates; the whole library where absent.
+    """
+    began = time.perf_counter()
+    try:
+        windows = Windows(basis_of(recording))
+    except TooLittleError as reason:
+        return not_enough(str(reason), time.perf_counter() - began)
+    evidence = gather(windows, library() if effects is None else effects)
+    return answer(recording, evidence, began)
+
+
+def gather(windows: Windows, effects: Sequence[Effect]) -> Evidence:
+    """Fits all effects singly, and the best in pairs."""
+    nominal = fit_nominal(windows)
+    scene = windows.basis.scene.carrying(nominal.phi)
+    missing = {effect.id: reason for effect in effects if (reason := effect.missing(scene)) is not None}
+    singles = [
+        fit_effects(windows, (effect,), nominal, effect.starts(scene, _on_grid(windows, nominal)))
+        for effect in effects
+        if effect.id not in missing
+    ]
+    best = sorted(singles, key=lambda fit: float(fit.held_out.sum()))[:PAIRED]
+    pairs = [fit_effects(windows, (*a.effects, *b.effects), a if a.cost < b.cost else b, [_joined(a, b)]) for a, b in combinations(best, 2)]
+    limits = tuple(f"{name}: {reason}" for name, reason in missing.items())
+    return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribute(nominal, [*singles, *pairs]), limits)
+
+
+def _on_grid(windows: Windows, fit: EffectFit) -> Array:
+    """(N, 6), residual in standard deviations of the windows' noise, on the scene's grid."""
+    scene, centres = windows.basis.scene, windows.basis.form.centres
+    return np.column_stack([np.interp(scene.t, centres, channel) for channel in fit.residual])
+
+
+def _joined(a: EffectFit, b: EffectFit) -> Array:
+    """Parameters of two fits in the order in which their effects act."""
+    fits = sorted((a, b), key=lambda fit: STAGES.index(fit.effects[0].stage))
+    return np.concatenate([fit.theta for fit in fits])
+
+
+def answer(recording: Recording, evidence: Evidence, began: float) -> Diagnosis:
+    """The evidence in the form that leaves the engine."""
+    windows, nominal, best = evidence.windows, evidence.nominal, evidence.best
+    attribution = evidence.attribution
+    material = is_material(windows, nominal, best)
+    symptoms = observed(recording, windows, best)
+    verdict = _verdict(evidence, material)
+    residual = Residual(windows, nominal)
+    ranked = [(fit, p) for fit, p in attribution.explained if len(fit.effects) == 1]
+    before = gap_of(windows, nominal)
+    return Diagnosis(
+        verdict=verdict,
+        summary=_summary(verdict, evidence),
+        effects=[_explanation(windows, nominal, fit, p) for fit, p in ranked] if material else [],
+        none_probability=attribution.none if material else 1.0,
+        unknown_probability=attribution.unknown if material else 0.0,
+        pairs=[_pair(windows, nominal, fit, p) for fit, p in attribution.explained if len(fit.effects) == 2] if material else [],
+        minor=[*([] if material else _minor(best)), *symptoms],
+        indistinguishable=[_tied(tie.first, tie.second, tie.distance_sigma) for tie in attribution.ties] if material else [],
+        where=_where(residual, best, verdict),
+        gap=GapPart(
+            before=before,
+            after=gap_of(windows, best),
+            held_out=sorted({part.phase for part in windows.basis.segments}),
+            by_channel={
+                name: Change(before=gap_of(windows, nominal, c), after=gap_of(windows, best, c)) for c, name in enumerate(CHANNELS)
+            },
+        ),
+        payload=PayloadPart(before=_payload(nominal), after=_payload(best)),
+        consequence=payload_shift(nominal, best),
+        next_experiment=None,
+        limits=list(evidence.limits),
+        seconds=time.perf_counter() - began,
+    )
+
+
+def gap_of(windows: Windows, fit: EffectFit, channel: int | None = None) -> float:
+    """Root mean square over samples of (measured - simulated) over noise, each motion predicted from the others."""
+    rows = fit.held_out if channel is None else fit.held_out[channel]
+    return float(np.sqrt(max(0.0, 1.0 + (float(rows.mean()) - 1.0) / windows.samples_per_row)))
+
+
+def closure_of(windows: Windows, nominal: EffectFit, fit: EffectFit) -> tuple[float, tuple[float, float]]:
+    """(before - after) / (before - floor) with its 95 % interval, motions resampled."""
+    rng = np.random.default_rng(0)
+    groups = np.unique(windows.group)
+    sums = np.array([[f.held_out[:, windows.group == g].sum() for f in (nominal, fit)] for g in groups])
+    counts = np.array([6 * np.count_nonzero(windows.group == g) for g in groups])
+    drawn = rng.integers(len(groups), size=(RESAMPLED, len(groups)))
+    values = [_closure(sums[rows].sum(axis=0) / counts[rows].sum(), windows.samples_per_row) for rows in drawn]
+    low, high = np.percentile(values, [2.5, 97.5])
+    return _closure(sums.sum(axis=0) / counts.sum(), windows.samples_per_row), (float(low), float(high))
+
+
+def _closure(rows: Array, samples_per_row: float) -> float:
+    before, after = np.sqrt(np.maximum(0.0, 1.0 + (rows - 1.0) / samples_per_row))
+    return float(np.clip((before - after) / (before - 1.0), -10.0, 10.0)) if before > 1.0 + 1e-9 else 0.0
+
+
+def _verdict(evidence: Evidence, material: bool) -> Verdict:
+    attribution = evidence.attribution
+    if not material:
+        return "no_gap"
+    if attribution.unknown > EXPLAINED or not attribution.explained:
+        return "unknown"
+    if attribution.ties or attribution.explained[0][1] < EXPLAINED:
+        return "ambiguous"
+    return "explained"
+
+
+def _summary(verdict: Verdict, evidence: Evidence) -> str:
+    titles = " and ".join(effect.title for effect in evidence.best.effects)
+    return {
+        "no_gap": "Simulation and recording agree as far as it matters.",
+        "explained": f"The gap is explained by {titles}.",
+        "ambiguous": f"The gap may be explained by {titles}, but this recording does not settle it.",
+        "unknown": "There is a gap that no effect of the library explains.",
+        "not_enough": "",
+    }[verdict]
+
+
+def _values(fit: EffectFit) -> dict[str, Value]:
+    return {
+        p.name: Value(value=float(v), std=float(s), unit=p.unit, at_bound=bool(v <= p.lower or v >= p.upper))
+        for p, v, s in zip(fit.parameters, fit.theta, fit.theta_std, strict=True)
+    }
+
+
+def _explanation(windows: Windows, nominal: EffectFit, fit: EffectFit, probability: float) -> Explanation:
+    effect = fit.effects[0]
+    closure, interval = closure_of(windows, nominal, fit)
+    return Explanation(
+        id=effect.id,
+        title=effect.title,
+        stage=effect.stage,
+        probability=probability,
+        parameters=_values(fit),
+        gap_after=gap_of(windows, fit),
+        closure=closure,
+        closure_interval=interval,
+        advice=effect.advice(windows.basis.scene.carrying(fit.phi), fit.theta),
+    )
+
+
+def _pair(windows: Windows, nominal: EffectFit, fit: EffectFit, probability: float) -> Pair:
+    a, b = fit.effects
+    return Pair(ids=(a.id, b.id), probability=probability, gap_after=gap_of(windows, fit), closure=closure_of(windows, nominal, fit)[0])
+
+
+def _minor(best: EffectFit) -> list[Minor]:
+    return [Minor(id=best.name, parameters=_values(best), sentence="detected, but too small to matter")] if best.effects else []
+
+
+def _tied(a: EffectFit, b: EffectFit, distance: float) -> Tied:
+    return Tied(
+        ids=(a.name, b.name),
+        distance_sigma=distance,
+        why=f"with other payload parameters and offsets both predict this recording; they differ by {distance:.1f} standard deviations",
+        splits="a rotation about a horizontal axis, in which gravity sweeps through the sensor",
+    )
+
+
+def _where(residual: Residual, best: EffectFit, verdict: Verdict) -> Where:
+    top = residual.patches[0]
+    stage = best.effects[0].stage if best.effects and verdict in ("explained", "ambiguous") else "sensor"
+    return Where(
+        cells=[Cell(**vars(patch)) for patch in residual.patches[:SHOWN]],
+        channel=top.channel,
+        phase=top.phase,
+        stage=stage,
+        by_time=residual.by_time(),
+        by_direction=residual.by_direction(),
+        sentence=residual.sentence(),
+    )
+
+
+def _payload(fit: EffectFit) -> Payload:
+    return Payload(phi=fit.phi.tolist(), std=fit.phi_std.tolist())
+
+
+def not_enough(reason: str, seconds: float) -> Diagnosis:
+    """The answer to a recording that cannot say anything about a gap."""
+    return Diagnosis(
+        verdict="not_enough",
+        summary=f"Nothing can be said about the gap: {reason}.",
+        effects=[],
+        none_probability=0.0,
+        unknown_probability=0.0,
+        pairs=[],
+        minor=[],
+        indistinguishable=[],
+        where=None,
+        gap=None,
+        payload=None,
+        consequence="",
+        next_experiment=None,
+        limits=[reason],
+        seconds=seconds,
+    )

@@ -1,0 +1,93 @@
+"""Where the gap lies: the nominal twin's residual by channel, motion and frequency band, by direction and by time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.fft import dct
+
+from core.gap.effect_fit import EffectFit
+from core.gap.windows import Windows, step_of
+
+Array = NDArray[np.float64]
+
+CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
+BANDS_HZ = ((0.0, 2.0), (2.0, 8.0), (8.0, 20.0))
+
+
+@dataclass(frozen=True)
+class Patch:
+    """One channel in one kind of motion and one band.
+
+    Args:
+        times_noise: root mean square in standard deviations of the noise of these rows; 1 is noise alone.
+        share: of the whole excess over noise.
+    """
+
+    channel: str
+    phase: str
+    band_hz: tuple[float, float]
+    times_noise: float
+    share: float
+
+
+class Residual:
+    """The residual of a fit, taken apart.
+
+    Args:
+        windows: of the recording.
+        fit: whose residual it is.
+    """
+
+    def __init__(self, windows: Windows, fit: EffectFit) -> None:
+        self._windows = windows
+        self._rows = fit.residual
+
+    @cached_property
+    def patches(self) -> tuple[Patch, ...]:
+        """All patches, the largest share first."""
+        energy: dict[tuple[int, str, int], tuple[float, int]] = {}
+        step = step_of(self._windows.basis.poses)
+        for g in np.unique(self._windows.group):
+            rows = np.flatnonzero(self._windows.group == g)
+            phase = str(self._windows.phase[rows[0]])
+            power = dct(self._rows[:, rows], norm="ortho", axis=1) ** 2
+            frequency = np.arange(len(rows)) / (2.0 * len(rows) * step)
+            for b, (low, high) in enumerate(BANDS_HZ):
+                inside = (frequency >= low) & (frequency < high)
+                for c in range(6):
+                    before, count = energy.get((c, phase, b), (0.0, 0))
+                    energy[c, phase, b] = (before + float(power[c, inside].sum()), count + int(inside.sum()))
+        excess = sum(max(0.0, total - count) for total, count in energy.values()) or 1.0
+        found = [
+            Patch(CHANNELS[c], phase, BANDS_HZ[b], float(np.sqrt(total / count)), max(0.0, total - count) / excess)
+            for (c, phase, b), (total, count) in energy.items()
+            if count
+        ]
+        return tuple(sorted(found, key=lambda patch: -patch.share))
+
+    def by_time(self, parts: int = 10) -> list[float]:
+        """Share of the excess in equal stretches of the recording."""
+        excess = np.maximum(0.0, (self._rows**2).sum(axis=0) - 6.0)
+        total = float(excess.sum()) or 1.0
+        return [float(part.sum()) / total for part in np.array_split(excess, parts)]
+
+    def by_direction(self) -> dict[str, float]:
+        """Mean square (noise is 1) while turning positively, negatively, and standing still; axis of the largest rate."""
+        scene = self._windows.basis.scene
+        omega = np.column_stack([np.interp(self._windows.basis.form.centres, scene.t, w) for w in scene.motion.omega.T])
+        largest = omega[np.arange(len(omega)), np.abs(omega).argmax(axis=1)]
+        kinds = {"positive": largest > 0.05, "negative": largest < -0.05, "still": np.abs(largest) <= 0.05}
+        return {name: float(np.mean(self._rows[:, rows] ** 2)) for name, rows in kinds.items() if rows.any()}
+
+    def sentence(self) -> str:
+        """One sentence for a person."""
+        top = self.patches[0]
+        low, high = top.band_hz
+        return (
+            f"The gap is largest in {top.channel} during {top.phase} between {low:g} and {high:g} Hz: "
+            f"{top.times_noise:.1f} times the noise, {100 * top.share:.0f} % of the whole gap."
+        )

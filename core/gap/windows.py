@@ -1,0 +1,140 @@
+"""A recording as whitened equations: what was measured, what the nominal twin predicts, and the way from an effect to its rows.
+
+Both sides go through the same windows (cubic B-splines, `estimation.weak_form`), so that neither lag nor smoothing looks like a gap. Rows
+are windows times channels, whitened with the covariance of sensor and kinematics: noise alone has unit variance in every row.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import BSpline
+from scipy.linalg import cholesky_banded
+from scipy.linalg.lapack import dtbtrs
+from scipy.sparse import csr_array
+
+from core.effects.scene import Scene
+from core.estimation.generalised_least_squares import spatial_inertia
+from core.estimation.kinematics import Poses
+from core.estimation.noise import SensorNoise
+from core.estimation.segments import Segment
+from core.estimation.weak_form import STEP_S, WeakForm
+
+Array = NDArray[np.float64]
+
+PHI = slice(0, 10)
+OFFSET = slice(10, 16)
+BACKGROUND = slice(16, 25)
+"""Small imperfections that every cell has: two tilts, a delay, six gains. Always in the model, with tight priors."""
+
+PHI_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0)))
+OFFSET_STD = np.full(6, 1e3)
+BACKGROUND_STD = np.concatenate((np.full(2, 4e-4), [3e-4], np.full(6, 5e-4)))
+"""0.02 deg, 0.3 ms, 0.05 %."""
+
+
+@dataclass(frozen=True)
+class Basis:
+    """Everything about a recording that the windows are built from."""
+
+    poses: Poses
+    form: WeakForm
+    noise: SensorNoise
+    wrench: Array
+    segments: tuple[Segment, ...]
+    scene: Scene
+
+
+class Windows:
+    """Whitened rows of one recording.
+
+    Args:
+        basis: of the recording.
+    """
+
+    def __init__(self, basis: Basis) -> None:
+        self.basis = basis
+        form = basis.form
+        self.y = form.average(basis.wrench)
+        features, rate = form.features(0.0)
+        self._V = features.regressor(np.zeros(2))
+        phi = self._first_phi()
+        self._factors = self._whiteners(phi)
+        self._to_windows = window_matrix(form.centres, step_of(basis.poses), basis.scene.t)
+        tilt = features.tilt_columns(phi, np.zeros(2))
+        late = (rate.regressor(np.zeros(2)) @ phi)[..., None]
+        gain = np.einsum("kc,cd->kcd", self._V @ phi, np.eye(6))
+        constant = np.broadcast_to(np.eye(6), (len(form), 6, 6))
+        self.X = self.whiten(np.concatenate((self._V, constant, tilt, late, gain), axis=2))
+        """(6, K, 25): columns of the nominal twin with its small imperfections."""
+        self.target = self.whiten(self.y[..., None])[..., 0]
+        """(6, K)."""
+        self.prior_std = np.concatenate((PHI_STD, OFFSET_STD, BACKGROUND_STD))
+        self.group = self._groups()
+
+    def __len__(self) -> int:
+        return len(self.y)
+
+    def _first_phi(self) -> Array:
+        """Payload by least squares with offsets, channels weighed by their noise."""
+        sigma = self.basis.noise.std
+        V = np.concatenate((self._V, np.broadcast_to(np.eye(6), (len(self.y), 6, 6))), axis=2) / sigma[:, None]
+        prior = np.diag(np.concatenate((PHI_STD, OFFSET_STD)) ** -1.0)
+        rows = np.vstack((V.reshape(-1, 16), prior))
+        right = np.concatenate(((self.y / sigma).ravel(), np.zeros(16)))
+        return np.asarray(np.linalg.lstsq(rows, right, rcond=None)[0][:10])
+
+    def _whiteners(self, phi: Array) -> list[Array]:
+        wrench_gram, pose_gram = self.basis.form.gram()
+        M = spatial_inertia(phi)
+        kinematic = np.diag(M @ self.basis.poses.noise @ M.T)
+        variance = self.basis.noise.variance
+        return [cholesky_banded(variance[c] * wrench_gram + kinematic[c] * pose_gram, lower=True) for c in range(6)]
+
+    def whiten(self, x: Array) -> Array:
+        """Rows (6, K, n) with unit noise from windowed wrenches (K, 6, n)."""
+        return np.stack([dtbtrs(factor, np.ascontiguousarray(x[:, c]), uplo="L")[0] for c, factor in enumerate(self._factors)])
+
+    def rows_of(self, change: Array) -> Array:
+        """Rows (6, K, n) of changes of the wrench on the scene's grid, (N, 6, n)."""
+        n, _, count = change.shape
+        return self.whiten((self._to_windows @ change.reshape(n, -1)).reshape(len(self), 6, count))
+
+    def _groups(self) -> NDArray[np.int64]:
+        """(K,), number of the motion that each window belongs to: what is left out together."""
+        edges = self.basis.poses.t[[part.start for part in self.basis.segments]]
+        return np.searchsorted(edges, self.basis.form.centres, side="right") - 1
+
+    @cached_property
+    def phase(self) -> NDArray[np.str_]:
+        """(K,), label of each window."""
+        names = np.array([part.phase for part in self.basis.segments])
+        return names[self.group]
+
+    @cached_property
+    def samples_per_row(self) -> float:
+        """Samples of the recording for each window."""
+        return step_of(self.basis.poses) / self.basis.poses.period
+
+
+def step_of(poses: Poses) -> float:
+    """Spacing of the windows, s."""
+    return max(STEP_S, 8.0 * poses.period)
+
+
+def window_matrix(centres: Array, step: float, t: Array) -> csr_array:
+    """(K, N): cubic B-spline windows over uniform times t (N,), each summing to 1."""
+    spline = BSpline.basis_element(np.arange(-2.0, 3.0), extrapolate=False)
+    period = float(t[1] - t[0])
+    reach = int(np.ceil(2.0 * step / period)) + 1
+    nearest = np.rint((centres - t[0]) / period).astype(int)
+    columns = nearest[:, None] + np.arange(-reach, reach + 1)
+    inside = (columns >= 0) & (columns < len(t))
+    columns = np.clip(columns, 0, len(t) - 1)
+    weights = np.where(inside, np.nan_to_num(spline((t[columns] - centres[:, None]) / step)), 0.0)
+    weights /= weights.sum(axis=1, keepdims=True)
+    rows = np.repeat(np.arange(len(centres)), columns.shape[1])
+    return csr_array((weights.ravel(), (rows, columns.ravel())), shape=(len(centres), len(t)))
