@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import NamedTuple
 
@@ -20,6 +20,7 @@ from core.collision import CollisionModel
 from core.control.decoupling import decoupling_profile, expected_inertia, repetitions_for
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
+from core.planning.path import one_turn_away
 from core.planning.start_configuration import StartConfiguration, find_start_configuration
 from core.planning.transfer import Transfer, plan_transfer
 from core.robot import RobotModel
@@ -182,19 +183,13 @@ class _Planner(NamedTuple):
         """Transfers from one pose to the next."""
         reached: list[Reached] = []
         for axis in poses:
+            goals = one_turn_away(self.robot, starts[axis].q, here)
             transfer = plan_transfer(
-                self.cell,
-                self.robot,
-                self.collision,
-                here,
-                starts[axis].q,
-                period=self.rotation.period,
-                seed=self.seed,
-                seconds=PATH_SECONDS,
+                self.cell, self.robot, self.collision, here, goals, period=self.rotation.period, seed=self.seed, seconds=PATH_SECONDS
             )
             yield TransferPlanned(axis=axis, robot_s=transfer.trajectory.duration, least_margin_m=transfer.least_margin_m)
-            reached.append(Reached(axis, starts[axis], transfer))
-            here = starts[axis].q
+            reached.append(Reached(axis, replace(starts[axis], q=transfer.goal), transfer))
+            here = transfer.goal
         return reached
 
 

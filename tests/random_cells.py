@@ -77,7 +77,7 @@ def _mounting(arm: Cell) -> Obstacle:
 def _obstacle(rng: np.random.Generator, arm: Cell) -> Box:
     """Tables, pillars, walls and small things within reach."""
     kind = rng.integers(4)
-    bearing, distance = rng.uniform(-np.pi, np.pi), rng.uniform(0.3, 1.0)
+    bearing, distance = rng.uniform(-np.pi, np.pi), rng.uniform(0.2, 0.8)
     sizes: list[Array | list[float]] = [
         rng.uniform(0.3, 1.0, 3) * [1, 1, 0.5],
         [*rng.uniform(0.08, 0.2, 2), rng.uniform(0.8, 2.0)],
@@ -92,7 +92,7 @@ def _obstacle(rng: np.random.Generator, arm: Cell) -> Box:
 def _zone(rng: np.random.Generator, arm: Cell) -> Box:
     """Where people are: high and wide, at some distance."""
     size = np.array([rng.uniform(0.4, 1.0), rng.uniform(0.6, 2.5), rng.uniform(1.8, 2.6)])
-    return _box(arm, rng.uniform(-np.pi, np.pi), rng.uniform(0.55, 1.0) + 0.5 * size[0], 0.5 * size[2] + arm.floor_z_m, size)
+    return _box(arm, rng.uniform(-np.pi, np.pi), rng.uniform(0.4, 0.9) + 0.5 * size[0], 0.5 * size[2] + arm.floor_z_m, size)
 
 
 def _box(arm: Cell, bearing: float, distance: float, height: float, size: Array) -> Box:

@@ -32,7 +32,7 @@ class BaseTilt(Effect):
         vector = np.zeros(3)
         vector[_axes(scene)] = theta
         dg = (rotation(vector) @ scene.gravity - scene.gravity) @ scene.rotation
-        return w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)])
+        return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""

@@ -18,8 +18,8 @@ CREEP = 0.003
 class CableDrag(Effect):
     """A spring to a fixed point and Coulomb friction act on the payload at r: `F = c - k (p - p_0) - mu v / sqrt(v^2 + v_c^2)`, base axes.
 
-    c is the pull in the first sample (so the fixed point is `p_0 + c / k`); p and v are of the point r, sensor axes. The sensor reads `-F` and
-    `-r x F`.
+    c is the pull in the first sample (so the fixed point is `p_0 + c / k`); p and v are of the point r, sensor axes.
+    The sensor reads `-F` and `-r x F`.
     """
 
     id = "cable_drag"
@@ -43,8 +43,8 @@ class CableDrag(Effect):
         p = scene.position + scene.rotation @ r
         v = np.diff(p, axis=0, prepend=p[:1]) / scene.period
         F = theta[1:4] - theta[0] * (p - p[0]) - theta[4] * v / np.sqrt(np.sum(v * v, axis=1, keepdims=True) + CREEP**2)
-        f = (F[:, None, :] @ scene.rotation)[:, 0, :]
-        return w - np.hstack([f, cross(np.broadcast_to(r, f.shape), f)])
+        f = np.einsum("ni,nij->nj", F, scene.rotation)
+        return np.asarray(w - np.hstack([f, cross(np.broadcast_to(r, f.shape), f)]))
 
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""

@@ -11,8 +11,8 @@ Array = NDArray[np.float64]
 def change_points(series: Array, *, count: int, apart: int) -> list[int]:
     """Rows before which the mean of `series` (N, n) most probably jumps, the most probable first.
 
-    Half of the rows come from the likelihood ratio of one jump in an otherwise constant series, half from the same ratio within windows of `apart` rows to
-    either side, which also finds a jump in a series that wanders.
+    Half of the rows come from the likelihood ratio of one jump in an otherwise constant series, half from the same ratio within windows
+    of `apart` rows to either side, which also finds a jump in a series that wanders.
 
     Args:
         count: at most so many rows.

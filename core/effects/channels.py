@@ -26,10 +26,21 @@ def shares(what: str, *, lower: float, upper: float, scale: float) -> tuple[Para
     return tuple(Parameter(f"{channel}_{what}", "1", 0.0, lower, upper, scale) for channel in CHANNELS)
 
 
-def amplitudes(what: str, *, bound: Array, scale: Array) -> tuple[Parameter, ...]:
-    """Six parameters `fx_<what>_n` to `tz_<what>_nm`, absent at zero; `bound` and `scale` are (6,)."""
+def amplitudes(what: str, *, bound: Array, scale: Array, per: str = "") -> tuple[Parameter, ...]:
+    """Six parameters `fx_<what>_n` to `tz_<what>_nm`, absent at zero; `bound` and `scale` are (6,).
+
+    Args:
+        per: unit by which the amplitudes are divided, if any.
+    """
     return tuple(
-        Parameter(f"{channel}_{what}_{suffix}", unit, 0.0, -float(b), float(b), float(s))
+        Parameter(
+            f"{channel}_{what}_{suffix}" + (f"_per_{per.lower()}" if per else ""),
+            unit + (f"/{per}" if per else ""),
+            0.0,
+            -float(b),
+            float(b),
+            float(s),
+        )
         for channel, suffix, unit, b, s in zip(CHANNELS, SUFFIXES, UNITS, bound, scale, strict=True)
     )
 
@@ -38,7 +49,7 @@ def full_scale(scene: Scene, w: Array) -> Array:
     """(6,), N and N m: the sensor's range; where it is unknown the largest load of the run, which alone looks at all rows."""
     if scene.range is not None:
         return np.asarray(scene.range, dtype=float)
-    return np.maximum(np.abs(w).max(axis=0), six(1.0, 0.05))
+    return np.asarray(np.maximum(np.abs(w).max(axis=0), six(1.0, 0.05)))
 
 
 def largest(values: Array) -> tuple[int, str]:

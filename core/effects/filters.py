@@ -15,7 +15,7 @@ BACKWARD = np.array([11 / 6, -3.0, 3 / 2, -1 / 3])
 
 
 def delayed(w: Array, samples: float) -> Array:
-    """`w` (N, n) late by a number of samples >= 0 that need not be whole: cubic (Lagrange) through four rows, none newer than the row itself."""
+    """`w` (N, n) late by a number of samples >= 0, whole or not: cubic (Lagrange) through four rows, none newer than the row itself."""
     return cast(Array, _delayed(np.ascontiguousarray(w), float(samples)))
 
 

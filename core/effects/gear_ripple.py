@@ -44,11 +44,12 @@ class GearRipple(Effect):
         order = 2.0 * theta[0]
         rate = order * scene.dq
         growth = order * np.diff(scene.dq, axis=0, prepend=scene.dq[:1]) / scene.period
-        visible = 1.0 / (1.0 + (np.abs(rate) / (0.8 * np.pi / scene.period)) ** 8)
+        square = (rate * (scene.period / (0.8 * np.pi))) ** 2
+        visible = 1.0 / (1.0 + (square * square) ** 2)
         cos, sin = visible * np.cos(order * scene.q), visible * np.sin(order * scene.q)
         c, s = theta[1::2], theta[2::2]
         error, slope = c * cos + s * sin, s * cos - c * sin
-        return w + wrench_change(scene, true_motion(scene, error, growth * slope - rate**2 * error))
+        return w + wrench_change(scene, true_motion(scene, error, growth * slope - rate * rate * error))
 
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""

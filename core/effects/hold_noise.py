@@ -18,9 +18,9 @@ SETTLING = 0.25
 """Share of each hold that is left out at its start, where the arm still rings."""
 SHORTEST = 64
 """Samples; a shorter hold says too little of noise."""
-LOWEST_HZ = 5.0
+LOWEST_HZ = 10.0
 """Slower than this, a line may be the arm or a swinging load."""
-REACH = 20
+REACH = 16
 """Bins of the spectrum to either side that tell what the noise is there."""
 
 
@@ -48,20 +48,18 @@ def rate(recording: Recording) -> float:
     return float(1.0 / np.median(np.diff(recording.t)))
 
 
-def fresh(wrench: Array) -> NDArray[np.bool_]:
-    """(N,), whether a row differs from the one before it; a row that does not may be an old sample held."""
-    return np.concatenate([[True], (np.diff(wrench, axis=0) != 0).any(axis=1)])
-
-
-def hold_noise(recording: Recording, holds: tuple[slice, ...]) -> list[Array]:
-    """(M_i, 6) of each hold that is long enough: its later part without a quadratic trend, N and N m."""
+def hold_noise(recording: Recording, holds: tuple[slice, ...], *, keep: NDArray[np.bool_] | None = None) -> list[Array]:
+    """(M_i, 6) of each hold that is long enough: its later part without a quadratic trend, N and N m; only rows in `keep` (N,)."""
     noise = []
     for hold in holds:
         rows = range(*hold.indices(len(recording)))
         first = rows.start + round(SETTLING * len(rows))
         if recording.wrench is None or rows.stop - first < SHORTEST:
             continue
-        part = recording.wrench[first : rows.stop]
+        kept = slice(None) if keep is None else keep[first : rows.stop]
+        part = recording.wrench[first : rows.stop][kept]
+        if len(part) < SHORTEST // 2:
+            continue
         trend, _ = np.linalg.qr(np.vander(np.linspace(-1, 1, len(part)), 3))
         noise.append(part - trend @ (trend.T @ part))
     return noise
@@ -70,7 +68,8 @@ def hold_noise(recording: Recording, holds: tuple[slice, ...]) -> list[Array]:
 def line_in(noise: list[Array], rate: float) -> Line | None:
     """The strongest line in the noise of all holds together, whatever its significance; None where they are too short.
 
-    Averaged periodograms of pieces as long as the shortest hold (Welch 1967); a bin against the median of its neighbours, since noise need not be white.
+    Averaged periodograms of pieces as long as the shortest hold (Welch 1967); a bin against the median of its neighbours, since noise
+    need not be white.
     """
     L = min((len(part) for part in noise), default=0)
     if L < SHORTEST:
@@ -80,7 +79,7 @@ def line_in(noise: list[Array], rate: float) -> Line | None:
     power = (np.abs(np.fft.rfft(pieces * window, axis=1)) ** 2).sum(axis=0)
     K = len(pieces)
     f = np.arange(len(power)) * rate / L
-    floor = np.maximum(median_filter(power, size=(2 * REACH + 1, 1), mode="nearest"), np.finfo(float).tiny)
+    floor = _floor(power)
     floor *= K / (K - 1 / 3)  # the median of a sum of K exponentials is about K - 1/3 of their scale
     ratio = K * power / floor
     band = (f > max(LOWEST_HZ, 3 * rate / L)) & (f < 0.49 * rate)
@@ -133,6 +132,14 @@ def _squared_amplitudes(pieces: Array, frequency: float, rate: float) -> Array:
     wave = _wave(frequency, L, rate)
     coefficients = np.linalg.solve(wave.T @ wave, np.tensordot(wave.T, pieces, axes=(1, 1)).reshape(2, -1))
     return np.asarray((coefficients**2).sum(axis=0).reshape(len(pieces), -1).mean(axis=0))
+
+
+def _floor(power: Array) -> Array:
+    """Median of the bins below or above each bin, whichever is larger: beside a slope or a resonance a bin is no line."""
+    size = (REACH, 1)
+    below = median_filter(power, size=size, mode="nearest", origin=(REACH // 2 - 1, 0))
+    above = median_filter(power, size=size, mode="nearest", origin=(-(REACH // 2), 0))
+    return np.maximum(np.maximum(below, above), np.finfo(float).tiny)
 
 
 def _power(x: Array, frequency: float, rate: float) -> float:

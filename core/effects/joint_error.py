@@ -81,20 +81,20 @@ def _true_motion(J: Array, dq: Array, error: Array, g0: Array, a0: Array, omega0
     return out
 
 
-def true_motion(scene: Scene, error: Array, jerkiness: Array | None = None) -> Motion:
+def true_motion(scene: Scene, error: Array, acceleration: Array | None = None) -> Motion:
     """The sensor's motion with joints at `q + error`.
 
     Args:
         scene: with joints.
         error: (N, n), rad. What its own change adds to velocities is left out; it is slow against the motion.
-        jerkiness: (N, n), second derivative of the error, rad/s2, where it is not slow.
+        acceleration: (N, n), second derivative of the error, rad/s2, where it is not slow.
     """
     if scene.jacobian is None or scene.dq is None:
         raise ValueError("an error of the joints needs a scene with joints (see Effect.missing)")
     m = scene.motion
     out = _true_motion(scene.jacobian, scene.dq, np.ascontiguousarray(error), m.g, m.a, m.omega, m.alpha, scene.period)
-    if jerkiness is not None:
-        extra = (scene.jacobian @ jerkiness[:, :, None])[:, :, 0]
+    if acceleration is not None:
+        extra = np.einsum("nij,nj->ni", scene.jacobian, acceleration)
         out[1] += extra[:, :3]
         out[3] += extra[:, 3:]
     return Motion(out[0], out[1], out[2], out[3])
@@ -118,7 +118,7 @@ def joint_torque(scene: Scene) -> Array:
         return scene.torque
     if scene.jacobian is None:
         raise ValueError("joint torques need a scene with joints (see Effect.missing)")
-    return np.asarray((rigid_wrench(scene.motion, scene.phi)[:, None, :] @ scene.jacobian)[:, 0, :])
+    return np.asarray(np.einsum("ni,nij->nj", rigid_wrench(scene.motion, scene.phi), scene.jacobian))
 
 
 def largest(theta: Array) -> int:

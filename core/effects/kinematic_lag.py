@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
+from core.effects.excitation import stillness
 from core.effects.filters import derivative
 from core.effects.scene import Scene
 
@@ -15,8 +16,9 @@ Array = NDArray[np.float64]
 class KinematicLag(Effect):
     """`W = w + tau dw/dt`: the wrench of the true motion, which is ahead of the recorded one.
 
-    Recorded joints are `q_rec = q / (1 + tau s)`, so the true ones are `q = q_rec + tau dq_rec/dt`, and the wrench is a function of the motion,
-    `w(q + tau dq) = w + tau dw/dt + O(tau^2)`. The remainder is quadratic in velocities times `tau` (1e-3 of the wrench at 1 rad/s and 30 ms).
+    Recorded joints are `q_rec = q / (1 + tau s)`, so the true ones are `q = q_rec + tau dq_rec/dt`, and the wrench is a function of the
+    motion, `w(q + tau dq) = w + tau dw/dt + O(tau^2)`. The remainder is quadratic in velocities times `tau` (1e-3 of the wrench at 1
+    rad/s and 30 ms).
     """
 
     id = "kinematic_lag"
@@ -29,7 +31,11 @@ class KinematicLag(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        return w + theta[0] * derivative(w, scene.period)
+        return np.asarray(w + theta[0] * derivative(w, scene.period))
+
+    def missing(self, scene: Scene) -> str | None:
+        """See `Effect.missing`."""
+        return stillness(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """See `Effect.starts`."""

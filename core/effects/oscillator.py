@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
-from scipy.linalg import expm
 
 Array = NDArray[np.float64]
 
@@ -35,15 +36,21 @@ def oscillate(u: Array, period: float, frequency_hz: float, damping: float) -> t
         y, y', y'', each (N, c).
     """
     w = 2.0 * np.pi * frequency_hz
-    block = np.zeros((4, 4))
-    block[0, 1] = 1.0
-    block[1, :3] = -w * w, -2.0 * damping * w, w * w
-    block[2, 3] = 1.0 / period
-    E = expm(period * block)
+    E = _transition(w, damping, period)
+    constant = np.array([1.0, 0.0]) - E[:, 0]
+    ramp = np.array([1.0, 0.0]) + (E - np.eye(2)) @ np.array([2.0 * damping / w, -1.0]) / period
     out = np.empty((2, *u.shape))
-    _run(np.ascontiguousarray(u), E[:2, :2], E[:2, 2] - E[:2, 3], E[:2, 3], out)
+    _run(np.ascontiguousarray(u), E, constant - ramp, ramp, out)
     y, rate = out
     return y, rate, w * w * (u - y) - 2.0 * damping * w * rate
+
+
+def _transition(w: float, damping: float, h: float) -> Array:
+    """(2, 2), takes `[y, y']` over h seconds without input: the matrix exponential, written out."""
+    root = w * cmath.sqrt(1.0 - damping**2)
+    C = cmath.cos(root * h).real
+    S = (cmath.sin(root * h) / root).real if abs(root) * h > 1e-7 else h
+    return np.asarray(np.exp(-damping * w * h) * np.array([[C + damping * w * S, S], [-w * w * S, C - damping * w * S]]))
 
 
 def spectral_peaks(residual: Array, period: float, lower_hz: float, upper_hz: float, count: int) -> list[float]:

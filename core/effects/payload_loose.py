@@ -20,9 +20,9 @@ SHARES = ("xx", "xy", "xz", "yy", "yz", "zz")
 class PayloadLoose(Effect):
     """A part at r hangs on springs: `u'' + 2 zeta w u' + w^2 u = -b`, b the specific force `a - g` at r, sensor axes.
 
-    What moves is given by a symmetric matrix of shares of the payload's mass, `s = m S u` (kg m): `S = share e e^T` for a part on a slide along
-    e, `share 1` for one that is free in all directions. Its first moment s adds
-    `f = s'' + 2 omega x s' + alpha x s + omega x (omega x s)` and `tau = r x f + s x b`. That the swinging part turns its own surroundings
+    What moves is given by a symmetric matrix of shares of the payload's mass, `s = m S u` (kg m): `S = share e e^T` for a part on a slide
+    along e, `share 1` for one that is free in all directions. Its first moment s adds
+    `f = s'' + 2 omega x s' + alpha x s + omega x (omega x s)` and `tau = r x f + s x b`. What the moving frame does to the swing itself
     is left out, as is `s x s''`.
     """
 
@@ -49,7 +49,7 @@ class PayloadLoose(Effect):
         to_moment = -scene.phi[0] * part.shares / (2.0 * np.pi * part.frequency_hz) ** 2
         s, ds, dds = y @ to_moment, rate @ to_moment, acceleration @ to_moment
         f = dds + 2.0 * cross(m.omega, ds) + cross(m.alpha, s) + cross(m.omega, cross(m.omega, s))
-        return w + np.hstack([f, cross(r, f) + cross(s, b)])
+        return np.asarray(w + np.hstack([f, cross(r, f) + cross(s, b)]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Where the residual's spectrum has peaks, and over the plausible range."""

@@ -47,6 +47,6 @@ class PayloadMassChange(Effect):
         verb = "gained" if theta[1] > 0 else "lost"
         x, y, z = 1e3 * theta[2:5]
         return (
-            f"Check the payload: at {theta[0]:.1f} s it {verb} {1e3 * abs(theta[1]):.0f} g at ({x:.0f}, {y:.0f}, {z:.0f}) mm from the sensor; "
-            "identify it again afterwards."
+            f"Check the payload: at {theta[0]:.1f} s it {verb} {1e3 * abs(theta[1]):.0f} g "
+            f"at ({x:.0f}, {y:.0f}, {z:.0f}) mm from the sensor; identify it again afterwards."
         )

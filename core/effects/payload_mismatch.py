@@ -19,7 +19,7 @@ SMALLEST_LEVER = 1e-3
 
 _PARTS = {"mass": (slice(0, 1), 0.01), "first moment": (slice(1, 4), 0.01), "inertia": (slice(4, 10), 0.03)}
 _SUFFIXES = {"kg": "kg", "kg m": "kgm", "kg m2": "kgm2"}
-_SCALES = np.array([0.1, *[0.01] * 3, *[0.002] * 6])
+_SCALES = (0.1, *[0.01] * 3, *[0.002] * 6)
 
 
 class PayloadMismatch(Symptom):
@@ -37,7 +37,7 @@ class PayloadMismatch(Symptom):
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""
         return tuple(
-            Parameter(f"{name.lower()}_difference_{_SUFFIXES[unit]}", unit, 0.0, -np.inf, np.inf, scale)
+            Parameter(f"{name.lower()}_difference_{_SUFFIXES[unit]}", unit, 0.0, -1e3 * scale, 1e3 * scale, scale)
             for name, unit, scale in zip(PHI_NAMES, PHI_UNITS, _SCALES, strict=True)
         )
 

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 class PayloadShift(Effect):
-    """The first moment jumps by d at t0, and the inertia with it as if what slips were at the centre of mass c: `2 c.d 1 - c d^T - d c^T`."""
+    """The first moment jumps by d at t0, and the inertia by `2 c.d 1 - c d^T - d c^T`: as if what slips were at the centre of mass c."""
 
     id = "payload_shift"
     title = "a payload that slipped"

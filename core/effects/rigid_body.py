@@ -55,7 +55,7 @@ def rotation(vector: Array) -> Array:
     """(3, 3) matrix of a rotation vector (3,), Rodrigues' formula; smooth at zero."""
     angle = np.linalg.norm(vector)
     K = np.array([[0.0, -vector[2], vector[1]], [vector[2], 0.0, -vector[0]], [-vector[1], vector[0], 0.0]])
-    return np.eye(3) + np.sinc(angle / np.pi) * K + 0.5 * np.sinc(0.5 * angle / np.pi) ** 2 * (K @ K)
+    return np.asarray(np.eye(3) + np.sinc(angle / np.pi) * K + 0.5 * np.sinc(0.5 * angle / np.pi) ** 2 * (K @ K))
 
 
 def centre_of_mass(scene: Scene) -> Array:

@@ -16,6 +16,10 @@ MATERIAL = 0.05
 """Share of the samples that are held or lost."""
 SIGNIFICANT = 5.0
 """Standard deviations."""
+USUAL = 1e-4
+"""Share of the rows that a good recorder may hold or lose."""
+CHANCE = 0.01
+"""A block tells nothing when fresh rows would repeat all channels with more than this chance."""
 BLOCK = 200
 """Samples over which the channels' own chance to repeat a value is taken as constant."""
 
@@ -23,8 +27,8 @@ BLOCK = 200
 class SampleDropout(Symptom):
     """Share of rows whose six channels repeat the row before beyond what rounding alone explains, and share of rows missing from the clock.
 
-    Rounded noise repeats a value by chance, each channel on its own: with share `p` held, a channel repeats with `e_i = p + (1 - p) c_i` and all six with
-    `p + (1 - p) c_1 ... c_6`; both are counted, `p` is solved for. Material from 5 % of the samples.
+    Rounded noise repeats a value by chance, each channel on its own: with share `p` held, a channel repeats with `e_i = p + (1 - p) c_i`
+    and all six with `p + (1 - p) c_1 ... c_6`; both are counted, `p` is solved for. Material from 5 % of the samples.
     """
 
     id = "sample_dropout"
@@ -43,7 +47,7 @@ class SampleDropout(Symptom):
         lost = lost_share(recording.t)
         std = np.sqrt(np.array([held * (1 - held) + 1e-6, lost * (1 - lost) + 1e-6]) / np.array([max(informative, 1), len(recording)]))
         rows = informative if held >= lost else len(recording)
-        sigma = max(held, lost) * math.sqrt(rows) / math.sqrt(1e-4)  # against one row in ten thousand, which happens in good recorders
+        sigma = rows * (max(held, lost) - USUAL) / math.sqrt(rows * USUAL + 1)
         if sigma < SIGNIFICANT or max(held, lost) < 1e-3:
             return None
         period = float(np.median(np.diff(recording.t)))
@@ -73,6 +77,9 @@ def held_share(wrench: Array) -> tuple[float, int, int]:
     joint = every[: blocks * BLOCK].reshape(blocks, BLOCK).mean(axis=1)
     shares = np.array([_solved(joint[b], e[b]) for b in range(blocks)])
     told = np.isfinite(shares)
+    if told.mean() > 0.5:  # where noise is seen elsewhere, a wrench that stands still altogether is held
+        shares[joint == 1.0] = 1.0
+        told |= joint == 1.0
     edges = np.flatnonzero(np.diff(np.concatenate([[0], every.astype(int), [0]])))
     longest = int(np.max(edges[1::2] - edges[::2], initial=0))
     return (float(shares[told].mean()), int(told.sum()) * BLOCK, longest) if told.any() else (0.0, 0, longest)
@@ -91,7 +98,7 @@ def _solved(joint: float, e: Array) -> float:
     if joint == 0:
         return 0.0
     low, high = 0.0, float(e.min())
-    if _by_chance(0.0, e) > 0.3 * joint and high > 0.8:
+    if _by_chance(min(joint, high), e) > CHANCE or joint == 1.0:
         return math.nan
     if _by_chance(0.0, e) >= joint:
         return 0.0

@@ -28,11 +28,13 @@ class SensorCrosstalk(Effect):
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
         full = np.repeat([1.0, ARM], 3) if scene.range is None else scene.range
-        return tuple(self._entry(i, j, PLAUSIBLE * float(full[i] / full[j])) for i, j in zip(ROW, COLUMN, strict=True))
+        return tuple(self._entry(i, j, PLAUSIBLE * float(full[i] / full[j])) for i, j in zip(ROW.tolist(), COLUMN.tolist(), strict=True))
 
     def _entry(self, i: int, j: int, scale: float) -> Parameter:
         name = f"{CHANNELS[i]}_from_{CHANNELS[j]}_{SUFFIXES[i]}_per_{SUFFIXES[j]}"
-        return Parameter(name, "1" if UNITS[i] == UNITS[j] else f"{UNITS[i]}/({UNITS[j]})", 0.0, -20 * scale, 20 * scale, scale)
+        return Parameter(
+            name, "1" if UNITS[i] == UNITS[j] else f"{UNITS[i]}/({UNITS[j]})".replace("(N)", "N"), 0.0, -20 * scale, 20 * scale, scale
+        )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""

@@ -18,7 +18,8 @@ REFERENCE = 60.0
 class SensorDrift(Effect):
     """`W = w + A (1 - exp(-k t)) / (1 - exp(-k 60 s)) + B (T - T(0))`, the last term where the temperature is recorded.
 
-    Zero at the start, `A` after one minute. `k` is one over the time constant: a ramp is `k = 0`, and a drift that grows faster and faster has `k < 0`.
+    Zero at the start, `A` after one minute. `k` is one over the time constant: a ramp is `k = 0`, and a drift that grows faster and
+    faster has `k < 0`.
     """
 
     id = "sensor_drift"
@@ -28,12 +29,12 @@ class SensorDrift(Effect):
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
         time = (
-            *amplitudes("drift_per_minute", bound=six(50.0, 2.5), scale=six(1.0, 0.05)),
+            *amplitudes("first_minute", bound=six(50.0, 2.5), scale=six(1.0, 0.05)),
             Parameter("settling_rate_per_s", "1/s", 0.0, -0.02, 2.0, 0.03),
         )
         if scene.temperature is None:
             return time
-        return (*time, *amplitudes("drift_per_kelvin", bound=six(10.0, 0.5), scale=six(0.3, 0.015)))
+        return (*time, *amplitudes("drift", bound=six(10.0, 0.5), scale=six(0.3, 0.015), per="K"))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""

@@ -18,9 +18,10 @@ Array = NDArray[np.float64]
 class SensorHysteresis(Effect):
     """`W = w - exp(-s) (w - play_R(w))` with `R = h FS exp(s)`.
 
-    The reading is at most `h FS` behind the load: half the height of the loop. At `s = 0` this is the play operator; with `s > 0` the loop turns more
-    gently, over a change of load `exp(s)` times as long, as sensors (and the Bouc-Wen model) do. Starts without hysteresis; the constant offset
-    stands for what happened before. Source: Visintin, Differential Models of Hysteresis (1994), ch. III (play and stop).
+    The reading is at most `h FS` behind the load: half the height of the loop. At `s = 0` this is the play operator; with `s > 0` the
+    loop turns more gently, over a change of load `exp(s)` times as long, as sensors (and the Bouc-Wen model) do. Starts without
+    hysteresis; the constant offset stands for what happened before. Source: Visintin, Differential Models of Hysteresis (1994), ch. III
+    (play and stop).
     """
 
     id = "sensor_hysteresis"

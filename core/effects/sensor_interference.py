@@ -18,7 +18,8 @@ SIGNIFICANT = 5.0
 class SensorInterference(Symptom):
     """`A sin(2 pi f t + phase)` in each channel, found in the raw wrench of the holds, where no motion hides it.
 
-    Material where the line's power exceeds that of the noise of a sample in some channel. What rings down within the holds is no interference.
+    Material where the line's power exceeds that of the noise of a sample in some channel. What rings down within the holds is no
+    interference.
     """
 
     id = "sensor_interference"
@@ -47,8 +48,8 @@ class SensorInterference(Symptom):
         if not steady(noise, line.frequency, samples_per_second, int(relative.argmax())):
             return None
         sentence = (
-            f"a line at {line.frequency:.2f} Hz{_source(line.frequency, samples_per_second)} with amplitudes up to {in_words(line.amplitude)}, "
-            f"{relative.max():.1f} times the noise beside it"
+            f"a line at {line.frequency:.2f} Hz{_source(line.frequency, samples_per_second)} "
+            f"with amplitudes up to {in_words(line.amplitude).replace('+', '')}, {relative.max():.1f} times the noise beside it"
         )
         theta = np.append(line.frequency, line.amplitude)
         std = np.append(line.frequency_std, line.amplitude_std)
@@ -56,7 +57,10 @@ class SensorInterference(Symptom):
 
     def advice(self, finding: Finding) -> str:
         """See `Symptom.advice`."""
-        return f"Lead the sensor's cable away from motor and mains cables and ground its shield at one end, to be rid of the line at {finding.theta[0]:.1f} Hz."
+        return (
+            "Lead the sensor's cable away from motor and mains cables and ground its shield at one end, "
+            f"to be rid of the line at {finding.theta[0]:.1f} Hz."
+        )
 
 
 def _source(frequency: float, samples_per_second: float) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
+from core.effects.excitation import stillness
 from core.effects.filters import low_passed
 from core.effects.scene import Scene
 
@@ -18,8 +19,8 @@ Array = NDArray[np.float64]
 class SensorLowpass(Effect):
     """`W = w / (1 + tau s + kappa (tau s)^2)`.
 
-    `kappa = 0` is the first order with corner frequency `1 / (2 pi tau)`, 1/4 two equal poles, 1/2 a Butterworth filter of second order; slow
-    signals are late by `tau` whatever `kappa` is. Computed as two poles in a row, complex ones for `kappa > 1/4`.
+    `kappa = 0` is the first order with corner frequency `1 / (2 pi tau)`, 1/4 two equal poles, 1/2 a Butterworth filter of second order;
+    slow signals are late by `tau` whatever `kappa` is. Computed as two poles in a row, complex ones for `kappa > 1/4`.
     """
 
     id = "sensor_lowpass"
@@ -39,6 +40,10 @@ class SensorLowpass(Effect):
             return np.ascontiguousarray(low_passed(low_passed(w, slow, scene.period), fast, scene.period).real)
         return low_passed(low_passed(w, slow.real, scene.period), fast.real, scene.period)
 
+    def missing(self, scene: Scene) -> str | None:
+        """See `Effect.missing`."""
+        return stillness(scene)
+
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """See `Effect.starts`."""
         return [
@@ -48,4 +53,4 @@ class SensorLowpass(Effect):
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
         cutoff_hz = 1 / (2 * math.pi * max(float(theta[0]), 1e-6))
-        return f"Switch the sensor's filter off or raise it well above {cutoff_hz:.0f} Hz; it makes slow signals late by {1e3 * theta[0]:.0f} ms."
+        return f"Switch the sensor's filter off or raise it well above {cutoff_hz:.0f} Hz; it delays by {1e3 * theta[0]:.0f} ms."

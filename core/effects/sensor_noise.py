@@ -7,15 +7,20 @@ from numpy.typing import NDArray
 
 from core.effects.channels import CHANNELS, largest
 from core.effects.effect import Finding, Parameter, Symptom, View
-from core.effects.hold_noise import fresh, hold_noise, line_in, rate, steady, without_line
+from core.effects.hold_noise import hold_noise, line_in, rate, steady, without_line
+from core.effects.sample_dropout import held_share
 from core.effects.sensor_interference import SIGNIFICANT
 from core.effects.sensor_quantization import step_of
 from core.recording import Recording
 
 Array = NDArray[np.float64]
 
+HELD = 0.01
+"""Share of held samples from which on they are left out."""
 TOLERANCE = 0.1
 """Stated noise figures are not better than this."""
+HIDDEN = 2.0
+"""Steps of so many standard deviations hide the noise."""
 MATERIAL = 1.3
 """Times the stated noise, over all frequencies."""
 MATERIAL_SLOW = 1.7
@@ -25,8 +30,8 @@ MATERIAL_SLOW = 1.7
 class SensorNoise(Symptom):
     """Noise `v_k = rho v_(k-1) + e_k` (AR(1)) of `factor` times the stated standard deviation, in the later part of the holds.
 
-    Trend, mains line, repeated samples and what the visible resolution adds are taken out first. Material where it is more than 1.3 times the stated
-    noise, or, correlated, 1.7 times of it in what is slow against the samples, `factor sqrt((1 + rho)/(1 - rho))`.
+    Trend, mains line, repeated samples and what the visible resolution adds are taken out first. Material where it is more than 1.3 times
+    the stated noise, or, correlated, 1.7 times of it in what is slow against the samples, `factor sqrt((1 + rho)/(1 - rho))`.
     """
 
     id = "sensor_noise"
@@ -47,19 +52,22 @@ class SensorNoise(Symptom):
         step = np.array([step_of(channel) or 0.0 for channel in wrench.T])
         variance, rho, spread = _moments(noise)
         effective = np.maximum(1.0, sum(len(part) for part in noise) * (1 - rho**2) / (1 + rho**2))  # Bartlett 1946
-        factor = np.sqrt(variance / (stated**2 + step**2 / 12))
+        factor = np.sqrt(np.maximum(variance - step**2 / 12, 0.0)) / stated
+        hidden = step > HIDDEN * stated
+        factor, rho = np.where(hidden, 1.0, factor), np.where(hidden, 0.0, rho)
         std = factor * np.sqrt(1 / (2 * effective) + spread**2)
         common = float(np.median(rho))
         slow = factor * np.sqrt((1 + np.clip(rho, 0, 0.999)) / (1 - np.clip(rho, 0, 0.999)))
         rho_std = 1 / np.sqrt(6 * effective.mean())
-        sigma = max(float(((factor - 1 - TOLERANCE) / std).max()), (common - TOLERANCE) / rho_std if common > 0 else 0.0)
+        sigma = max(float(((factor - 1 - TOLERANCE) / std).max()), float((common - TOLERANCE) / rho_std))
         if sigma < SIGNIFICANT or not (factor.max() > 1 + TOLERANCE or slow.max() > MATERIAL):
             return None
         k, channel = largest(factor)
-        sentence = f"the noise of {channel} in the holds is {factor[k]:.2f} times the stated one, its correlation from sample to sample {common:.2f}"
-        return Finding(
-            np.append(factor, common), np.append(std, rho_std), sigma, bool(factor.max() > MATERIAL or slow.max() > MATERIAL_SLOW), sentence
+        sentence = (
+            f"the noise of {channel} in the holds is {factor[k]:.2f} times the stated one, its correlation between samples {common:.2f}"
         )
+        material = bool(factor.max() > MATERIAL or slow.max() > MATERIAL_SLOW)
+        return Finding(np.append(factor, common), np.append(std, rho_std), sigma, material, sentence)
 
     def advice(self, finding: Finding) -> str:
         """See `Symptom.advice`."""
@@ -71,9 +79,12 @@ class SensorNoise(Symptom):
 
 
 def _lineless(recording: Recording, view: View) -> list[Array]:
-    """Noise of the holds without the mains line, repeated samples left out."""
+    """Noise of the holds without the mains line, held samples left out."""
     if recording.wrench is None:
         return []
+    if held_share(recording.wrench)[0] > HELD:
+        fresh = np.concatenate([[True], (np.diff(recording.wrench, axis=0) != 0).any(axis=1)])
+        return hold_noise(recording, view.holds, keep=fresh)
     noise = hold_noise(recording, view.holds)
     samples_per_second = rate(recording)
     line = line_in(noise, samples_per_second)
@@ -81,7 +92,7 @@ def _lineless(recording: Recording, view: View) -> list[Array]:
         k = int((line.amplitude / line.floor).argmax())
         if steady(noise, line.frequency, samples_per_second, k):
             noise = without_line(noise, line.frequency, samples_per_second)
-    return [part[fresh(part)] for part in noise]
+    return noise
 
 
 def _moments(noise: list[Array]) -> tuple[Array, Array, Array]:

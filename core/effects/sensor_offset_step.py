@@ -43,4 +43,6 @@ class SensorOffsetStep(Effect):
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
-        return f"Check the sensor's plug and cable and tare it again: its offset jumped {theta[6]:.1f} s after the start by {in_words(theta[:6])}."
+        return (
+            f"Check the sensor's plug and cable and tare it: {theta[6]:.1f} s after the start its offset jumped by {in_words(theta[:6])}."
+        )

@@ -20,7 +20,8 @@ VISIBLE = 0.5
 class SensorQuantization(Symptom):
     """`round(W / d) d`: the step `d` read off the distinct values of each channel.
 
-    Material where `d` is coarser than stated and its rounding is more than half of the noise: finer steps are dithered away by the noise itself.
+    Material where `d` is coarser than stated and its rounding is more than half of the noise: finer steps are dithered away by the noise
+    itself.
     """
 
     id = "sensor_quantization"

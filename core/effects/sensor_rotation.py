@@ -35,4 +35,7 @@ class SensorRotation(Effect):
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
         x, y, z = np.degrees(theta)
-        return f"Correct the sensor frame in the URDF: turn it by {x:+.2f}, {y:+.2f} and {z:+.2f} deg about its x, y and z axes, or remount the sensor."
+        return (
+            f"Correct the sensor frame in the URDF: turn it by {x:+.2f}, {y:+.2f} and {z:+.2f} deg about its x, y and z axes, "
+            "or remount the sensor."
+        )

@@ -18,7 +18,8 @@ CORNER = 0.01
 class SensorSaturation(Effect):
     """`W = clip(w, -1/l, 1/u)` with a rounded corner, for each channel.
 
-    The reciprocals are fitted: zero is no limit. Upper and lower limits differ because the sensor clips load and offset together, and `w` is without offset.
+    The reciprocals are fitted: zero is no limit. Upper and lower limits differ because the sensor clips load and offset together, and `w`
+    is without offset.
     """
 
     id = "sensor_saturation"
@@ -28,7 +29,14 @@ class SensorSaturation(Effect):
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`: six upper limits, then six lower ones."""
         return tuple(
-            Parameter(f"{channel}_{side}_limit_per_{suffix}", f"1/({unit})", 0.0, 0.0, float(20 * scale), float(scale))
+            Parameter(
+                f"{channel}_{side}_limit_per_{suffix}",
+                f"1/({unit})" if " " in unit else f"1/{unit}",
+                0.0,
+                0.0,
+                float(20 * scale),
+                float(scale),
+            )
             for side in ("upper", "lower")
             for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, six(0.1, 2.0), strict=True)
         )
@@ -83,7 +91,7 @@ def _limit_seen(x: Array, residual: Array) -> tuple[float, float]:
     nuisance, _ = np.linalg.qr(np.column_stack([np.ones_like(x), x]))
     r = residual - nuisance @ (nuisance.T @ residual)
     best = (0.0, 25.0)
-    for limit in top * np.linspace(0.3, 0.98, 18):
+    for limit in top * np.linspace(0.08, 0.98, 24):
         missing = limited(x, limit) - x
         missing -= nuisance @ (nuisance.T @ missing)
         along, size = float(missing @ r), float(missing @ missing)

@@ -32,7 +32,11 @@ class SensorTranslation(Effect):
 
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""
-        return None if np.any(scene.motion.omega) else "nothing turns in this recording: the place of the sensor's origin does not show at rest"
+        return (
+            None
+            if np.any(scene.motion.omega)
+            else "nothing turns in this recording: the place of the sensor's origin does not show at rest"
+        )
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""

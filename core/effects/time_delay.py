@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
+from core.effects.excitation import stillness
 from core.effects.filters import delayed
 from core.effects.scene import Scene
 
@@ -26,6 +27,10 @@ class TimeDelay(Effect):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
         return delayed(w, theta[0] / scene.period)
+
+    def missing(self, scene: Scene) -> str | None:
+        """See `Effect.missing`."""
+        return stillness(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """See `Effect.starts`."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from core.effects.channels import shares
 from core.effects.effect import Effect, Parameter
 from core.effects.oscillator import oscillate, spectral_peaks
 from core.effects.rigid_body import rigid_wrench
@@ -12,13 +13,11 @@ from core.effects.scene import Scene
 
 Array = NDArray[np.float64]
 
-CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
-
 
 class ToolFlexibility(Effect):
-    """A share of each channel of the payload's wrench arrives through an oscillator: `w + diag(e) (G(s) - 1) V phi`, `G = w^2 / (s^2 + 2 zeta w s + w^2)`.
+    """A share of each channel of the payload's wrench arrives through an oscillator: `w + diag(e) (G(s) - 1) V phi`.
 
-    `G(0) = 1`: at rest nothing changes, so only the part that motion causes rings.
+    `G = w_n^2 / (s^2 + 2 zeta w_n s + w_n^2)`, so `G(0) = 1`: at rest nothing changes, so only the part that motion causes rings.
     """
 
     id = "tool_flexibility"
@@ -31,7 +30,7 @@ class ToolFlexibility(Effect):
         return (
             Parameter("frequency_hz", "Hz", min(20.0, 0.5 * highest), min(4.0, 0.2 * highest), highest, 10.0),
             Parameter("damping_ratio", "1", 0.05, 0.002, 1.0, 0.1),
-            *(Parameter(f"{channel}_share", "1", 0.0, -2.0, 3.0, 0.7) for channel in CHANNELS),
+            *shares("share", lower=-2.0, upper=3.0, scale=0.7),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,11 +11,14 @@ from core.effects.scene import Scene
 from core.inertia import regressor
 
 Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
 
 LEVER = 0.05
 """Noise of torque over noise of force for common wrist sensors, m; used where the sensor's description does not say."""
-ROWS = 1500
+ROWS = 2000
 """The search looks at no more rows than about this many."""
+COARSE = 60
+"""Parts of the run between which windows are first looked for."""
 
 
 def weights(scene: Scene) -> Array:
@@ -38,41 +43,71 @@ def best_windows(scene: Scene, residual: Array, columns: Array, count: int, *, o
     Returns:
         Beginnings and ends, s.
     """
-    step = max(1, len(scene) // ROWS)
-    t = scene.t[::step]
-    scale = weights(scene)
-    X = (columns[::step] * scale[:, None]).transpose(0, 2, 1)
-    k = X.shape[1]
-    offsets = np.broadcast_to(np.eye(6), (len(t), 6, 6))
-    Z = np.concatenate([regressor(scene.motion[::step]) * scale[:, None], offsets], axis=2).transpose(0, 2, 1)
-    r = residual[::step]
-    grid = np.unique(np.linspace(0, len(t), 150 if open_end else 60).astype(int))
-    XX, XZ, Xr = (_integrals(part, grid) for part in (X @ X.transpose(0, 2, 1), X @ Z.transpose(0, 2, 1), (X @ r[:, :, None])))
-    ZZ = np.linalg.pinv(np.einsum("nik,njk->ij", Z, Z), rcond=1e-9, hermitian=True)
-    first, last = (np.arange(1, len(grid) - 1), np.full(len(grid) - 2, len(grid) - 1)) if open_end else np.triu_indices(len(grid), 2)
-    B = XZ[last] - XZ[first]
-    A = XX[last] - XX[first] - B @ ZZ @ B.transpose(0, 2, 1)
-    c = Xr[last] - Xr[first]
-    A += 1e-6 * (np.trace(XX[-1]) / k * np.eye(k))
-    gain = (c.transpose(0, 2, 1) @ np.linalg.solve(A, c))[:, 0, 0]
-    return _distinct(np.append(t, t[-1])[grid[first]], np.append(t, t[-1])[grid[last]], gain, count)
+    rows = slice(0, None, max(1, len(scene) // ROWS))
+    gain = _Gain.of(scene, residual, columns, rows)
+    t = np.append(scene.t[rows], scene.t[-1])
+    N = len(t) - 1
+    if open_end:
+        first = np.arange(2, N - 1)
+        last = np.full(len(first), N)
+    else:
+        first, last = (index * N // COARSE for index in np.triu_indices(COARSE + 1, 1))
+    found = _distinct(first, last, gain(first, last), count, N // 20)
+    if not open_end:
+        found = [_refined(gain, begin, end, N // COARSE, N) for begin, end in found]
+    return [(float(t[begin]), float(t[end])) for begin, end in found]
 
 
-def _integrals(values: Array, grid: NDArray[np.intp]) -> Array:
-    """Sums of the rows before each of the grid's."""
-    total = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
-    return np.asarray(total[grid])
+class _Gain(NamedTuple):
+    """Sums over the rows before each (N + 1, ...), and the inverse of the payload's and offsets' normal matrix."""
+
+    XX: Array
+    XZ: Array
+    Xr: Array
+    inverse: Array
+
+    @classmethod
+    def of(cls, scene: Scene, residual: Array, columns: Array, rows: slice) -> _Gain:
+        scale = weights(scene)
+        X = (columns[rows] * scale[:, None]).transpose(0, 2, 1)
+        V = regressor(scene.motion[rows]) * scale[:, None]
+        Z = np.concatenate([V, np.broadcast_to(np.eye(6), (len(V), 6, 6))], axis=2)
+        ZZ = np.tensordot(Z, Z, axes=((0, 1), (0, 1)))
+        sums = (_integral(X @ X.transpose(0, 2, 1)), _integral(X @ Z), _integral(X @ residual[rows][:, :, None]))
+        return cls(*sums, np.linalg.pinv(ZZ, rcond=1e-9, hermitian=True))
+
+    def __call__(self, first: Rows, last: Rows) -> Array:
+        """Sum of squares that the columns take out of the residual when they are on in rows `first` to `last` (excluded)."""
+        B = self.XZ[last] - self.XZ[first]
+        A = self.XX[last] - self.XX[first] - B @ self.inverse @ B.transpose(0, 2, 1)
+        k = A.shape[1]
+        A += 1e-6 / k * np.trace(self.XX[-1]) * np.eye(k)
+        c = self.Xr[last] - self.Xr[first]
+        return np.asarray((c.transpose(0, 2, 1) @ np.linalg.solve(A, c))[:, 0, 0])
 
 
-def _distinct(begin: Array, end: Array, gain: Array, count: int) -> list[tuple[float, float]]:
-    found: list[tuple[float, float]] = []
-    near = 0.05 * (end.max() - begin.min())
+def _integral(values: Array) -> Array:
+    return np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
+
+
+def _distinct(first: Rows, last: Rows, gain: Array, count: int, near: int) -> list[tuple[int, int]]:
+    """The best windows, no two of them within `near` rows of each other."""
+    found: list[tuple[int, int]] = []
     for i in np.argsort(-gain):
-        if all(abs(begin[i] - b) + abs(end[i] - e) > near for b, e in found):
-            found.append((float(begin[i]), float(end[i])))
+        if all(abs(first[i] - begin) + abs(last[i] - end) > near for begin, end in found):
+            found.append((int(first[i]), int(last[i])))
         if len(found) == count:
             break
     return found
+
+
+def _refined(gain: _Gain, begin: int, end: int, cell: int, N: int) -> tuple[int, int]:
+    """The best window whose ends are within a cell of the given ones."""
+    around = np.unique(np.linspace(-cell, cell, 21).astype(int))
+    first, last = (x.ravel() for x in np.meshgrid(np.clip(begin + around, 0, N - 1), np.clip(end + around, 1, N)))
+    first, last = first[first < last], last[first < last]
+    best = int(np.argmax(gain(first, last)))
+    return int(first[best]), int(last[best])
 
 
 def onset(t: Array, at: float, period: float) -> Array:

@@ -36,6 +36,9 @@ PRIOR_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0), np.full(2,
 ITERATIONS = 8
 DRIFT_STEPS = 12
 LARGEST_DELAY_S = 0.05
+LARGEST_NOISE_SHARE = 0.9
+"""Of the information in one direction; where noise alone makes up more, the direction counts as unknown."""
+SMALLEST_SHARE = 1e-4
 
 
 @dataclass(frozen=True)
@@ -149,7 +152,7 @@ class _Problem:
         M = spatial_inertia(phi)
         kinematic = np.diag(M @ K @ M.T)
         size = self.size
-        normal, right = np.zeros((size, size)), np.zeros(size)
+        normal, right, bias = np.zeros((size, size)), np.zeros(size), np.zeros((10, 10))
         white = []
         for c in range(6):
             # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
@@ -164,21 +167,21 @@ class _Problem:
             unit = _UNIT_REGRESSORS[:, c]
             # trace(C^-1 pose_gram): how much of the pose's noise the weighted windows let through
             passed = len(self.y) * np.mean(self.spectrum / (sensor + kinematic[c] * self.spectrum))
-            normal[:10, :10] -= passed * unit.T @ K @ unit
-        covariance, x = self._with_priors(normal, right)
+            bias += passed * unit.T @ K @ unit
+        covariance, x = self._with_priors(normal, right, bias)
         residuals = [
             w[:, -1] - w[:, :-1] @ np.concatenate((x[:SHARED], [x[OFFSET.start + c]], x[self._drift_rows(c)])) for c, w in enumerate(white)
         ]
         x[DELAY] = np.clip(x[DELAY], -LARGEST_DELAY_S, LARGEST_DELAY_S)
         return covariance, x, np.array(residuals)
 
-    def _with_priors(self, normal: Array, right: Array) -> tuple[Array, Array]:
+    def _with_priors(self, normal: Array, right: Array, bias: Array) -> tuple[Array, Array]:
         """Solves with the priors; the drift's strength is improved along the way."""
         n = self.ramps.shape[1]
         prior = np.concatenate((PRIOR_STD**-2.0, np.repeat(1.0 / self.drift_variance, n)))
         for _ in range(DRIFT_STEPS if n else 1):
             prior[OFFSET.stop :] = np.repeat(1.0 / self.drift_variance, n)
-            covariance = _inverse(normal + np.diag(prior))
+            covariance = _without_bias(_inverse(normal + np.diag(prior)), bias)
             x = covariance @ right
             for c in range(6 if n else 0):
                 rows = self._drift_rows(c)
@@ -189,6 +192,18 @@ class _Problem:
 def _inverse(matrix: Array) -> Array:
     scale = 1.0 / np.sqrt(np.diag(matrix))
     return np.asarray(np.linalg.inv(matrix * np.outer(scale, scale)) * np.outer(scale, scale))
+
+
+def _without_bias(covariance: Array, bias: Array) -> Array:
+    """Inverse of `covariance^-1 - bias`, the bias (10, 10) standing for what noise alone has added to the information on phi.
+
+    Where it stands for all of it, nothing is known: the little that rounding leaves is then replaced by next to nothing.
+    """
+    values, vectors = np.linalg.eigh(bias)
+    root = vectors * np.sqrt(np.maximum(values, 0.0))
+    share, directions = np.linalg.eigh(root.T @ covariance[:10, :10] @ root)
+    gain = covariance[:, :10] @ root @ directions
+    return np.asarray(covariance + (gain / np.where(share < LARGEST_NOISE_SHARE, 1.0 - share, SMALLEST_SHARE)) @ gain.T)
 
 
 def _spectrum(form: WeakForm, wrench_gram: Array, pose_gram: Array) -> Array:

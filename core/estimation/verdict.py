@@ -20,7 +20,7 @@ def verdict_of(estimate: Estimate, *, static: bool) -> str:
     """One or two sentences."""
     if not estimate.determined[0]:
         return f"The payload is not determined: {estimate.reasons['m']}."
-    mass = f"The payload has {estimate.phi[0]:.4g} kg (+-{INTERVAL * estimate.std[0]:.2g} kg, 95 %)"
+    mass = f"The payload has {estimate.phi[0]:.4g} kg (±{INTERVAL * estimate.std[0]:.2g} kg, 95 %)"
     if estimate.determined.all():
         return f"{mass}; all ten inertial parameters are determined."
     if estimate.determined[:4].all() and not estimate.determined[4:].any():

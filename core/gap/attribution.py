@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from core.estimation.generalised_least_squares import correlation_time
 from core.gap.effect_fit import EffectFit
+from core.gap.windows import Windows
 
 Array = NDArray[np.float64]
 
@@ -59,7 +60,7 @@ class Attribution:
     unexplained: float
 
 
-def attribute(nominal: EffectFit, fits: list[EffectFit]) -> Attribution:
+def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> Attribution:
     """Weighs the fits against each other and against the nominal twin."""
     best = min(fits, key=lambda fit: fit.held_out.sum(), default=nominal)
     spread = misfit(best)
@@ -72,7 +73,7 @@ def attribute(nominal: EffectFit, fits: list[EffectFit]) -> Attribution:
     unknown = (1.0 - share["none"]) / (1.0 + np.exp(-(unexplained - UNEXPLAINED_HALF) / UNEXPLAINED_WIDTH))
     keep = 1.0 - unknown
     explained = tuple(sorted(((fit, share[fit.name] * keep) for fit in fits), key=lambda pair: -pair[1]))
-    return Attribution(share["none"] * keep, float(unknown), explained, _ties(nominal, explained), unexplained)
+    return Attribution(share["none"] * keep, float(unknown), explained, _ties(windows, nominal, explained), unexplained)
 
 
 def misfit(fit: EffectFit) -> float:
@@ -95,18 +96,18 @@ def _log_weight(fit: EffectFit, spread: float) -> float:
     return -0.5 * float(fit.held_out.sum()) / spread + prior
 
 
-def _ties(nominal: EffectFit, explained: tuple[tuple[EffectFit, float], ...]) -> tuple[Tie, ...]:
+def _ties(windows: Windows, nominal: EffectFit, explained: tuple[tuple[EffectFit, float], ...]) -> tuple[Tie, ...]:
     """Rivals of the most probable single effect."""
     singles = [fit for fit, _ in explained if len(fit.effects) == 1]
     if not singles:
         return ()
     first = singles[0]
-    ties = [Tie(first, fit, distance_sigma(nominal, first, fit)) for fit in singles[1:]]
+    ties = [Tie(first, fit, distance_sigma(windows, nominal, first, fit)) for fit in singles[1:]]
     return tuple(sorted((tie for tie in ties if tie.distance_sigma < INSEPARABLE_SIGMA), key=lambda tie: tie.distance_sigma))
 
 
-def distance_sigma(nominal: EffectFit, a: EffectFit, b: EffectFit) -> float:
+def distance_sigma(windows: Windows, nominal: EffectFit, a: EffectFit, b: EffectFit) -> float:
     """Distance of two predictions, after payload, offsets and small imperfections have made up for what they can."""
     difference = (a.change - b.change).ravel()
-    seen = nominal.columns.T @ difference
+    seen = windows.X.reshape(len(difference), -1).T @ difference
     return float(np.sqrt(max(0.0, difference @ difference - seen @ nominal.covariance @ seen)))

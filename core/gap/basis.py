@@ -19,9 +19,10 @@ from core.robot import RobotModel
 
 Array = NDArray[np.float64]
 
-GRID_S = 0.01
+GRID_S = 0.005
 """Period of the scene that effects are applied to."""
-SMOOTHING_S = 0.05
+SMOOTHING_S = 0.036
+"""Of the motion that effects act on: short enough for the corners of a trapezoid, long enough for the encoders' noise."""
 FEWEST_WINDOWS = 40
 SLOWEST_PERIOD_S = 0.02
 NOTHING_MOVES_RAD = 0.02
@@ -53,7 +54,10 @@ def basis_of(recording: Recording) -> Basis:
         raise TooLittleError("the sensor hardly turns: payload, offsets and effects cannot be told apart")
     motion, speed = smooth_motion(poses, window_s=SMOOTHING_S)
     segments = segments_of(recording, motion, speed)
-    noise = sensor_noise(recording.wrench, motionless(recording.t, segments), segments, nominal_std=recording.sensor.noise_std) or unknown_noise()
+    noise = (
+        sensor_noise(recording.wrench, motionless(recording.t, segments), segments, nominal_std=recording.sensor.noise_std)
+        or unknown_noise()
+    )
     return Basis(poses, form, noise, recording.wrench, segments, scene_of(recording, poses, motion, segments))
 
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from itertools import combinations
+from multiprocessing import get_context
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,19 +84,33 @@ def diagnose(recording: Recording, effects: Sequence[Effect] | None = None) -> D
 
 
 def gather(windows: Windows, effects: Sequence[Effect]) -> Evidence:
-    """Fits all effects singly, and the best in pairs."""
+    """Fits all effects singly, and the best in pairs, on all cores."""
     nominal = fit_nominal(windows)
     scene = windows.basis.scene.carrying(nominal.phi)
     missing = {effect.id: reason for effect in effects if (reason := effect.missing(scene)) is not None}
-    singles = [
-        fit_effects(windows, (effect,), nominal, effect.starts(scene, _on_grid(windows, nominal)))
-        for effect in effects
-        if effect.id not in missing
-    ]
-    best = sorted(singles, key=lambda fit: float(fit.held_out.sum()))[:PAIRED]
-    pairs = [fit_effects(windows, (*a.effects, *b.effects), a if a.cost < b.cost else b, [_joined(a, b)]) for a, b in combinations(best, 2)]
+    residual = _on_grid(windows, nominal)
+    singly = [((effect,), nominal, effect.starts(scene, residual)) for effect in effects if effect.id not in missing]
+    with ProcessPoolExecutor(mp_context=get_context("fork"), initializer=_share, initargs=(windows,)) as pool:
+        singles = list(pool.map(_fit, singly))
+        best = sorted(singles, key=lambda fit: float(fit.held_out.sum()))[:PAIRED]
+        together = [((*a.effects, *b.effects), min(a, b, key=lambda fit: fit.cost), [_joined(a, b)]) for a, b in combinations(best, 2)]
+        pairs = list(pool.map(_fit, together))
     limits = tuple(f"{name}: {reason}" for name, reason in missing.items())
-    return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribute(nominal, [*singles, *pairs]), limits)
+    return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribute(windows, nominal, [*singles, *pairs]), limits)
+
+
+_shared: Windows
+"""The windows in a worker process: inherited, never sent."""
+
+
+def _share(windows: Windows) -> None:
+    global _shared  # noqa: PLW0603  set once for each worker
+    _shared = windows
+
+
+def _fit(task: tuple[tuple[Effect, ...], EffectFit, list[Array]]) -> EffectFit:
+    effects, start, thetas = task
+    return fit_effects(_shared, effects, start, thetas)
 
 
 def _on_grid(windows: Windows, fit: EffectFit) -> Array:

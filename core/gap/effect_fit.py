@@ -42,7 +42,6 @@ class EffectFit:
         log_evidence: Laplace's.
         held_out: (6, K), chi-square of each row predicted from the other motions, its own prediction's uncertainty counted.
         change: (6, K), what the effects add, whitened.
-        columns: (6K, p), derivatives of the prediction.
     """
 
     effects: tuple[Effect, ...]
@@ -55,7 +54,6 @@ class EffectFit:
     log_evidence: float
     held_out: Array
     change: Array
-    columns: Array
 
     @property
     def name(self) -> str:
@@ -179,7 +177,9 @@ def _finished(problem: _Problem, beta: Array, theta: Array) -> EffectFit:
     columns = np.column_stack((problem.X, J))
     cost = problem.cost(beta, theta)
     log_evidence = -0.5 * cost - 0.5 * float(np.linalg.slogdet(normal)[1] - np.log(problem.precision).sum())
-    held_out = _held_out(problem.windows, columns, r, normal)
+    away = np.concatenate((beta, theta - problem.absent))
+    free = np.concatenate((np.ones(len(beta), dtype=bool), (theta > problem.lower) & (theta < problem.upper)))
+    held_out = _held_out(problem.windows, columns[:, free], r, normal[np.ix_(free, free)], (problem.precision * away)[free])
     shape = problem.windows.target.shape
     return EffectFit(
         problem.effects,
@@ -192,16 +192,20 @@ def _finished(problem: _Problem, beta: Array, theta: Array) -> EffectFit:
         log_evidence,
         held_out,
         rows.reshape(shape),
-        columns,
     )
 
 
-def _held_out(windows: Windows, columns: Array, r: Array, normal: Array) -> Array:
+def _held_out(windows: Windows, columns: Array, r: Array, normal: Array, pull: Array) -> Array:
     """(6, K), chi-square of each row when its whole motion is left out.
 
     With e the prediction error of a motion from all others and S its covariance (noise and what is left open by the others),
-    `e^T S^-1 e = r^T e` where `e = r + Z (N - Z^T Z)^-1 Z^T r` (block form of the leave-one-out identity).
+    `e^T S^-1 e = r^T e` where `e = r + Z (N - Z^T Z)^-1 Z^T r` (block form of the leave-one-out identity). That holds at the optimum of
+    the linearised problem, so the last bit of the way there is gone first.
+
+    Args:
+        pull: gradient of the priors at the fit.
     """
+    r = r - columns @ _solve(normal, columns.T @ r - pull)
     group = np.tile(windows.group, 6)
     result = np.empty_like(r)
     for g in np.unique(group):

@@ -93,13 +93,14 @@ def plan_path(
     return _described(min(short, key=cost), room.margins, collision)
 
 
-def one_turn_away(robot: RobotModel, q: Array, near: Array) -> Array:
+def one_turn_away(robot: RobotModel, q: Array, near: Array, *, room_rad: float = 0.5) -> Array:
     """(K, n), q (n,) and the configurations that differ from it by one whole turn of one joint, within the limits; nearest to `near` first.
 
-    They are the same pose: a goal behind an obstacle may be free to reach the other way round.
+    They are the same pose: a goal behind an obstacle may be free to reach the other way round. The turned ones keep `room_rad` from the
+    limits, so that a rotation that starts there has its room.
     """
     turned = [q + sign * 2.0 * np.pi * unit for unit in np.eye(robot.n) for sign in (-1.0, 1.0)]
-    low, high = robot.lower + 0.05, robot.upper - 0.05
+    low, high = robot.lower + room_rad, robot.upper - room_rad
     within = [row for row in turned if (row >= low).all() and (row <= high).all()]
     return np.stack((q, *sorted(within, key=lambda row: float(np.linalg.norm(row - near)))))
 

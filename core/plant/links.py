@@ -9,13 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.plant.arm import Arm
-from core.plant.faults.fault import Fault, Machine, Setting
-from core.plant.mechanics import PERIOD
+from core.plant.faults.fault import Act, Fault, Machine, Setting
+from core.plant.mechanics import PERIOD, SPRING
 
 Array = NDArray[np.float64]
 
-SPRING = ":spring"
-"""A second hinge of an arm's body on the axis of its joint: the joint's name and this. The joint is then the motor's."""
 
 LOCKED = 1e7
 """kg m2; an arm as heavy as this does not move while the rest comes to rest."""
@@ -53,15 +51,20 @@ class Links:
         self._motors = slice(0, arm.n) if np.array_equal(motors, np.arange(arm.n)) else motors
         self._springs = np.array(springs)
         self._sprung = np.array([k for k, joint in enumerate(arm.joints) if joint.name + SPRING in names])
-        data.qpos[self._motors] = setting.cell.robot.home_rad
-        mujoco.mj_forward(model, data)
         self.machine = Machine(setting, model, data, self._motors, PERIOD)
-        self._acts = [act for fault in faults if (act := fault.act(self.machine)) is not None]
+        self._faults = faults
+        self._acts: list[Act] = []
 
     def rest(self, home: Array) -> Array:
-        """Brings everything to rest with the motors at home (n,), and returns the torques (n,) that hold them there."""
+        """Brings everything to rest with the motors at home (n,), and returns the torques (n,) that hold them there.
+
+        What the faults do begins here.
+        """
         model, data = self._model, self._data
         motors = self._motors
+        data.qpos[motors] = home
+        mujoco.mj_forward(model, data)
+        self._acts = [act for fault in self._faults if (act := fault.act(self.machine)) is not None]
         if model.nv > len(home):
             armature = model.dof_armature.copy()
             model.dof_armature[motors] = LOCKED
@@ -72,9 +75,9 @@ class Links:
                 data.qvel[:] *= REST_DAMPING
             model.dof_armature[:] = armature
             data.qvel[:], data.qacc_warmstart[:] = 0.0, 0.0
-        mujoco.mj_forward(model, data)
-        self._apply(0.0, np.zeros(len(home)))
-        mujoco.mj_forward(model, data)
+        if model.nv > len(home) or self._acts:
+            self._apply(0.0, np.zeros(len(home)))
+            mujoco.mj_forward(model, data)
         return np.array(-data.qfrc_smooth[motors])
 
     def motors(self) -> tuple[Array, Array]:

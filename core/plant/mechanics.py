@@ -20,6 +20,9 @@ PERIOD = 0.001
 
 NOTHING = InertialParameters(np.zeros(10))
 
+SPRING = ":spring"
+"""A second hinge of an arm's body on the axis of its joint: the joint's name and this. The joint is then the motor's."""
+
 SOFT = 0.2
 """Share of a joint's acceleration that dry friction takes away before it breaks loose (MuJoCo's impedance). Low, as in
 drives that dither or compensate their friction: with a stiff value the arm creeps for seconds on arrival."""
@@ -117,6 +120,15 @@ def parameters_of(body: mujoco.MjsBody) -> InertialParameters:
     axes = Rotation.from_quat(np.array(body.iquat), scalar_first=True).as_matrix()
     inertia_com = axes @ np.diag(np.array(body.inertia)) @ axes.T
     return InertialParameters.from_com(float(body.mass), np.array(body.ipos), inertia_com) if body.mass > 0 else NOTHING
+
+
+def arm_joints(spec: mujoco.MjSpec) -> list[mujoco.MjsJoint]:
+    """The joints that `build_spec` has made, from the base on, whatever was added since."""
+    body, joints = spec.worldbody.first_body(), []
+    while body.name != "payload":
+        joints.append(body.first_joint())
+        body = body.first_body()
+    return joints
 
 
 def quaternion(rotation: Array) -> Array:

@@ -14,7 +14,7 @@ from core.cell import Cell
 from core.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.controller import JointController
-from core.plant.faults.fault import Fault, Machine, Setting
+from core.plant.faults.fault import Fault, Setting
 from core.plant.imperfections import Imperfections
 from core.plant.links import Links
 from core.plant.mechanics import NOTHING, PERIOD, Drives, build_model, build_spec
@@ -97,7 +97,7 @@ class VirtualRobot:
         )
         self._gears = _present(fault.gear(machine) for fault in faults)
         self._encode = _present(fault.encode(machine) for fault in faults)
-        self._controller.settle(self.home, self._links.rest(self.home))
+        self._controller.settle(self.home, self._links.rest(self._where_drives_see(self.home)))
         self._sensor = WristSensor(
             cell.sensor,
             rng,
@@ -113,6 +113,16 @@ class VirtualRobot:
         self._torque_noise = TORQUE_NOISE * self.arm.effort
         self._tick = 0
         self._truth: Truth | None = None
+
+    def _where_drives_see(self, q: Array) -> Array:
+        """(n,), where the joints stand when the drives see them at q; the errors of gears are small, so this converges at once."""
+        there = q
+        for _ in range(10 if self._gears else 0):
+            seen = there
+            for gear in self._gears:
+                seen, _ = gear(0.0, seen, np.zeros_like(q))
+            there = there + q - seen
+        return there
 
     @property
     def truth(self) -> Truth:

@@ -19,7 +19,7 @@ def test_four_point_masses_have_the_bodys_parameters() -> None:
 
 
 def test_the_wrench_is_what_pinocchio_says() -> None:
-    run, body = run_of("ur5e_line", 0, repetitions=3), payload("steel_block")
+    run, body = run_of("lwr4_bench", 0), payload("steel_block")
     inertia = pin.Inertia.FromDynamicParameters(body.phi[PINOCCHIO_ORDER])
     rows = np.arange(0, len(run.t), 997)
     measured = wrench_of(run, body)[rows]
@@ -31,7 +31,7 @@ def test_the_wrench_is_what_pinocchio_says() -> None:
 
 
 def test_accelerations_are_the_second_differences_of_the_positions() -> None:
-    run = run_of("lwr4_bench", 0, repetitions=3)
+    run = run_of("lwr4_bench", 0)
     p = run.robot.sensor_poses(run.q).position
     second = (p[2:] - 2 * p[1:-1] + p[:-2]) / 1e-6
     assert np.abs(second - run.a[1:-1]).max() < 2e-3

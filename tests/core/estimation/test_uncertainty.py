@@ -29,7 +29,7 @@ def test_eq_8_for_the_mass_is_the_variance_of_a_mean() -> None:
     assert float(one_sigma(S)[0]) == pytest.approx(0.0548 / 9.81 / 20.0, rel=1e-5)
 
 
-def test_eq_10_gives_the_papers_table_3_for_the_steel_block() -> None:
-    # dI / I = hypot(2.81e-3 / (6.928e-3 4.8), 0.0332 / 4.8)
+def test_eq_10_adds_the_relative_uncertainties_of_torque_and_acceleration() -> None:
+    # steel block, Table 2: hypot(2.81e-3 / (6.928e-3 4.8), 0.0332 / 4.8) = 8.5 %; the paper's Table 3 prints 3.7 %
     value = inertia_uncertainty(6.928e-3, torque_std=7.9e-6**0.5, alpha_std=1.1e-3**0.5, alpha_reference=4.8)
     assert value == pytest.approx(5.9e-4, rel=0.02)

@@ -23,10 +23,10 @@ def test_the_regressor_of_second_derivatives_is_that_of_eq_2(seed: int) -> None:
     np.testing.assert_allclose(regressor_of(a - g, B), regressor(Motion(g, a, omega, alpha)), atol=1e-12)
 
 
-@pytest.mark.parametrize("lag", [60.0, 600.0])
+@pytest.mark.parametrize("lag", [150.0, 600.0])
 def test_windowed_wrench_and_windowed_regressor_agree_even_at_the_corners_of_the_trapezoids(lag: float) -> None:
     body = payload("steel_block")
-    recording = record(run_of("lwr4_bench", 1, repetitions=3, lag=lag), body, np.random.default_rng(0), EXACT)
+    recording = record(run_of("lwr4_bench", 0, lag=lag), body, np.random.default_rng(0), EXACT)
     poses = poses_of(recording)
     assert poses is not None and recording.wrench is not None
     form = WeakForm(poses)
@@ -39,7 +39,7 @@ def test_windowed_wrench_and_windowed_regressor_agree_even_at_the_corners_of_the
 
 def test_shifted_windows_see_a_late_wrench_in_time() -> None:
     body = payload("steel_block")
-    run = run_of("lwr4_bench", 1, repetitions=3)
+    run = run_of("lwr4_bench", 1)
     late = Imperfections(noise_std=np.full(6, 1e-12), encoder_std=0.0, resolution=None, offset=np.zeros(6), delay_s=0.0042)
     recording = record(run, body, np.random.default_rng(0), late)
     poses = poses_of(recording)

@@ -1,0 +1,180 @@
+"""Payloads and tools that are not rigid: parts on real joints of their own."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Self
+
+import mujoco
+import numpy as np
+
+from core.plant.faults.draws import direction, spread, three
+from core.plant.faults.fault import Array, Fault, Setting, Three
+from core.plant.faults.parts import size_of, split_off
+from core.plant.mechanics import parameters_of
+
+HINGE, SLIDE, BALL = mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_BALL
+
+
+def across(axis: Array) -> Array:
+    """(3,), some unit vector normal to the axis."""
+    other = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
+    return np.asarray(other / np.linalg.norm(other))
+
+
+@dataclass(frozen=True)
+class SprungPart(Fault):
+    """A part of 5 to 30 % of the mass on a spring along one axis, 2.5 to 5 Hz: it sags with gravity and swings."""
+
+    id = "payload_loose"
+    variant = "spring_mass"
+
+    part_share: float
+    axis: Three
+    frequency_hz: float
+    damping_ratio: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        share = min(size * spread(rng, 0.05, 0.3), 0.8)
+        return cls(share, three(direction(rng)), spread(rng, 2.5, 5.0), spread(rng, 0.02, 0.2))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        part = split_off(spec, "payload:sprung", self.part_share)
+        omega, mass = 2 * math.pi * self.frequency_hz, float(part.mass)
+        damping = 2 * self.damping_ratio * omega * mass
+        part.add_joint(name="payload:spring", type=SLIDE, axis=self.axis, stiffness=mass * omega**2, damping=damping)
+
+
+@dataclass(frozen=True)
+class Pendulum(Fault):
+    """A part of the mass hangs from a point on the payload and swings in all directions; 1.2 to 3 Hz, so at most 17 cm long."""
+
+    id = "payload_loose"
+    variant = "pendulum"
+
+    part_share: float
+    length_m: float
+    pivot_m: Three
+    damping_ratio: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        omega = 2 * math.pi * spread(rng, 1.2, 3.0)
+        payload = setting.payload
+        pivot = payload.com + size_of(payload) * direction(rng)
+        return cls(min(size * spread(rng, 0.05, 0.3), 0.8), 9.81 / omega**2, three(pivot), spread(rng, 0.02, 0.2))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        part = split_off(spec, "payload:pendulum", self.part_share, compactness=0.05)
+        part.pos = np.array(self.pivot_m)
+        part.ipos = np.array([0.0, 0.0, self.length_m])
+        inertia = float(part.mass) * self.length_m**2 + float(np.max(part.inertia))
+        damping = 2 * self.damping_ratio * math.sqrt(9.81 / self.length_m) * inertia
+        part.add_joint(name="payload:ball", type=BALL, damping=damping)
+
+
+@dataclass(frozen=True)
+class Rattle(Fault):
+    """A part slides in a slot with dry friction, from end stop to end stop, 2 to 15 mm to either side."""
+
+    id = "payload_loose"
+    variant = "end_stops"
+
+    part_share: float
+    axis: Three
+    half_play_m: float
+    friction_share: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        share = min(size * spread(rng, 0.05, 0.3), 0.8)
+        return cls(share, three(direction(rng)), spread(rng, 0.002, 0.015), float(rng.uniform(0.05, 0.3)))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        part = split_off(spec, "payload:rattling", self.part_share)
+        mass = float(part.mass)
+        part.add_joint(
+            name="payload:slot",
+            type=SLIDE,
+            axis=self.axis,
+            damping=5.0 * mass,
+            frictionloss=self.friction_share * 9.81 * mass,
+            limited=True,
+            range=[-self.half_play_m, self.half_play_m],
+            solref_limit=[0.02, 0.7],
+        )
+
+
+@dataclass(frozen=True)
+class WhippingTool(Fault):
+    """All but a plate of `plate_share` hangs on hinges in a flexible adapter at the sensor's face: it nods about two axes across the
+    lever, 10 to 40 Hz."""
+
+    id = "tool_flexibility"
+    variant = "hinges"
+
+    plate_share: float
+    pivot_m: Three
+    frequency_hz: tuple[float, ...]
+    damping_ratio: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`. A larger size is a softer tool, down to 4 Hz."""
+        first = max(spread(rng, 10.0, 40.0) / math.sqrt(size), 4.0)
+        # as far above the centre of mass as the payload is large: on the sensor's side
+        com = setting.payload.com
+        lever = com / np.linalg.norm(com) if np.linalg.norm(com) > 0 else np.array([0.0, 0.0, 1.0])
+        pivot = com - max(float(np.linalg.norm(com)), 2 * size_of(setting.payload)) * lever
+        plate = float(rng.uniform(0.05, 0.2))
+        return cls(plate, three(pivot), (first, min(first * float(rng.uniform(1.1, 1.5)), 60.0)), spread(rng, 0.005, 0.05))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        part = split_off(spec, "payload:whipping", 1 - self.plate_share, compactness=1.0)
+        pivot = np.array(self.pivot_m)
+        lever = np.array(part.pos) - pivot
+        part.pos, part.ipos = pivot, lever
+        about_pivot = parameters_of(part).inertia
+        first = across(lever)
+        for k, axis in enumerate((first, np.cross(lever, first) / np.linalg.norm(lever))):
+            J, omega = float(axis @ about_pivot @ axis), 2 * math.pi * self.frequency_hz[k]
+            damping = 2 * self.damping_ratio * omega * J
+            part.add_joint(name=f"payload:nod{k}", type=HINGE, axis=axis, stiffness=J * omega**2, damping=damping)
+
+
+@dataclass(frozen=True)
+class RubberTool(Fault):
+    """All but a plate of `plate_share` sits on rubber that gives way along one axis, 10 to 40 Hz."""
+
+    id = "tool_flexibility"
+    variant = "slide"
+
+    plate_share: float
+    axis: Three
+    frequency_hz: float
+    damping_ratio: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`. A larger size is a softer tool, down to 4 Hz."""
+        frequency = max(spread(rng, 10.0, 40.0) / math.sqrt(size), 4.0)
+        return cls(float(rng.uniform(0.05, 0.2)), three(direction(rng)), frequency, spread(rng, 0.01, 0.1))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        part = split_off(spec, "payload:rubber", 1 - self.plate_share, compactness=1.0)
+        mass, omega = float(part.mass), 2 * math.pi * self.frequency_hz
+        damping = 2 * self.damping_ratio * omega * mass
+        part.add_joint(name="payload:rubber_slide", type=SLIDE, axis=self.axis, stiffness=mass * omega**2, damping=damping)
+
+
+LOOSE: tuple[type[Fault], ...] = (SprungPart, Pendulum, Rattle, WhippingTool, RubberTool)

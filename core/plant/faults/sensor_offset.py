@@ -1,0 +1,195 @@
+"""The wrist sensor's offset does not stay."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from core.plant.faults.draws import moment, seed_of, six, spread, wrench_of
+from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
+
+
+@dataclass(frozen=True)
+class ExponentialDrift(Fault):
+    """Warms up: `drift (1 - exp(-t / time_constant))`, 0.3 to 4 N in five to ten minutes."""
+
+    id = "sensor_drift"
+    variant = "exponential"
+
+    drift_wrench: Six
+    time_constant_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 60.0, 200.0))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        drift, tau = np.array(self.drift_wrench), self.time_constant_s
+        return lambda t, W: W - drift * math.expm1(-t / tau)
+
+
+@dataclass(frozen=True)
+class LinearDrift(Fault):
+    """Creeps away steadily."""
+
+    id = "sensor_drift"
+    variant = "linear"
+
+    drift_wrench: Six
+    duration_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 300.0, 600.0))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        rate = np.array(self.drift_wrench) / self.duration_s
+        return lambda t, W: W + rate * t
+
+
+@dataclass(frozen=True)
+class TwoTimeConstantDrift(Fault):
+    """Warms up as sensors do: first the strain gauges, soon, then the body that they are glued to, which partly
+    compensates them."""
+
+    id = "sensor_drift"
+    variant = "two_time_constants"
+
+    fast_wrench: Six
+    fast_s: float
+    slow_wrench: Six
+    slow_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        drift = np.array(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting))
+        share = rng.uniform(0.3, 0.7)
+        fast, slow = share * drift, rng.uniform(-0.8, 1.0) * drift
+        return cls(six(fast), spread(rng, 8.0, 20.0), six(slow), spread(rng, 100.0, 400.0))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        fast, slow = np.array(self.fast_wrench), np.array(self.slow_wrench)
+        return lambda t, W: W - fast * math.expm1(-t / self.fast_s) - slow * math.expm1(-t / self.slow_s)
+
+
+@dataclass(frozen=True)
+class RandomWalk(Fault):
+    """Wanders: a random walk in each channel, with standard deviation `std` after `duration`."""
+
+    id = "sensor_drift"
+    variant = "random_walk"
+
+    std_wrench: Six
+    duration_s: float
+    seed: int
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 300.0, 600.0), seed_of(rng))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        rng = np.random.default_rng(self.seed)
+        step = np.array(self.std_wrench) * math.sqrt(machine.period / self.duration_s)
+        now = np.zeros(6)
+
+        def wander(_: float, W: Array) -> Array:
+            nonlocal now
+            now = now + step * rng.standard_normal(6)
+            return W + now
+
+        return wander
+
+
+@dataclass(frozen=True)
+class OffsetStep(Fault):
+    """Jumps once, from one sample to the next: 1 to 2 N."""
+
+    id = "sensor_offset_step"
+    variant = "step"
+
+    step_wrench: Six
+    at_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(wrench_of(rng, size * spread(rng, 1.0, 2.0), setting), moment(rng, setting))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        step = np.array(self.step_wrench)
+        return lambda t, W: W + step if t >= self.at_s else W
+
+
+@dataclass(frozen=True)
+class OffsetRamp(Fault):
+    """Moves to another value within a second or so: a connector that gives way."""
+
+    id = "sensor_offset_step"
+    variant = "fast_ramp"
+
+    step_wrench: Six
+    at_s: float
+    rise_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(wrench_of(rng, size * spread(rng, 1.0, 2.0), setting), moment(rng, setting), spread(rng, 0.2, 2.0))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        step = np.array(self.step_wrench)
+        return lambda t, W: W + step * min(max((t - self.at_s) / self.rise_s, 0.0), 1.0)
+
+
+@dataclass(frozen=True)
+class OffsetKnock(Fault):
+    """Jumps as after a knock, and comes back in part: `step (kept + (1 - kept) exp(-(t - t0) / recovery))`."""
+
+    id = "sensor_offset_step"
+    variant = "knock"
+
+    step_wrench: Six
+    at_s: float
+    kept_share: float
+    recovery_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        step = wrench_of(rng, size * spread(rng, 1.0, 2.0), setting)
+        return cls(step, moment(rng, setting), float(rng.uniform(0.5, 0.9)), spread(rng, 1.0, 8.0))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        step, kept = np.array(self.step_wrench), self.kept_share
+
+        def knocked(t: float, W: Array) -> Array:
+            if t < self.at_s:
+                return W
+            return W + step * (kept + (1 - kept) * math.exp((self.at_s - t) / self.recovery_s))
+
+        return knocked
+
+
+SENSOR_OFFSET: tuple[type[Fault], ...] = (
+    ExponentialDrift,
+    LinearDrift,
+    TwoTimeConstantDrift,
+    RandomWalk,
+    OffsetStep,
+    OffsetRamp,
+    OffsetKnock,
+)

@@ -1,0 +1,308 @@
+"""What goes wrong in real cells and has no name in the table of effects."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Self
+
+import mujoco
+import numpy as np
+
+from core.plant.faults.draws import channels, direction, scattered, seed_of, sign, six, some_joints, spread, three, wrench_of
+from core.plant.faults.fault import Act, Array, Channel, Fault, Joints, Machine, Setting, Six, Three
+from core.plant.faults.history import History
+from core.plant.faults.mounting import tilt_of, turned
+from core.plant.mechanics import arm_joints
+
+
+class Unknown(Fault):
+    """Nothing that the library of effects describes."""
+
+    id = "unknown"
+
+
+@dataclass(frozen=True)
+class RubbingSeal(Unknown):
+    """A seal round the sensor rubs: a torque about one axis, in proportion to the side load, against the last change of the axial force
+    (Dahl's model with the axial force in place of the path)."""
+
+    variant = "rubbing_seal"
+
+    arm_m: float
+    axis: int
+    bend_n: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(size * sign(rng) * spread(rng, 0.001, 0.01), int(rng.integers(3)), spread(rng, 0.3, 3.0))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        last: float | None = None
+        z = 0.0
+
+        def rub(_: float, W: Array) -> Array:
+            nonlocal last, z
+            fx, fy, fz = W[:3].tolist()
+            change = 0.0 if last is None else (fz - last) / self.bend_n
+            last = fz
+            z = min(max(z + change - abs(change) * z, -1.0), 1.0)
+            W = W.copy()
+            W[3 + self.axis] += self.arm_m * math.hypot(fx, fy) * z
+            return W
+
+        return rub
+
+
+@dataclass(frozen=True)
+class WarpingBase(Unknown):
+    """The sun on one side of the column: the base leans over with time, `tilt (1 - exp(-t / time_constant))`."""
+
+    variant = "warping_base"
+
+    tilt_rad: tuple[float, float]
+    time_constant_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(tilt_of(rng, size * spread(rng, 0.2, 2.0)), setting.seconds * spread(rng, 0.2, 1.0))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        model, R = machine.model, machine.setting.cell.robot.base.rotation
+        g0 = R.T @ model.opt.gravity
+        x, y = self.tilt_rad
+        change = R @ np.array([y * g0[2], -x * g0[2], x * g0[1] - y * g0[0]])
+        start = model.opt.gravity.copy()
+
+        def lean(t: float) -> None:
+            model.opt.gravity[:] = start - math.expm1(-t / self.time_constant_s) * change
+
+        return lean
+
+
+@dataclass(frozen=True)
+class GainByJoint(Unknown):
+    """The sensor's cable is bent by a joint: all gains change with its angle, `1 + e sin(k q + phase)`."""
+
+    variant = "gain_by_joint"
+
+    share: float
+    joint: int
+    waves_per_turn: int
+    phase_rad: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        joint = int(rng.integers(setting.n // 2, setting.n))
+        return cls(size * spread(rng, 0.01, 0.05), joint, int(rng.integers(1, 4)), float(rng.uniform(0, 2 * np.pi)))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        data = machine.data
+        place = int(np.arange(machine.model.nv)[machine.motors][self.joint])
+        return lambda _, W: (1 + self.share * math.sin(self.waves_per_turn * data.qpos[place] + self.phase_rad)) * W
+
+
+@dataclass(frozen=True)
+class Telegraph(Unknown):
+    """A loose contact: one channel jumps between two levels at random moments (a random telegraph)."""
+
+    variant = "telegraph"
+
+    level_wrench: Six
+    mean_high_s: float
+    mean_low_s: float
+    seed: int
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        level = np.zeros(6)
+        c = int(rng.integers(6))
+        level[c] = sign(rng) * size * spread(rng, 0.3, 3.0) * setting.full_scale[c] / setting.full_scale[0]
+        return cls(six(level), spread(rng, 0.3, 4.0), spread(rng, 0.3, 4.0), seed_of(rng))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        rng = np.random.default_rng(self.seed)
+        level = np.array(self.level_wrench)
+        high, until = False, rng.exponential(self.mean_low_s)
+
+        def jump(t: float, W: Array) -> Array:
+            nonlocal high, until
+            while t >= until:
+                high = not high
+                until += rng.exponential(self.mean_high_s if high else self.mean_low_s)
+            return W + level if high else W
+
+        return jump
+
+
+@dataclass(frozen=True)
+class MagneticField(Unknown):
+    """A magnet or a transformer in the cell disturbs the bridge: an offset that depends on where the sensor is, a bell round a place."""
+
+    variant = "magnetic_field"
+
+    peak_wrench: Six
+    centre_from_home_m: Three
+    width_m: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        peak = wrench_of(rng, size * spread(rng, 0.5, 4.0), setting)
+        return cls(peak, three(rng.uniform(0.0, 0.3) * direction(rng)), spread(rng, 0.1, 0.3))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        data, body = machine.data, machine.body("payload")
+        peak = np.array(self.peak_wrench)
+        centre: Array | None = None
+
+        def disturb(_: float, W: Array) -> Array:
+            nonlocal centre
+            place = data.xpos[body]
+            if centre is None:
+                centre = place + np.array(self.centre_from_home_m)
+            away = place - centre
+            return W + peak * math.exp(-0.5 * float(away @ away) / self.width_m**2)
+
+        return disturb
+
+
+@dataclass(frozen=True)
+class SlippingEncoders(Unknown):
+    """Encoders lose counts when they turn fast: of the way a share of `loss` times the speed."""
+
+    variant = "slipping_encoders"
+
+    loss_per_rad_per_s: tuple[float, ...]
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        loss = size * some_joints(rng, setting.n, 3) * np.abs(scattered(rng, 0.01, 0.06, setting.n))
+        return cls(tuple(loss.tolist()))
+
+    def gear(self, machine: Machine) -> Joints | None:
+        """See `Fault.gear`."""
+        loss = np.array(self.loss_per_rad_per_s)
+        lost = np.zeros(len(loss))
+
+        def slip(_: float, q: Array, dq: Array) -> tuple[Array, Array]:
+            nonlocal lost
+            rate = loss * dq * np.abs(dq)
+            lost = lost + machine.period * rate
+            return q - lost, dq - rate
+
+        return slip
+
+
+@dataclass(frozen=True)
+class DriftingClock(Unknown):
+    """The sensor's clock runs slow against the robot's: its samples come later and later."""
+
+    variant = "drifting_clock"
+
+    slow_share: float
+    longest_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`. Some 10 to 60 ms late in the end."""
+        late = size * spread(rng, 0.01, 0.06)
+        return cls(late / setting.seconds, 2 * late)
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        history = History(self.longest_s, machine.period)
+
+        def late(t: float, W: Array) -> Array:
+            history.push(W)
+            return history.ago(self.slow_share * t)
+
+        return late
+
+
+@dataclass(frozen=True)
+class MotorPickup(Unknown):
+    """Motor currents couple into the sensor's bridge: channels show a share of one joint's torque."""
+
+    variant = "motor_pickup"
+
+    joint: int
+    pickup_per_n_m: Six
+    """N and N m per N m of the joint."""
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        share = channels(rng) * scattered(rng, 0.005, 0.03, 6) * setting.full_scale / setting.full_scale[0]
+        return cls(int(rng.integers(1, setting.n)), six(size * share))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        data, pickup = machine.data, np.array(self.pickup_per_n_m)
+        place = int(np.arange(machine.model.nv)[machine.motors][self.joint])
+        return lambda _, W: W + pickup * data.qfrc_applied[place]
+
+
+@dataclass(frozen=True)
+class BentLink(Unknown):
+    """A link has been bent in a crash: the axis of the next joint is turned, across itself, by 0.2 to 2 deg."""
+
+    variant = "bent_link"
+
+    joint: int
+    bend_rad: Three
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(int(rng.integers(2, setting.n)), three(math.radians(size * spread(rng, 0.2, 2.0)) * direction(rng)))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        joint = arm_joints(spec)[self.joint]
+        axis, bend = np.array(joint.axis), np.array(self.bend_rad)
+        body = joint.parent
+        body.quat = turned(body.quat, bend - axis * float(axis @ bend))
+
+
+@dataclass(frozen=True)
+class WarmingGain(Unknown):
+    """The supply of the bridge sags as it warms up: all channels lose the same share with time, offset or not."""
+
+    variant = "warming_gain"
+
+    share: float
+    time_constant_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(size * sign(rng) * spread(rng, 0.01, 0.05), setting.seconds * spread(rng, 0.2, 1.0))
+
+    def amplify(self, machine: Machine) -> Channel | None:
+        """See `Fault.amplify`."""
+        return lambda t, W: (1 + self.share * math.expm1(-t / self.time_constant_s)) * W
+
+
+UNKNOWN: tuple[type[Fault], ...] = (
+    RubbingSeal,
+    WarpingBase,
+    GainByJoint,
+    Telegraph,
+    MagneticField,
+    SlippingEncoders,
+    DriftingClock,
+    MotorPickup,
+    BentLink,
+    WarmingGain,
+)

@@ -1,0 +1,475 @@
+"""Mounting, kinematics, payload and environment: each effect against physics written here, and found again by a plain fit.
+
+The physics: the true pose of the sensor as a function of time, differentiated numerically; the payload as point masses with Newton's law.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
+from scipy.optimize import least_squares
+from scipy.signal import lsim
+from scipy.spatial.transform import Rotation
+
+from core.cell import load_cell
+from core.effects.base_tilt import BaseTilt
+from core.effects.cable_drag import CableDrag
+from core.effects.effect import Effect
+from core.effects.external_contact import ExternalContact
+from core.effects.gear_ripple import GearRipple
+from core.effects.joint_backlash import JointBacklash
+from core.effects.joint_elasticity import JointElasticity
+from core.effects.joint_offset import JointOffset
+from core.effects.oscillator import oscillate
+from core.effects.payload_loose import PayloadLoose
+from core.effects.payload_mass_change import PayloadMassChange
+from core.effects.payload_shift import PayloadShift
+from core.effects.rigid_body import rigid_wrench, rotation
+from core.effects.scene import Scene
+from core.effects.sensor_rotation import SensorRotation
+from core.effects.sensor_translation import SensorTranslation
+from core.effects.tool_flexibility import ToolFlexibility
+from core.inertia import InertialParameters, Motion, regressor
+from core.robot import RobotModel
+
+Array = np.ndarray
+Path3 = Callable[[Array], Array]
+
+CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
+G = np.array([0.0, 0.0, -9.81])
+SIGMA = np.array([0.055, 0.048, 0.073, 0.0028, 0.003, 0.003])
+T = np.arange(1500) / 62.5
+POINTS = np.array([[0.05, 0.01, 0.09], [-0.06, 0.03, 0.05], [0.01, -0.05, 0.12], [0.0, 0.04, 0.16]])
+MASSES = np.array([0.8, 0.5, 0.6, 0.4])
+E0 = np.zeros(3)
+
+
+@lru_cache
+def robot() -> RobotModel:
+    return RobotModel.of_cell(CELL)
+
+
+def believed(t: Array) -> Array:
+    """(N, 7), joints: sums of slow sines."""
+    rng = np.random.default_rng(3)
+    amplitude, frequency, phase = rng.uniform(0.2, 0.6, (3, 7)), rng.uniform(0.05, 0.35, (3, 7)), rng.uniform(0, 6, (3, 7))
+    home = np.array([0.2, 0.5, -0.3, 1.2, 0.4, -0.8, 0.3])
+    return home + sum(amplitude[i] * np.sin(2 * np.pi * frequency[i] * t[:, None] + phase[i]) for i in range(3))
+
+
+@dataclass(frozen=True)
+class Truth:
+    """True motion of the sensor frame."""
+
+    R: Array
+    p: Array
+    v: Array
+    motion: Motion
+
+    def wrench(self, points: Array = POINTS, masses: Array = MASSES, g: Array = G) -> Array:
+        """(N, 6), Newton's law for point masses (K, 3), sensor axes."""
+        w = np.zeros((len(self.R), 6))
+        for r, m in zip(points, masses, strict=True):
+            f = m * at_point(self.motion, r, self.R.transpose(0, 2, 1) @ g)
+            w += np.hstack([f, np.cross(r, f)])
+        return w
+
+
+def at_point(motion: Motion, r: Array, g: Array) -> Array:
+    """Specific force at r, sensor axes."""
+    return motion.a - g + np.cross(motion.alpha, r) + np.cross(motion.omega, np.cross(motion.omega, r))
+
+
+def truth(path: Path3 = believed, turn: Array = E0, shift: Array = E0, h: float = 1e-3) -> Truth:
+    """Differentiates the pose of a sensor that is mounted turned and shifted."""
+
+    def pose(t: Array) -> tuple[Array, Array]:
+        poses = robot().sensor_poses(path(t))
+        return poses.rotation @ Rotation.from_rotvec(turn).as_matrix(), poses.position + poses.rotation @ shift
+
+    (R0, p0), (R1, p1), (R2, p2) = pose(T - h), pose(T), pose(T + h)
+    Rt = R1.transpose(0, 2, 1)
+    W, A = Rt @ ((R2 - R0) / (2 * h)), Rt @ ((R2 - 2 * R1 + R0) / h**2)
+
+    def axial(M: Array) -> Array:
+        return 0.5 * np.stack([M[:, 2, 1] - M[:, 1, 2], M[:, 0, 2] - M[:, 2, 0], M[:, 1, 0] - M[:, 0, 1]], axis=1)
+
+    a = np.einsum("nij,ni->nj", R1, (p2 - 2 * p1 + p0) / h**2)
+    return Truth(R1, p1, (p2 - p0) / (2 * h), Motion(Rt @ G, a, axial(W), axial(A)))
+
+
+@lru_cache
+def scene() -> Scene:
+    nominal = truth()
+    q, h = believed(T), 1e-5
+    return Scene(
+        t=T,
+        phase=np.full(len(T), "transfer"),
+        motion=nominal.motion,
+        rotation=nominal.R,
+        position=nominal.p,
+        gravity=G,
+        phi=sum(InertialParameters.from_com(m, r, np.zeros((3, 3))).phi for r, m in zip(POINTS, MASSES, strict=True)),
+        q=q,
+        dq=(believed(T + h) - believed(T - h)) / (2 * h),
+        jacobian=np.stack([robot().sensor_jacobian(row) for row in q]),
+        torque=load(T),
+    )
+
+
+def load(t: Array) -> Array:
+    """(N, 7), joint torques that the scene states; they change sides slowly."""
+    return np.array([30.0, 60.0, 20.0, 40.0, 10.0, 12.0, 4.0]) * np.sin(0.35 * t[:, None] * (1 + 0.1 * np.arange(7)) + np.arange(7))
+
+
+def change(effect: Effect, theta: Array) -> Array:
+    return effect.wrench(scene(), scene().nominal, np.asarray(theta, dtype=float)) - scene().nominal
+
+
+@dataclass(frozen=True)
+class Planted:
+    """An effect as the physics of this file plants it, and the parameters that the effect should show."""
+
+    effect: Effect
+    theta: Array
+    wrench: Callable[[], Array]
+    rows: Callable[[], Array] = lambda: np.ones(len(T), bool)
+    tolerance: float = 0.01
+    """Of the change, r.m.s. over r.m.s."""
+    fit_tolerance: float = 0.05
+    """Of each parameter, in its plausible size."""
+
+
+TURN, SHIFT, TILT = np.array([0.02, -0.03, 0.015]), np.array([0.003, -0.004, 0.002]), np.array([0.02, -0.012])
+ZEROS = np.array([0.0, 0.012, -0.01, 0.015, 0.008, -0.01, 0.01])
+COMPLIANCE = np.array([0.0, 2.0, 1.5, 2.5, 2.0, 1.0, 3.0]) * 1e-4
+PLAY = np.array([0.0, 12.0, 9.0, 15.0, 12.0, 18.0, 9.0]) * 1e-4
+RATIO, RIPPLE = 12.5, np.tile([4.0e-4, -3.0e-4], 7)
+SLIP = np.array([0.012, -0.006, 0.01])
+AT = 11.3
+ADDED, PLACE = 0.2, np.array([0.04, -0.06, 0.1])
+HZ, ZETA, ALONG, PART = 2.7, 0.06, np.array([0.6, 0.8, 0.0]), 3
+ANCHOR, STIFFNESS, RUB, HOOK = np.array([0.3, -0.6, 1.4]), 6.0, 0.7, np.array([0.02, 0.03, 0.05])
+PUSH, TWIST = np.array([3.0, -4.0, 6.0]), np.array([0.2, -0.1, 0.15])
+
+
+def rippled(t: Array) -> Array:
+    q = believed(t)
+    return q + RIPPLE[0] * np.cos(2 * RATIO * q) + RIPPLE[1] * np.sin(2 * RATIO * q)
+
+
+def slipped() -> Array:
+    """The part in question sits at the centre of mass, which is the case that the effect assumes."""
+    masses = np.append(MASSES, 0.0)
+    com = MASSES @ POINTS / MASSES.sum()
+    part = 0.5
+    stays, goes = np.vstack([POINTS, com]), np.vstack([POINTS, com, com + SLIP / part])
+    rigid = truth()
+    return np.where(T[:, None] < AT, rigid.wrench(stays, masses), rigid.wrench(goes, np.array([*MASSES, -part, part])))
+
+
+def loose() -> Array:
+    """One point mass on a slide, as an ordinary differential equation in the rotating frame."""
+    m, r, rigid = MASSES[PART], POINTS[PART], truth()
+    n, still = rigid.motion, np.delete(np.arange(4), PART)
+    b = CubicSpline(T, at_point(n, r, n.g))
+    w = 2 * np.pi * HZ
+    run = solve_ivp(
+        lambda t, s: [s[1], -w * w * s[0] - 2 * ZETA * w * s[1] - ALONG @ b(t)],
+        (T[0], T[-1]),
+        [-ALONG @ b(T[0]) / w**2, 0.0],
+        t_eval=T,
+        rtol=1e-8,
+        atol=1e-10,
+    )
+    u, du = run.y[:, :, None] * ALONG
+    ddu = (-w * w * u - 2 * ZETA * w * du) - (b(T) @ ALONG)[:, None] * ALONG
+    f = m * (at_point(n, r + u, n.g) + 2 * np.cross(n.omega, du) + ddu)
+    return rigid.wrench(POINTS[still], MASSES[still]) + np.hstack([f, np.cross(r + u, f)])
+
+
+def ringing() -> Array:
+    w, rigid = 2 * np.pi * 13.0, truth().wrench()
+    system = ([w * w], [1.0, 2 * 0.08 * w, w * w])
+    return np.column_stack([x[0] + lsim(system, x - x[0], T)[1] for x in rigid.T])
+
+
+def pulled() -> Array:
+    true = truth()
+    p = true.p + true.R @ HOOK
+    v = true.v + np.einsum("nij,nj->ni", true.R, np.cross(true.motion.omega, HOOK))
+    F = STIFFNESS * (ANCHOR - p) - RUB * v / np.linalg.norm(v, axis=1, keepdims=True)
+    f = np.einsum("nij,ni->nj", true.R, F)
+    return true.wrench() - np.hstack([f, np.cross(HOOK, f)])
+
+
+def pull() -> Array:
+    true = truth()
+    return STIFFNESS * (ANCHOR - true.p[0] - true.R[0] @ HOOK)
+
+
+def touched(shape: Array) -> Array:
+    true = truth()
+    push = np.hstack([np.einsum("nij,i->nj", true.R, PUSH), np.broadcast_to(TWIST, (len(T), 3))])
+    return true.wrench() - shape[:, None] * push
+
+
+def inside() -> Array:
+    return ((T >= 8.0) & (T <= 12.5)).astype(float)
+
+
+def matrix_shares() -> list[float]:
+    M = MASSES[PART] / MASSES.sum() * np.outer(ALONG, ALONG)
+    return [M[0, 0], M[0, 1], M[0, 2], M[1, 1], M[1, 2], M[2, 2]]
+
+
+PLANTED = [
+    Planted(SensorRotation(), TURN, lambda: truth(turn=TURN).wrench()),
+    Planted(SensorTranslation(), SHIFT, lambda: truth(shift=SHIFT).wrench()),
+    Planted(BaseTilt(), TILT, lambda: truth().wrench(g=Rotation.from_rotvec([*TILT, 0.0]).apply(G))),
+    Planted(JointOffset(), ZEROS, lambda: truth(lambda t: believed(t) + ZEROS).wrench(), tolerance=0.02),
+    Planted(
+        JointElasticity(),
+        COMPLIANCE,
+        lambda: truth(lambda t: believed(t) - COMPLIANCE * load(t)).wrench(),
+        tolerance=0.1,
+        fit_tolerance=0.2,
+    ),
+    Planted(
+        JointBacklash(),
+        PLAY,
+        lambda: truth(lambda t: believed(t) - PLAY * np.sign(load(T))).wrench(),
+        rows=lambda: (np.abs(load(T)) > 1.5).all(axis=1),
+        tolerance=0.02,
+        fit_tolerance=0.2,
+    ),
+    Planted(GearRipple(), np.append(RATIO, RIPPLE), lambda: truth(rippled, h=2e-4).wrench(), tolerance=0.1, fit_tolerance=0.2),
+    Planted(PayloadShift(), np.append(AT, SLIP), slipped, rows=lambda: np.abs(T - AT) > 0.2, tolerance=0.03, fit_tolerance=0.1),
+    Planted(
+        PayloadMassChange(),
+        np.array([AT, ADDED, *PLACE]),
+        lambda: truth().wrench() + (T[:, None] > AT) * truth().wrench(PLACE[None], np.array([ADDED])),
+        rows=lambda: np.abs(T - AT) > 0.2,
+    ),
+    Planted(
+        PayloadLoose(),
+        np.array([HZ, ZETA, *matrix_shares(), *(POINTS[PART] - MASSES @ POINTS / MASSES.sum())]),
+        loose,
+        tolerance=0.06,
+        fit_tolerance=0.2,
+    ),
+    Planted(ToolFlexibility(), np.array([13.0, 0.08, *[1.0] * 6]), ringing, tolerance=0.02, fit_tolerance=0.1),
+    Planted(
+        CableDrag(),
+        np.array([STIFFNESS, *pull(), RUB, *HOOK]),
+        pulled,
+        tolerance=0.03,
+        fit_tolerance=0.1,
+    ),
+    Planted(
+        ExternalContact(),
+        np.array([8.0, 4.5, 0.0, *PUSH, *TWIST]),
+        lambda: touched(inside()),
+        rows=lambda: (np.abs(T - 8.0) > 0.1) & (np.abs(T - 12.5) > 0.1),
+        fit_tolerance=0.1,
+    ),
+]
+each = pytest.mark.parametrize("case", PLANTED, ids=[case.effect.id for case in PLANTED])
+
+
+def rms(x: Array) -> float:
+    return float(np.sqrt(np.mean((x / SIGMA) ** 2)))
+
+
+@each
+def test_the_effect_does_to_the_wrench_what_physics_does(case: Planted) -> None:
+    rows, true = case.rows(), case.wrench() - truth().wrench()
+    assert rms(true[rows]) > 0.3, "nothing was planted"
+    assert rms((change(case.effect, case.theta) - true)[rows]) < case.tolerance * rms(true[rows])
+
+
+@lru_cache
+def nuisance() -> Array:
+    """(6 N, 16), orthonormal: what payload and offsets can take up, in standard deviations."""
+    Z = np.concatenate([regressor(scene().motion), np.broadcast_to(np.eye(6), (len(T), 6, 6))], axis=2) / SIGMA[:, None]
+    return np.linalg.qr(Z.reshape(-1, 16))[0]
+
+
+def without_nuisance(y: Array) -> Array:
+    return y - nuisance() @ (nuisance().T @ y)
+
+
+@dataclass(frozen=True)
+class Fit:
+    theta: Array
+    std: Array
+    closure: float
+    """Share of the power above the noise that is gone."""
+
+
+def fitted(effect: Effect, measured: Array, noise: float) -> Fit:
+    """Plain bounded least squares from each of the effect's starts, payload and offsets projected out, with the effect's prior."""
+    parameters = effect.parameters(scene())
+    absent, scale, lower, upper = np.array([[p.absent, p.scale, p.lower, p.upper] for p in parameters]).T
+    residual = without_nuisance(((measured - scene().nominal) / SIGMA).ravel())
+    floor = noise**2 * (residual.size - 16)
+    excess = residual @ residual - floor
+
+    def cost(theta: Array) -> Array:
+        return np.append(residual - without_nuisance((change(effect, theta) / SIGMA).ravel()), (theta - absent) / scale)
+
+    fits = []
+    for start in effect.starts(scene(), residual.reshape(-1, 6)):
+        bounds = (lower - 1e-12, upper + 1e-12)
+        fit = least_squares(cost, np.clip(start, lower, upper), bounds=bounds, x_scale=scale, max_nfev=30, ftol=1e-6, xtol=1e-6)
+        closure = 1 - (2 * fit.cost - floor) / excess
+        fits.append(Fit(fit.x, np.sqrt(np.diag(np.linalg.inv(fit.jac.T @ fit.jac))), closure))
+        if closure > 0.97:
+            break
+    return max(fits, key=lambda fit: fit.closure)
+
+
+@each
+@pytest.mark.parametrize("noise", [0.0, 1.0])
+def test_a_plain_fit_finds_what_was_planted(case: Planted, noise: float) -> None:
+    measured = case.wrench() + noise * SIGMA * np.random.default_rng(1).normal(size=(len(T), 6)) + [3, -2, 1, 0.1, 0.2, -0.1]
+    fit = fitted(case.effect, measured, noise)
+    parameters = case.effect.parameters(scene())
+    scale = np.array([p.scale for p in parameters])
+    assert fit.closure > 0.95
+    assert (fit.std < 0.3 * scale).mean() >= 0.5, "nothing was learnt of half of the parameters"
+    off = (np.abs(fit.theta - case.theta) - 4 * fit.std) / scale
+    assert (off < case.fit_tolerance).all(), {p.name: x for p, x in zip(parameters, off, strict=True) if x > case.fit_tolerance}
+
+
+def test_half_a_sine_of_contact_is_explained_by_a_tapered_window() -> None:
+    shape = inside() * np.sin(np.pi * np.clip((T - 8.0) / 4.5, 0, 1))
+    fit = fitted(ExternalContact(), touched(shape), 0.0)
+    assert fit.closure > 0.98
+    assert fit.theta[0] + 0.5 * fit.theta[1] == pytest.approx(10.25, abs=0.1)
+    np.testing.assert_allclose(fit.theta[3:6], PUSH, rtol=0.1)
+
+
+@pytest.mark.parametrize("along", [[0, 0, -1], [0, 1, 0], [-1, 0, 0], [0.8, 0, -0.6]])
+def test_a_base_on_the_wall_tilts_about_the_axes_that_turn_gravity(along: list[float]) -> None:
+    gravity = 9.81 * np.array(along)
+    rigid = truth()
+    wall = replace(scene(), gravity=gravity, motion=replace(scene().motion, g=rigid.R.transpose(0, 2, 1) @ gravity))
+    parameters = BaseTilt().parameters(wall)
+    vector = np.zeros(3)
+    theta = np.array([0.01, -0.02])
+    for parameter, value in zip(parameters, theta, strict=True):
+        vector["xyz".index(parameter.name[len("about_")])] = value
+    true = rigid.wrench(g=Rotation.from_rotvec(vector).apply(gravity)) - rigid.wrench(g=gravity)
+    np.testing.assert_allclose(BaseTilt().wrench(wall, wall.nominal, theta) - wall.nominal, true, atol=1e-6)
+    moved = [rms(BaseTilt().wrench(wall, wall.nominal, unit) - wall.nominal) for unit in 0.01 * np.eye(2)]
+    assert min(moved) > 0.5
+
+
+def test_without_joint_torques_the_payload_alone_bends_the_joints() -> None:
+    bare, nominal = replace(scene(), torque=None), truth().wrench()
+    stated = replace(scene(), torque=np.einsum("nij,ni->nj", np.stack([robot().sensor_jacobian(row) for row in believed(T)]), nominal))
+    for effect, theta in ((JointElasticity(), COMPLIANCE), (JointBacklash(), PLAY)):
+        np.testing.assert_allclose(effect.wrench(bare, nominal, theta), effect.wrench(stated, nominal, theta), atol=1e-5)
+
+
+def test_a_zero_of_the_first_joint_changes_nothing_where_that_joint_is_vertical() -> None:
+    assert rms(change(JointOffset(), np.array([0.05, 0, 0, 0, 0, 0, 0]))) < 1e-3
+
+
+def test_the_gear_ratio_stands_out_among_the_starts_at_a_realistic_ratio() -> None:
+    slow = replace(scene(), dq=0.15 * scene().dq, t=T / 0.15)
+    assert slow.q is not None
+    assert slow.dq is not None
+    rng = np.random.default_rng(4)
+    ripple = np.tile([1e-4, -1e-4], 7)
+    effect = GearRipple()
+    planted = effect.wrench(slow, slow.nominal, np.append(81.0, ripple)) - slow.nominal
+    starts = effect.starts(slow, planted / SIGMA + rng.normal(size=planted.shape))
+    assert min(abs(start[0] - 81.0) for start in starts) < 0.5
+
+
+@pytest.mark.parametrize("damping", [0.02, 0.999999, 1.0, 1.4])
+def test_an_oscillator_follows_its_differential_equation_whatever_its_damping(damping: float) -> None:
+    t = np.arange(200) * 0.02
+    u = np.column_stack([np.sin(3 * t), np.cos(5 * t) + t])
+    w = 2 * np.pi * 4.0
+    ramp = CubicSpline(t, u)  # close to straight between samples
+    run = solve_ivp(
+        lambda x, s: np.append(s[2:], w * w * (ramp(x) - s[:2]) - 2 * damping * w * s[2:]),
+        (0, t[-1]),
+        [*u[0], 0, 0],
+        t_eval=t,
+        rtol=1e-9,
+        atol=1e-9,
+    )
+    y, rate, acceleration = oscillate(u, 0.02, 4.0, damping)
+    np.testing.assert_allclose(y, run.y[:2].T, atol=5e-3)
+    np.testing.assert_allclose(rate, run.y[2:].T, atol=0.05)
+    np.testing.assert_allclose(acceleration, w * w * (u - y) - 2 * damping * w * rate, atol=1e-9)
+
+
+@pytest.mark.parametrize("effect", [case.effect for case in PLANTED if case.effect.stage == "kinematics"], ids=lambda effect: effect.id)
+def test_a_recording_of_poses_says_why_it_shows_nothing_of_the_joints(effect: Effect) -> None:
+    poses = replace(scene(), q=None, dq=None, jacobian=None, torque=None)
+    assert effect.missing(poses) == "the recording has no joint positions"
+    assert effect.missing(scene()) is None
+
+
+def test_what_cannot_show_is_said() -> None:
+    still = replace(scene(), motion=Motion.still(scene().motion.g))
+    assert SensorTranslation().missing(still) is not None
+    assert CableDrag().missing(replace(scene(), position=None)) is not None
+    assert CableDrag().missing(replace(scene(), position=np.ones((len(T), 3)))) is not None
+    assert JointBacklash().missing(replace(scene(), torque=np.full((len(T), 7), 5.0))) is not None
+    assert all(case.effect.missing(scene()) is None for case in PLANTED)
+
+
+@each
+def test_the_advice_names_what_to_do_with_numbers(case: Planted) -> None:
+    advice = case.effect.advice(scene(), case.theta)
+    assert advice[0].isupper()
+    assert advice.endswith(".")
+    assert any(c.isdigit() for c in advice)
+    assert "nan" not in advice
+
+
+def test_advice_is_given_in_everyday_units() -> None:
+    assert "-1.15 deg about x" in BaseTilt().advice(scene(), TILT)  # the base stands turned against gravity's turn
+    assert "+3.0, -4.0 and +2.0 mm" in SensorTranslation().advice(scene(), SHIFT)
+    assert "gained 200 g" in PayloadMassChange().advice(scene(), np.array([AT, ADDED, *PLACE]))
+    assert "7.8 N from 8.0 to 12.5 s" in ExternalContact().advice(scene(), np.array([8.0, 4.5, 0.0, *PUSH, *TWIST]))
+
+
+@settings(max_examples=30)
+@given(st.lists(st.floats(-0.3, 0.3), min_size=3, max_size=3))
+def test_rotation_vectors_turn_as_scipy_turns_them(vector: list[float]) -> None:
+    np.testing.assert_allclose(rotation(np.array(vector)), Rotation.from_rotvec(vector).as_matrix(), atol=1e-14)
+
+
+@settings(max_examples=20)
+@given(st.lists(st.floats(-2.0, 2.0), min_size=10, max_size=10))
+def test_the_compiled_wrench_is_the_regressors(phi: list[float]) -> None:
+    np.testing.assert_allclose(rigid_wrench(scene().motion, np.array(phi)), regressor(scene().motion) @ np.array(phi), atol=1e-9)
+
+
+def test_the_starts_of_steps_and_windows_are_within_a_few_samples_of_the_truth() -> None:
+    noise = np.random.default_rng(6).normal(size=(len(T), 6))
+
+    def first_start(effect: Effect, measured: Array) -> Array:
+        residual = without_nuisance(((measured - scene().nominal) / SIGMA + noise).ravel())
+        return effect.starts(scene(), residual.reshape(-1, 6))[0]
+
+    gained = truth().wrench() + (T[:, None] > AT) * truth().wrench(PLACE[None], np.array([ADDED]))
+    assert first_start(PayloadMassChange(), gained)[0] == pytest.approx(AT, abs=0.05)
+    assert first_start(PayloadShift(), slipped())[0] == pytest.approx(AT, abs=0.05)
+    np.testing.assert_allclose(first_start(ExternalContact(), touched(inside()))[:2], [8.0, 4.5], atol=0.1)

@@ -1,0 +1,98 @@
+"""Poses, motion without lag, and the Kalman filter."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pinocchio as pin
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from core.estimation.kinematics import (
+    KinematicFilter,
+    poses_of,
+    rotation_of,
+    rotation_vector,
+    smooth_motion,
+    white_noise_std,
+)
+from tests.synthetic import GRAVITY, payload, record, run_of
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from([1e-12, 1e-6, 1e-3, 1.0, 3.0]))
+def test_rotations_and_their_vectors_are_pinocchios(seed: int, size: float) -> None:
+    v = np.random.default_rng(seed).normal(size=3)
+    v *= size / np.linalg.norm(v)
+    np.testing.assert_allclose(rotation_of(v), pin.exp3(v), atol=1e-14)
+    np.testing.assert_allclose(rotation_vector(pin.exp3(v)), v, atol=1e-12 * (1 + 1 / (np.pi - size)))
+
+
+def test_the_noise_of_the_encoders_is_found_under_the_motion() -> None:
+    run = run_of("lwr4_bench", 0)
+    q = run.q + 2e-6 * np.random.default_rng(0).normal(size=run.q.shape)
+    np.testing.assert_allclose(white_noise_std(q), 2e-6, rtol=0.05)
+
+
+def test_smoothed_motion_has_no_lag() -> None:
+    run = run_of("lwr4_bench", 0)
+    poses = poses_of(record(run, payload("cylinder"), np.random.default_rng(0)))
+    assert poses is not None
+    motion, speed = smooth_motion(poses, window_s=0.05)
+    for found, truth in ((motion.omega, run.omega), (motion.alpha, run.alpha)):
+        k = int(np.argmax((truth**2).sum(axis=0)))
+        shifts = range(-12, 13)
+        errors = [np.mean((np.roll(found[:, k], -s) - truth[:, k]) ** 2) for s in shifts]
+        assert shifts[int(np.argmin(errors))] == 0
+    assert np.sqrt(np.mean((motion.omega - run.omega) ** 2)) < 0.01
+    assert speed[run.phase == "transfer"].max() > 0.1
+
+
+def test_orientations_and_positions_serve_instead_of_joints() -> None:
+    run = run_of("lwr4_bench", 0)
+    recording = record(run, payload("cylinder"), np.random.default_rng(0))
+    joints = poses_of(recording)
+    assert joints is not None
+    logged = replace(recording, q=None, robot=None, orientation=joints.rotation, position=joints.position)
+    poses = poses_of(logged)
+    assert poses is not None
+    np.testing.assert_array_equal(poses.g, joints.g)
+    assert poses_of(replace(logged, orientation=None)) is None
+
+
+@pytest.fixture(scope="module")
+def filtered() -> tuple[np.ndarray, np.ndarray, KinematicFilter]:
+    run = run_of("lwr4_bench", 0)
+    rows = slice(0, 9000)
+    noisy = run.robot.sensor_poses(run.q[rows] + 2e-6 * np.random.default_rng(0).normal(size=run.q[rows].shape))
+    kf = KinematicFilter(1e-3, position_std=5e-6, orientation_std=5e-6)
+    found, true = [], []
+    for k in range(9000):
+        kf.update(noisy.rotation[k], noisy.position[k])
+        motion = kf.motion(GRAVITY)
+        found.append(np.concatenate((motion.omega[0], motion.alpha[0], motion.a[0])))
+        true.append(np.concatenate((run.omega[k], run.alpha[k], run.rotation[k].T @ run.a[k])))
+    return np.array(found), np.array(true), kf
+
+
+def test_the_filter_follows_the_motion_with_a_lag_of_its_bandwidth(
+    filtered: tuple[np.ndarray, np.ndarray, KinematicFilter],
+) -> None:
+    found, true, _ = filtered
+    error = (found - true)[500:]
+    assert np.sqrt(np.mean(error[:, :3] ** 2)) < 0.02
+    signal = np.sqrt(np.mean(true[500:, 3:6] ** 2))
+    assert np.sqrt(np.mean(error[:, 3:6] ** 2)) < 0.4 * signal
+
+
+def test_at_rest_the_filter_is_quieter_than_it_says_of_itself_for_motion(
+    filtered: tuple[np.ndarray, np.ndarray, KinematicFilter],
+) -> None:
+    found, _, kf = filtered
+    at_rest = found[500:1400]
+    omega_std, alpha_std, _, a_std = kf.steady_std
+    for rows, std in ((slice(0, 3), omega_std), (slice(3, 6), alpha_std), (slice(6, 9), a_std)):
+        # what it says counts the jerk that it allows for, the thresholds are built on it
+        assert 0.02 * std < at_rest[:, rows].std() < std
+    np.testing.assert_allclose(kf.rotation @ kf.rotation.T, np.eye(3), atol=1e-9)

@@ -1,0 +1,31 @@
+"""The on-line estimation finds what the paper's does off line, up to the filter's lag."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from core.estimation.online import OnlineEstimator
+from tests.synthetic import GRAVITY, NOISE_STD, payload, record, run_of
+
+
+def test_on_line_estimates_appear_as_the_motion_allows_them() -> None:
+    run, body = run_of("lwr4_bench", 0), payload("steel_block")
+    recording = record(run, body, np.random.default_rng(0))
+    assert recording.q is not None and recording.wrench is not None
+    estimator = OnlineEstimator(run.robot, GRAVITY, period=1e-3, noise_std=NOISE_STD)
+    half_way = None
+    for k in range(len(recording)):
+        estimator.update(recording.q[k], recording.wrench[k])
+        if k == len(recording) // 2:
+            half_way = estimator.estimate
+    assert half_way is not None
+    # before the z axis was seen both ways there is no offset for it, and no mass
+    assert np.isnan(half_way.phi[0])
+    assert not np.isnan(half_way.phi[4])
+    final = estimator.estimate
+    np.testing.assert_allclose(final.phi[0], body.mass, rtol=1e-3)
+    np.testing.assert_allclose(final.phi[1:4], body.first_moment, atol=2e-4)
+    np.testing.assert_allclose(final.phi[[4, 7, 9]], body.phi[[4, 7, 9]], rtol=0.08)
+    assert np.isnan(final.phi[[5, 6, 8]]).all()
+    np.testing.assert_allclose(final.offset[:3], [3.1, -2.2, 5.3], atol=0.01)
+    assert np.abs(estimator.motion.omega).max() < 0.01

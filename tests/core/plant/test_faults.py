@@ -1,0 +1,251 @@
+"""Every fault on a short motion, its effect compared with what physics says: Pinocchio, Eq. (1) written out, closed-form oscillators."""
+
+import dataclasses
+import json
+from functools import cache
+
+import numpy as np
+import pytest
+from plant_oracle import CELLS, PinocchioArm, smooth_move
+from scipy import signal
+from scipy.spatial.transform import Rotation
+
+from core.errors import BadPayload
+from core.inertia import InertialParameters, frame_change
+from core.plant.faults import FAULTS, Background, Setting, variants
+from core.plant.faults.environment import Bumps, GrowingTouch, SlackCable, SpringCable, Touch, TwistedHose
+from core.plant.faults.joints import DeadZone, DryFriction, ElasticJoints, HardeningJoints, LuGre, PlayByLoad, Ripple, UnevenRipple
+from core.plant.faults.loose import Pendulum, Rattle, RubberTool, SprungPart, WhippingTool
+from core.plant.faults.mounting import (
+    EccentricEncoders,
+    EncoderOffsets,
+    ShiftedSensor,
+    ShiftedSensorWithPayload,
+    SoftFloor,
+    TiltedBase,
+    TurnedSensor,
+    TurnedSensorWithPayload,
+)
+from core.plant.faults.payload import ForgottenPart, Leak, MassStep, OtherDensity, Slide, Slip
+from core.plant.faults.unknown import BentLink, SlippingEncoders, WarpingBase
+from core.plant.virtual_robot import VirtualRobot
+from core.recording import Recording
+from core.sessions.simulated import SimulatedSession
+
+CELL = CELLS["lwr4_bench"]
+PAYLOAD = CELL.payloads["steel_block"].parameters
+HOME = np.array(CELL.robot.home_rad)
+SETTING = Setting(CELL, PAYLOAD, seconds=1.4)
+AWAY = np.array([0.25, 0.2, -0.15, -0.3, 0.4, 0.5, 0.3])
+EFFECTS = """sensor_drift sensor_offset_step sensor_gain sensor_crosstalk sensor_nonlinearity sensor_hysteresis sensor_creep sensor_saturation
+sensor_quantization sensor_noise sensor_interference time_delay sensor_lowpass kinematic_lag sample_dropout sensor_rotation
+sensor_translation base_tilt joint_offset joint_elasticity joint_backlash joint_friction gear_ripple payload_mismatch payload_loose
+payload_shift payload_mass_change tool_flexibility cable_drag external_contact unknown""".split()
+NAMES = [f"{fault.id}-{fault.variant}" for fault in FAULTS]
+ZERO = np.zeros(7)
+
+
+@cache
+def path():
+    """0.2 s at rest, 0.5 s there, 0.2 s at rest, 0.4 s half-way back, 0.1 s at rest."""
+    there, half = HOME + AWAY, HOME + 0.5 * AWAY
+    still = [np.tile(q, (n, 1)) for q, n in ((HOME, 200), (there, 200), (half, 100))]
+    return np.vstack((still[0], smooth_move(HOME, there, 0.5), still[1], smooth_move(there, half, 0.4), still[2]))
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    t: np.ndarray
+    q: np.ndarray
+    dq: np.ndarray
+    wrench: np.ndarray
+    tau: np.ndarray
+    true_q: np.ndarray
+    true_dq: np.ndarray
+    true_ddq: np.ndarray
+    true_tau: np.ndarray
+    true_wrench: np.ndarray
+
+
+def run(*faults, along=None, cell=CELL, payload=PAYLOAD, seed=3):
+    robot = VirtualRobot(cell, payload, np.random.default_rng(seed), faults=faults)
+    along = path() if along is None else along
+    rows = [(robot.step(q), robot.truth) for q in along]
+    read = [np.array([getattr(s, name) for s, _ in rows]) for name in ("t", "q", "dq", "wrench", "tau")]
+    true = [np.array([getattr(w, name) for _, w in rows]) for name in ("q", "dq", "ddq", "tau", "wrench")]
+    return Run(*read, *true)
+
+
+@cache
+def clean():
+    return run()
+
+
+def still(q, seconds):
+    return np.tile(q, (round(seconds * 1000), 1))
+
+
+def rigid(run, phi=PAYLOAD.phi, gravity=CELL.gravity, offset=ZERO, every=9):
+    """The wrench (6,) of Eq. (1) at every so many samples, from the true motion."""
+    oracle = PinocchioArm.of(CELL, InertialParameters(phi), gravity)
+    rows = range(0, len(run.t), every)
+    return np.array([oracle.wrench(phi, run.true_q[k] + offset, run.true_dq[k], run.true_ddq[k]) for k in rows])
+
+
+def sensor_pose(q):
+    from core.robot import RobotModel
+
+    return RobotModel.of_cell(CELL).sensor_pose(q)
+
+
+def drawn(fault, seed=0, size=1.0, setting=SETTING):
+    return fault.draw(np.random.default_rng(seed), size, setting)
+
+
+# the registry
+
+
+def test_every_effect_has_a_fault_and_half_of_them_another_shape():
+    assert {fault.id for fault in FAULTS} == set(EFFECTS)
+    assert sum(len(variants(effect)) > 1 for effect in EFFECTS) >= len(EFFECTS) / 2
+    assert len(variants("unknown")) >= 5
+    assert len(set(NAMES)) == len(NAMES)
+    assert variants("nonsense") == ()
+
+
+@pytest.mark.parametrize("fault", (*FAULTS, Background), ids=lambda fault: f"{fault.id}-{fault.variant}")
+@pytest.mark.parametrize("cell", CELLS.values(), ids=CELLS)
+def test_draws_repeat_by_seed_and_their_truth_is_json(fault, cell):
+    setting = Setting(cell, cell.payloads["cylinder"].parameters)
+    assert drawn(fault, 1, setting=setting) == drawn(fault, 1, setting=setting)
+    assert len({drawn(fault, seed, setting=setting) for seed in range(5)}) == 5
+    truth = drawn(fault, 1, setting=setting).truth
+    assert set(truth) == {field.name for field in dataclasses.fields(fault)}
+    assert json.loads(json.dumps(truth)) == json.loads(json.dumps({k: list(v) if isinstance(v, tuple) else v for k, v in truth.items()}))
+
+
+def norm(values, rows):
+    return float(np.linalg.norm(np.array(values)[rows]))
+
+
+def largest(values):
+    return float(np.abs(np.array(values)).max())
+
+
+F = slice(0, 3)
+DEGREE = np.pi / 180
+PLAUSIBLE = {
+    "sensor_drift-exponential": (lambda f: norm(f.drift_wrench, F), 0.3, 4.0),
+    "sensor_drift-linear": (lambda f: norm(f.drift_wrench, F), 0.3, 4.0),
+    "sensor_offset_step-step": (lambda f: norm(f.step_wrench, F), 1.0, 2.0),
+    "sensor_gain-linear": (lambda f: largest(f.gain_share), 0.01, 0.05),
+    "sensor_crosstalk-linear": (lambda f: largest(f.coupling * SETTING.full_scale / SETTING.full_scale[:, None]), 0.01, 0.03),
+    "sensor_nonlinearity-quadratic": (lambda f: largest(f.share_of_range), 0.005, 0.02),
+    "sensor_hysteresis-play": (lambda f: largest(f.half_width_wrench / SETTING.full_scale), 0.001, 0.004),
+    "sensor_creep-exponential": (lambda f: abs(f.creep_share), 0.002, 0.01),
+    "sensor_noise-white": (lambda f: f.factor, 1.5, 5.0),
+    "sensor_interference-sine": (lambda f: largest(f.amplitude_wrench / SETTING.noise_std), 1.0, 5.0),
+    "sensor_quantization-rounded": (lambda f: f.step_wrench[0] / 0.0625, 4.0, 20.0),
+    "time_delay-constant": (lambda f: f.delay_s, 0.004, 0.04),
+    "time_delay-jitter": (lambda f: f.delay_s, 0.004, 0.04),
+    "sensor_lowpass-first_order": (lambda f: f.cut_off_hz, 2.0, 20.0),
+    "sensor_lowpass-second_order": (lambda f: f.cut_off_hz, 2.0, 20.0),
+    "kinematic_lag-first_order": (lambda f: f.lag_s, 0.005, 0.03),
+    "sample_dropout-held": (lambda f: f.lost_share, 0.1, 0.6),
+    "sensor_rotation-sensor_alone": (lambda f: norm(f.rotation_rad, F) / DEGREE, 0.3, 3.0),
+    "sensor_translation-sensor_alone": (lambda f: norm(f.translation_m, F), 0.001, 0.005),
+    "base_tilt-fixed": (lambda f: np.hypot(*f.tilt_rad) / DEGREE, 0.1, 3.0),
+    "joint_offset-fixed": (lambda f: largest(f.offset_rad) / DEGREE, 0.1, 2.0),
+    "joint_elasticity-two_mass": (lambda f: largest(f.stiffness_n_m_per_rad), 2e3, 1e4),
+    "joint_backlash-dead_zone": (lambda f: largest(f.half_play_rad) / DEGREE, 0.01, 0.05),
+    "joint_friction-coulomb_viscous": (lambda f: largest(f.dry_n_m), 1.0, 15.0),
+    "gear_ripple-sine": (lambda f: largest(f.amplitude_rad) / DEGREE * 60, 0.25, 1.0),
+    "payload_mismatch-scaled": (lambda f: abs(f.mass_share), 0.02, 0.2),
+    "payload_loose-spring_mass": (lambda f: f.part_share, 0.05, 0.3),
+    "payload_shift-step": (lambda f: norm(f.shift_m, F), 0.002, 0.04),
+    "payload_mass_change-step": (lambda f: abs(f.change_kg), 0.02, 0.3),
+    "tool_flexibility-slide": (lambda f: f.frequency_hz, 10.0, 40.0),
+    "cable_drag-spring": (lambda f: f.stiffness_n_per_m, 0.5, 10.0),
+    "external_contact-window": (lambda f: norm(f.force_n, F), 1.0, 15.0),
+}
+
+
+@pytest.mark.parametrize("name", PLAUSIBLE)
+def test_draws_of_size_one_are_plausible_and_fill_their_range(name):
+    size_of, low, high = PLAUSIBLE[name]
+    sizes = [size_of(drawn(FAULTS[NAMES.index(name)], seed)) for seed in range(150)]
+    assert low * (1 - 1e-9) <= min(sizes)
+    assert max(sizes) <= high * (1 + 1e-9)
+    spread = (high / low) ** 0.25
+    assert min(sizes) < low * spread
+    assert max(sizes) > high / spread
+
+
+SMALL = {"joint_elasticity", "tool_flexibility"}  # their limit is a spring of infinite stiffness, which no simulation can step
+
+
+@pytest.mark.parametrize("fault", [f for f in FAULTS if f.id not in SMALL], ids=lambda fault: f"{fault.id}-{fault.variant}")
+def test_a_fault_of_no_size_is_no_fault(fault):
+    along = path()[:500]
+    faulty, healthy = run(drawn(fault, size=1e-7), along=along), clean()
+    step = np.array(CELL.sensor.resolution)
+    # rounding decides otherwise where a reading was between two steps, but seldom
+    assert (np.abs(faulty.wrench - healthy.wrench[:500]) <= 1.001 * step).all()
+    assert (np.abs(faulty.wrench - healthy.wrench[:500]) < 0.5 * step).mean() > 0.99
+    np.testing.assert_allclose(faulty.q, healthy.q[:500], atol=4e-6)
+    np.testing.assert_allclose(faulty.true_tau, healthy.true_tau[:500], atol=0.02 + 0.003 * np.abs(healthy.true_tau).max())
+
+
+@pytest.mark.parametrize("fault", (*FAULTS, Background), ids=lambda fault: f"{fault.id}-{fault.variant}")
+def test_a_large_fault_is_finite_and_the_same_again(fault):
+    planted = drawn(fault, 2, size=3.0)
+    along = path()[:350]
+    first, again = run(planted, along=along), run(planted, along=along)
+    for field in dataclasses.fields(first):
+        values = getattr(first, field.name)
+        assert np.isfinite(values).all()
+        np.testing.assert_array_equal(values, getattr(again, field.name))
+    # a robot that the guard would not stop: it follows its command, and no channel is dead
+    assert np.abs(first.q - along).max() < 0.05
+    assert (np.abs(first.wrench) < CELL.sensor.range).all()
+    assert (np.diff(first.wrench[:200], axis=0) != 0).any()
+
+
+@pytest.mark.parametrize("fault", variants("unknown"), ids=lambda fault: fault.variant)
+def test_what_no_effect_describes_shows_in_the_wrench(fault):
+    change = [np.abs((run(drawn(fault, seed)).wrench - clean().wrench) / SETTING.noise_std).max() for seed in range(3)]
+    assert max(change) > 1.5
+
+
+def test_an_empty_hand_can_lose_no_part():
+    empty = InertialParameters(np.zeros(10))
+    for fault in (SprungPart(0.2, (0, 0, 1), 3.0, 0.1), Slip(0.3, (0.01, 0, 0), 0.5, 0.0)):
+        with pytest.raises(BadPayload, match="no mass"):
+            run(fault, payload=empty)
+    with pytest.raises(BadPayload, match="no mass"):
+        drawn(OtherDensity, setting=Setting(CELL, empty))
+
+
+def test_faults_reach_the_plant_through_the_session_in_their_order():
+    faults = (Background((0.0, 0.01), (0.0,) * 6, 0.0, 0), TiltedBase((0.01, 0.0)))
+    with SimulatedSession(CELL, PAYLOAD, seed=3, faults=faults) as session:
+        session.state()
+        felt = session.plant.truth.wrench
+    g = Rotation.from_rotvec([0.01, 0.0, 0.0]).apply(Rotation.from_rotvec([0.0, 0.01, 0.0]).apply(CELL.gravity))
+    np.testing.assert_allclose(felt[:3], -PAYLOAD.mass * sensor_pose(HOME).rotation.T @ g, atol=2e-3)
+
+
+def test_background_jitter_is_that_of_the_instant():
+    """A ramp of known slope sampled at instants that jitter by 0.1 ms."""
+    fault = Background((0.0, 0.0), (0.0,) * 6, 1e-4, seed=5)
+    felt = fault.sense(machine_of())
+    slope = np.array([100.0, -50.0, 20.0, 1.0, 2.0, 3.0])
+    t = 0.001 * np.arange(4000)
+    early = np.array([felt(s, slope * s) for s in t])[1:] / slope - t[1:, None]
+    np.testing.assert_allclose(early.std(0), 1e-4, rtol=0.05)
+    np.testing.assert_allclose(early, early[:, :1].repeat(6, 1), atol=1e-9)
+
+
+def machine_of():
+    robot = VirtualRobot(CELL, PAYLOAD, np.random.default_rng(0))
+    return robot._links.machine
