@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
@@ -41,15 +42,8 @@ class GearRipple(Effect):
         """See `Effect.wrench`."""
         if scene.q is None or scene.dq is None:
             raise ValueError("gear ripple needs a scene with joints (see Effect.missing)")
-        order = 2.0 * theta[0]
-        rate = order * scene.dq
-        growth = order * np.diff(scene.dq, axis=0, prepend=scene.dq[:1]) / scene.period
-        square = (rate * (scene.period / (0.8 * np.pi))) ** 2
-        visible = 1.0 / (1.0 + (square * square) ** 2)
-        cos, sin = visible * np.cos(order * scene.q), visible * np.sin(order * scene.q)
-        c, s = theta[1::2], theta[2::2]
-        error, slope = c * cos + s * sin, s * cos - c * sin
-        return w + wrench_change(scene, true_motion(scene, error, growth * slope - rate * rate * error))
+        error, acceleration = _ripple(scene.q, scene.dq, 2.0 * theta[0], theta[1::2].copy(), theta[2::2].copy(), scene.period)
+        return w + wrench_change(scene, true_motion(scene, error, acceleration))
 
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""
@@ -70,6 +64,25 @@ class GearRipple(Effect):
             f"Turn joint {j + 1} at another speed while measuring: its gear errs by {60 * np.degrees(amplitude[j]):.2f} arcmin "
             f"{2 * theta[0]:.0f} times per turn."
         )
+
+
+@njit(cache=True)
+def _ripple(q: Array, dq: Array, order: float, c: Array, s: Array, period: float) -> tuple[Array, Array]:
+    """`c cos(order q) + s sin(order q)`, faded out near the highest frequency that the samples show, and its second derivative."""
+    N, n = q.shape
+    error = np.empty((N, n))
+    acceleration = np.empty((N, n))
+    fastest = 0.8 * np.pi / period
+    for k in range(N):
+        for j in range(n):
+            rate = order * dq[k, j]
+            growth = order * (dq[k, j] - dq[max(k - 1, 0), j]) / period
+            x = (rate / fastest) ** 2
+            visible = 1.0 / (1.0 + x * x * x * x)
+            cos, sin = visible * np.cos(order * q[k, j]), visible * np.sin(order * q[k, j])
+            error[k, j] = c[j] * cos + s[j] * sin
+            acceleration[k, j] = growth * (s[j] * cos - c[j] * sin) - rate * rate * error[k, j]
+    return error, acceleration
 
 
 def _ratios(scene: Scene, residual: Array, count: int = 4) -> list[float]:

@@ -73,16 +73,19 @@ def held_share(wrench: Array) -> tuple[float, int, int]:
     same = np.diff(wrench, axis=0) == 0
     every = same.all(axis=1)
     blocks = len(same) // BLOCK
+    if blocks == 0:
+        return 0.0, 0, 0
     e = same[: blocks * BLOCK].reshape(blocks, BLOCK, 6).mean(axis=1)
     joint = every[: blocks * BLOCK].reshape(blocks, BLOCK).mean(axis=1)
     shares = np.array([_solved(joint[b], e[b]) for b in range(blocks)])
     told = np.isfinite(shares)
-    if told.mean() > 0.5:  # where noise is seen elsewhere, a wrench that stands still altogether is held
-        shares[joint == 1.0] = 1.0
-        told |= joint == 1.0
     edges = np.flatnonzero(np.diff(np.concatenate([[0], every.astype(int), [0]])))
     longest = int(np.max(edges[1::2] - edges[::2], initial=0))
-    return (float(shares[told].mean()), int(told.sum()) * BLOCK, longest) if told.any() else (0.0, 0, longest)
+    if told.mean() < 0.5:  # the few blocks that seem to tell are then those in which chance did
+        return 0.0, 0, longest
+    shares[joint == 1.0] = 1.0  # where noise is seen elsewhere, a wrench that stands still altogether is held
+    told |= joint == 1.0
+    return float(shares[told].mean()), int(told.sum()) * BLOCK, longest
 
 
 def lost_share(t: Array) -> float:

@@ -70,16 +70,15 @@ class SensorQuantization(Symptom):
 def step_of(channel: Array) -> float | None:
     """The step between neighbouring values of a channel (N,); None where its values are not repeated enough to tell.
 
-    The median gap between values that occur often: a channel that was rounded twice has gaps of two sizes, whose mean is the coarser step.
+    The small gaps between distinct values, since larger ones are values that never came up. A channel that was rounded twice has small
+    gaps of two sizes, whose mean is the coarser step.
     """
-    values, counts = np.unique(np.round(channel, 9), return_counts=True)
-    often = values[counts >= 3]
-    if len(often) < 4 or counts[counts >= 3].sum() < 0.5 * len(channel):
+    values = np.unique(np.round(channel, 9))
+    if len(values) < 4 or len(values) > len(channel) / 3:
         return None
-    gaps = np.diff(often)
-    middle = float(np.median(gaps))
-    near = gaps[np.abs(gaps - middle) < 0.5 * middle]
-    return float(near.mean())
+    gaps = np.diff(values)
+    smallest = float(np.quantile(gaps, 0.1))  # a stray value beside the steps does not count
+    return float(gaps[np.abs(gaps / smallest - 1.3) < 0.5].mean())
 
 
 def _noise(seen: Array, stated: Array | None, step: Array) -> Array:

@@ -83,6 +83,22 @@ def tilt_axes(gravity: Array) -> Array:
     return np.asarray(axes - np.outer(down, down @ axes))
 
 
+class RawFeatures:
+    """Second differences of the poses, sample by sample: far too noisy to look at, without bias once they are averaged.
+
+    Attributes: `a` (N, 3), acceleration of the sensor origin; `B` (N, 3, 3), `R^T R''`; `difference` (N, N), the operator.
+    """
+
+    def __init__(self, poses: Poses) -> None:
+        n = len(poses.t)
+        self.difference = second_difference(poses.t)
+        apart = _rotation_from_neighbours(poses.rotation)
+        self.B = np.einsum("nji,njk->nik", apart, (self.difference @ poses.rotation.reshape(n, 9)).reshape(-1, 3, 3))
+        self.a = np.zeros((n, 3))
+        if poses.position is not None:
+            self.a = np.einsum("nji,nj->ni", apart, self.difference @ poses.position)
+
+
 class WeakForm:
     """Windows over a recording.
 
@@ -101,12 +117,8 @@ class WeakForm:
             self._rows = np.flatnonzero(still_only)
             self.centres = t[self._rows]
         else:
-            D = second_difference(t)
-            apart = _rotation_from_neighbours(rotation)
-            B = np.einsum("nji,njk->nik", apart, (D @ rotation.reshape(len(t), 9)).reshape(-1, 3, 3))
-            if poses.position is not None:
-                a = np.einsum("nji,nj->ni", apart, D @ poses.position)
-            self._difference = D
+            raw = RawFeatures(poses)
+            a, B, self._difference = raw.a, raw.B, raw.difference
             self._step = max(STEP_S, 8.0 * poses.period)
             self.centres = self._centres(t)
         self._samples = np.concatenate((a, np.swapaxes(rotation, 1, 2).reshape(-1, 9), B.reshape(-1, 9)), axis=1)

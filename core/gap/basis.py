@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from core.effects.scene import Scene
 from core.errors import HeftError
-from core.estimation.kinematics import Poses, poses_of, smooth_motion
+from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
 from core.estimation.noise import sensor_noise, unknown_noise
 from core.estimation.segments import Segment, motionless, segments_of_motion, segments_of_phase
-from core.estimation.weak_form import WeakForm
-from core.gap.windows import Basis
+from core.estimation.weak_form import RawFeatures, regressor_of
+from core.gap.windows import Basis, window_matrix
 from core.inertia import Motion
 from core.recording import Recording
 from core.robot import RobotModel
@@ -23,7 +23,9 @@ GRID_S = 0.005
 """Period of the scene that effects are applied to."""
 SMOOTHING_S = 0.036
 """Of the motion that effects act on: short enough for the corners of a trapezoid, long enough for the encoders' noise."""
-FEWEST_WINDOWS = 40
+SHORTEST_S = 3.0
+NARROW_S = 0.0125
+"""Knot spacing of the narrow windows."""
 SLOWEST_PERIOD_S = 0.02
 NOTHING_MOVES_RAD = 0.02
 
@@ -47,18 +49,23 @@ def basis_of(recording: Recording) -> Basis:
         raise TooLittleError(
             f"{len(recording)} samples at {1.0 / poses.period:.0f} Hz are poses, not motion: only a payload can be fitted to them"
         )
-    form = WeakForm(poses)
-    if len(form) < FEWEST_WINDOWS:
+    if recording.t[-1] - recording.t[0] < SHORTEST_S:
         raise TooLittleError(f"{recording.t[-1] - recording.t[0]:.1f} s are too short to say anything")
     if float(np.ptp(poses.g, axis=0).max()) < NOTHING_MOVES_RAD * 9.81:
         raise TooLittleError("the sensor hardly turns: payload, offsets and effects cannot be told apart")
     motion, speed = smooth_motion(poses, window_s=SMOOTHING_S)
     segments = segments_of(recording, motion, speed)
-    noise = (
-        sensor_noise(recording.wrench, motionless(recording.t, segments), segments, nominal_std=recording.sensor.noise_std)
-        or unknown_noise()
-    )
-    return Basis(poses, form, noise, recording.wrench, segments, scene_of(recording, poses, motion, segments))
+    still = motionless(recording.t, segments)
+    noise = sensor_noise(recording.wrench, still, segments, nominal_std=recording.sensor.noise_std) or unknown_noise()
+    raw = RawFeatures(poses)
+    grid = max(GRID_S, poses.period)
+    narrow = max(NARROW_S, 4.0 * poses.period)
+    t = np.arange(poses.t[0] + 2.0 * narrow, poses.t[-1] - 2.0 * narrow, grid)
+    spread = window_matrix(t, narrow, poses.t)
+    g, a, B = (np.asarray(spread @ x.reshape(len(poses.t), -1)).reshape(len(t), *x.shape[1:]) for x in (poses.g, raw.a, raw.B))
+    omega = np.column_stack([np.interp(t, poses.t, channel) for channel in motion.omega.T])
+    scene = scene_of(recording, poses, Motion(g, a, omega, axial(B)), segments, t)
+    return Basis(poses, noise, segments, scene, np.asarray(spread @ recording.wrench), regressor_of(a - g, B), spread, raw.difference)
 
 
 def segments_of(recording: Recording, motion: Motion, speed: Array) -> tuple[Segment, ...]:
@@ -68,10 +75,9 @@ def segments_of(recording: Recording, motion: Motion, speed: Array) -> tuple[Seg
     return segments_of_motion(recording.t, motion.omega, speed, motion.g, threshold=np.array([0.01, 0.005]))
 
 
-def scene_of(recording: Recording, poses: Poses, motion: Motion, segments: tuple[Segment, ...]) -> Scene:
-    """The nominal run on a uniform grid."""
-    period = max(GRID_S, poses.period)
-    t = np.arange(poses.t[0], poses.t[-1], period)
+def scene_of(recording: Recording, poses: Poses, motion: Motion, segments: tuple[Segment, ...], t: Array) -> Scene:
+    """The nominal run on a uniform grid t (N,)."""
+    period = float(t[1] - t[0])
     rows = np.clip(np.searchsorted(poses.t, t - 0.5 * poses.period), 0, len(poses.t) - 1)
     phase = np.concatenate([np.full(part.stop - part.start, part.phase) for part in segments])
     robot = None if recording.robot is None else RobotModel(recording.robot)
@@ -80,7 +86,7 @@ def scene_of(recording: Recording, poses: Poses, motion: Motion, segments: tuple
     return Scene(
         t=t,
         phase=phase[rows],
-        motion=motion[rows],
+        motion=motion,
         rotation=poses.rotation[rows],
         position=None if poses.position is None else poses.position[rows],
         gravity=poses.gravity,

@@ -115,7 +115,7 @@ def _fit(task: tuple[tuple[Effect, ...], EffectFit, list[Array]]) -> EffectFit:
 
 def _on_grid(windows: Windows, fit: EffectFit) -> Array:
     """(N, 6), residual in standard deviations of the windows' noise, on the scene's grid."""
-    scene, centres = windows.basis.scene, windows.basis.form.centres
+    scene, centres = windows.basis.scene, windows.centres
     return np.column_stack([np.interp(scene.t, centres, channel) for channel in fit.residual])
 
 

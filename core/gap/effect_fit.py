@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.gap.windows import PHI, Windows
+from core.gap.windows import BACKGROUND, PHI, Windows
 
 Array = NDArray[np.float64]
 
@@ -24,6 +24,9 @@ STEP = 1e-3
 """Of the finite differences, in plausible sizes."""
 CONVERGED = 0.02
 """Fall of the cost below which the fit has ended, in units of chi-square."""
+SMALL = 2.5
+"""Small imperfections stay within this many of their standard deviations; beyond, they are effects and have to be named."""
+ACTIVE_SET_PASSES = 6
 STAGES = ("mounting", "kinematics", "actuation", "payload", "environment", "timing", "sensor")
 """From the robot to the reading: the order in which effects act on the wrench."""
 
@@ -93,6 +96,9 @@ class _Problem:
         self.XX = self.X.T @ self.X
         self.target = windows.target.ravel()
         self.precision = np.concatenate((windows.prior_std, PRIOR_WIDTH * self.scale)) ** -2.0
+        free = np.full(BACKGROUND.start, np.inf)
+        small = SMALL * windows.prior_std[BACKGROUND]
+        self.bounds = np.array([np.concatenate((-free, -small, self.lower)), np.concatenate((free, small, self.upper))])
 
     def change(self, theta: Array, phi: Array) -> Array:
         """(N, 6) on the scene's grid."""
@@ -134,14 +140,15 @@ class _Problem:
         )
         normal = self.normal(J)
         normal[np.diag_indices_from(normal)] *= 1.0 + damping
-        d = _solve(normal, right)
-        return beta + d[: len(beta)], np.clip(theta + d[len(beta) :], self.lower, self.upper)
+        here = np.concatenate((beta, theta))
+        found = here + _bounded(normal, right, self.bounds - here)
+        return found[: len(beta)], np.clip(found[len(beta) :], self.lower, self.upper)
 
 
 def fit_nominal(windows: Windows) -> EffectFit:
     """The nominal twin with its small imperfections."""
     problem = _Problem(windows, ())
-    beta = _solve(problem.XX + np.diag(problem.precision), problem.X.T @ problem.target)
+    beta = _bounded(problem.XX + np.diag(problem.precision), problem.X.T @ problem.target, problem.bounds)
     return _finished(problem, beta, np.zeros(0))
 
 
@@ -178,7 +185,8 @@ def _finished(problem: _Problem, beta: Array, theta: Array) -> EffectFit:
     cost = problem.cost(beta, theta)
     log_evidence = -0.5 * cost - 0.5 * float(np.linalg.slogdet(normal)[1] - np.log(problem.precision).sum())
     away = np.concatenate((beta, theta - problem.absent))
-    free = np.concatenate((np.ones(len(beta), dtype=bool), (theta > problem.lower) & (theta < problem.upper)))
+    here = np.concatenate((beta, theta))
+    free = (here > problem.bounds[0]) & (here < problem.bounds[1])
     held_out = _held_out(problem.windows, columns[:, free], r, normal[np.ix_(free, free)], (problem.precision * away)[free])
     shape = problem.windows.target.shape
     return EffectFit(
@@ -213,6 +221,20 @@ def _held_out(windows: Windows, columns: Array, r: Array, normal: Array, pull: A
         Z = columns[rows]
         result[rows] = r[rows] * (r[rows] + Z @ _solve(normal - Z.T @ Z, Z.T @ r[rows]))
     return result.reshape(windows.target.shape)
+
+
+def _bounded(normal: Array, right: Array, bounds: Array) -> Array:
+    """Minimum of the quadratic within bounds (2, n): what leaves them is held there, and the rest solved again."""
+    d = np.zeros(len(right))
+    free = np.ones(len(right), dtype=bool)
+    for _ in range(ACTIVE_SET_PASSES):
+        d[free] = _solve(normal[np.ix_(free, free)], right[free] - normal[np.ix_(free, ~free)] @ d[~free])
+        outside = free & ((d < bounds[0]) | (d > bounds[1]))
+        if not outside.any():
+            break
+        d = np.clip(d, bounds[0], bounds[1])
+        free &= ~outside
+    return np.clip(d, bounds[0], bounds[1])
 
 
 def _solve(matrix: Array, right: Array) -> Array:

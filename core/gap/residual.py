@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.fft import dct
 
 from core.gap.effect_fit import EffectFit
-from core.gap.windows import Windows, step_of
+from core.gap.windows import Windows
 
 Array = NDArray[np.float64]
 
@@ -50,7 +50,7 @@ class Residual:
     def patches(self) -> tuple[Patch, ...]:
         """All patches, the largest share first."""
         energy: dict[tuple[int, str, int], tuple[float, int]] = {}
-        step = step_of(self._windows.basis.poses)
+        step = self._windows.step
         for g in np.unique(self._windows.group):
             rows = np.flatnonzero(self._windows.group == g)
             phase = str(self._windows.phase[rows[0]])
@@ -78,7 +78,7 @@ class Residual:
     def by_direction(self) -> dict[str, float]:
         """Mean square (noise is 1) while turning positively, negatively, and standing still; axis of the largest rate."""
         scene = self._windows.basis.scene
-        omega = np.column_stack([np.interp(self._windows.basis.form.centres, scene.t, w) for w in scene.motion.omega.T])
+        omega = np.column_stack([np.interp(self._windows.centres, scene.t, w) for w in scene.motion.omega.T])
         largest = omega[np.arange(len(omega)), np.abs(omega).argmax(axis=1)]
         kinds = {"positive": largest > 0.05, "negative": largest < -0.05, "still": np.abs(largest) <= 0.05}
         return {name: float(np.mean(self._rows[:, rows] ** 2)) for name, rows in kinds.items() if rows.any()}

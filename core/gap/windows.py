@@ -21,7 +21,8 @@ from core.estimation.generalised_least_squares import spatial_inertia
 from core.estimation.kinematics import Poses
 from core.estimation.noise import SensorNoise
 from core.estimation.segments import Segment
-from core.estimation.weak_form import STEP_S, WeakForm
+from core.estimation.weak_form import STEP_S, tilt_axes
+from core.inertia import Motion, wrench
 
 Array = NDArray[np.float64]
 
@@ -38,14 +39,29 @@ BACKGROUND_STD = np.concatenate((np.full(2, 4e-4), [3e-4], np.full(6, 5e-4)))
 
 @dataclass(frozen=True)
 class Basis:
-    """Everything about a recording that the windows are built from."""
+    """Everything about a recording that the windows are built from.
+
+    Effects act on a fine grid; measurement and nominal twin come to it through the same narrow windows, so what effects do is exact
+    where they are linear in time (delays, filters).
+
+    Args:
+        poses: of all samples.
+        noise: of one sample of the wrench.
+        segments: the motions.
+        scene: nominal run on the fine grid, N rows.
+        wrench: (N, 6), measured, on the fine grid.
+        V: (N, 6, 10), nominal regressor, likewise.
+        spread: (N, samples), the narrow windows; `difference`: (samples, samples), second differences of the poses.
+    """
 
     poses: Poses
-    form: WeakForm
     noise: SensorNoise
-    wrench: Array
     segments: tuple[Segment, ...]
     scene: Scene
+    wrench: Array
+    V: Array
+    spread: csr_array
+    difference: csr_array
 
 
 class Windows:
@@ -57,42 +73,57 @@ class Windows:
 
     def __init__(self, basis: Basis) -> None:
         self.basis = basis
-        form = basis.form
-        self.y = form.average(basis.wrench)
-        features, rate = form.features(0.0)
-        self._V = features.regressor(np.zeros(2))
-        phi = self._first_phi()
+        t = basis.scene.t
+        self.step = step_of(basis.poses)
+        self.centres = np.arange(t[0] + 2.0 * self.step, t[-1] - 2.0 * self.step, self.step)
+        self._to_windows = window_matrix(self.centres, self.step, t)
+        y, V = self._windowed(basis.wrench), self._windowed(basis.V)
+        phi = self._first_phi(y, V)
         self._factors = self._whiteners(phi)
-        self._to_windows = window_matrix(form.centres, step_of(basis.poses), basis.scene.t)
-        tilt = features.tilt_columns(phi, np.zeros(2))
-        late = (rate.regressor(np.zeros(2)) @ phi)[..., None]
-        gain = np.einsum("kc,cd->kcd", self._V @ phi, np.eye(6))
-        constant = np.broadcast_to(np.eye(6), (len(form), 6, 6))
-        self.X = self.whiten(np.concatenate((self._V, constant, tilt, late, gain), axis=2))
+        nominal = basis.V @ phi
+        late = self._windowed(-np.gradient(nominal, t, axis=0))[..., None]
+        gain = np.einsum("kc,cd->kcd", V @ phi, np.eye(6))
+        constant = np.broadcast_to(np.eye(6), (len(self.centres), 6, 6))
+        self.X = self.whiten(np.concatenate((V, constant, self._windowed(self._tilt(phi)), late, gain), axis=2))
         """(6, K, 25): columns of the nominal twin with its small imperfections."""
-        self.target = self.whiten(self.y[..., None])[..., 0]
+        self.target = self.whiten(y[..., None])[..., 0]
         """(6, K)."""
         self.prior_std = np.concatenate((PHI_STD, OFFSET_STD, BACKGROUND_STD))
         self.group = self._groups()
 
     def __len__(self) -> int:
-        return len(self.y)
+        return len(self.centres)
 
-    def _first_phi(self) -> Array:
+    def _windowed(self, x: Array) -> Array:
+        """(K, ...) windowed means of rows (N, ...)."""
+        return np.asarray(self._to_windows @ x.reshape(len(x), -1)).reshape(len(self.centres), *x.shape[1:])
+
+    def _tilt(self, phi: Array) -> Array:
+        """(N, 6, 2), change of the wrench per radian of tilt about two axes across gravity."""
+        scene = self.basis.scene
+        columns = []
+        for axis in tilt_axes(scene.gravity).T:
+            g = np.cross(axis, scene.gravity) @ scene.rotation
+            still = np.zeros_like(g)
+            columns.append(wrench(Motion(g, still, still, still), phi))
+        return np.stack(columns, axis=2)
+
+    def _first_phi(self, y: Array, V: Array) -> Array:
         """Payload by least squares with offsets, channels weighed by their noise."""
         sigma = self.basis.noise.std
-        V = np.concatenate((self._V, np.broadcast_to(np.eye(6), (len(self.y), 6, 6))), axis=2) / sigma[:, None]
+        rows = np.concatenate((V, np.broadcast_to(np.eye(6), (len(y), 6, 6))), axis=2) / sigma[:, None]
         prior = np.diag(np.concatenate((PHI_STD, OFFSET_STD)) ** -1.0)
-        rows = np.vstack((V.reshape(-1, 16), prior))
-        right = np.concatenate(((self.y / sigma).ravel(), np.zeros(16)))
-        return np.asarray(np.linalg.lstsq(rows, right, rcond=None)[0][:10])
+        right = np.concatenate(((y / sigma).ravel(), np.zeros(16)))
+        return np.asarray(np.linalg.lstsq(np.vstack((rows.reshape(-1, 16), prior)), right, rcond=None)[0][:10])
 
     def _whiteners(self, phi: Array) -> list[Array]:
-        wrench_gram, pose_gram = self.basis.form.gram()
+        """Cholesky factors, banded, of the covariance of each channel's windows."""
+        W = csr_array(self._to_windows @ self.basis.spread)
+        D = csr_array(W @ self.basis.difference)
         M = spatial_inertia(phi)
         kinematic = np.diag(M @ self.basis.poses.noise @ M.T)
-        variance = self.basis.noise.variance
-        return [cholesky_banded(variance[c] * wrench_gram + kinematic[c] * pose_gram, lower=True) for c in range(6)]
+        sensor, pose = _bands(csr_array(W @ W.T)), _bands(csr_array(D @ D.T))
+        return [cholesky_banded(self.basis.noise.variance[c] * sensor + kinematic[c] * pose, lower=True) for c in range(6)]
 
     def whiten(self, x: Array) -> Array:
         """Rows (6, K, n) with unit noise from windowed wrenches (K, 6, n)."""
@@ -106,7 +137,7 @@ class Windows:
     def _groups(self) -> NDArray[np.int64]:
         """(K,), number of the motion that each window belongs to: what is left out together."""
         edges = self.basis.poses.t[[part.start for part in self.basis.segments]]
-        return np.searchsorted(edges, self.basis.form.centres, side="right") - 1
+        return np.maximum(np.searchsorted(edges, self.centres, side="right") - 1, 0)
 
     @cached_property
     def phase(self) -> NDArray[np.str_]:
@@ -117,7 +148,7 @@ class Windows:
     @cached_property
     def samples_per_row(self) -> float:
         """Samples of the recording for each window."""
-        return step_of(self.basis.poses) / self.basis.poses.period
+        return self.step / self.basis.poses.period
 
 
 def step_of(poses: Poses) -> float:
@@ -126,11 +157,11 @@ def step_of(poses: Poses) -> float:
 
 
 def window_matrix(centres: Array, step: float, t: Array) -> csr_array:
-    """(K, N): cubic B-spline windows over uniform times t (N,), each summing to 1."""
+    """(K, N): cubic B-spline windows over times t (N,), each summing to 1."""
     spline = BSpline.basis_element(np.arange(-2.0, 3.0), extrapolate=False)
-    period = float(t[1] - t[0])
+    period = float(np.median(np.diff(t)))
     reach = int(np.ceil(2.0 * step / period)) + 1
-    nearest = np.rint((centres - t[0]) / period).astype(int)
+    nearest = np.clip(np.searchsorted(t, centres), 0, len(t) - 1)
     columns = nearest[:, None] + np.arange(-reach, reach + 1)
     inside = (columns >= 0) & (columns < len(t))
     columns = np.clip(columns, 0, len(t) - 1)
@@ -138,3 +169,14 @@ def window_matrix(centres: Array, step: float, t: Array) -> csr_array:
     weights /= weights.sum(axis=1, keepdims=True)
     rows = np.repeat(np.arange(len(centres)), columns.shape[1])
     return csr_array((weights.ravel(), (rows, columns.ravel())), shape=(len(centres), len(t)))
+
+
+def _bands(matrix: csr_array) -> Array:
+    """Lower bands of a symmetric banded matrix."""
+    count = 1 + max(
+        (int(np.abs(rows - k).max(initial=0)) for k, rows in enumerate(np.split(matrix.indices, matrix.indptr[1:-1]))), default=0
+    )
+    bands = np.zeros((count, matrix.shape[0]))
+    for k in range(count):
+        bands[k, : matrix.shape[0] - k] = matrix.diagonal(-k)
+    return bands

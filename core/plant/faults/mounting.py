@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Self
 
@@ -100,6 +101,13 @@ def tilted(gravity: Array, setting: Setting, tilt_rad: tuple[float, float]) -> A
     return np.asarray(base @ tilt @ base.T @ gravity)
 
 
+def leaning(gravity: Array, x: float, y: float) -> Array:
+    """(3,), turned by a small rotation vector (x, y, 0), with its length kept."""
+    gx, gy, gz = gravity.tolist()
+    v = np.array([gx + y * gz, gy - x * gz, gz + x * gy - y * gx])
+    return np.asarray(v * math.sqrt((gx * gx + gy * gy + gz * gz) / float(v @ v)))
+
+
 @dataclass(frozen=True)
 class TiltedBase(Fault):
     """The base is not level: gravity is turned in the base frame, by 0.1 to 3 deg."""
@@ -144,7 +152,7 @@ class SoftFloor(TiltedBase):
             # the base turns by c M with M = r x m g; seen from it, gravity turns back
             x = -yielding * (arm[1] * g0[2] - arm[2] * g0[1])
             y = -yielding * (arm[2] * g0[0] - arm[0] * g0[2])
-            model.opt.gravity[:] = R @ (g0 + np.array([y * g0[2], -x * g0[2], x * g0[1] - y * g0[0]]))
+            model.opt.gravity[:] = R @ leaning(g0, x, y)
 
         return sink
 

@@ -209,7 +209,7 @@ class SendOnDelta(Fault):
 
     def digitize(self, machine: Machine) -> Channel | None:
         """See `Fault.digitize`."""
-        step = np.array(self.step_wrench)
+        nearly = (1 - 1e-4) * np.array(self.step_wrench)  # the change by one step, whatever its rounding
         every = round(0.1 / machine.period)  # a sensor that is silent for longer counts as dead
         sent: Array | None = None
         tick = 0
@@ -217,7 +217,7 @@ class SendOnDelta(Fault):
         def send(_: float, W: Array) -> Array:
             nonlocal sent, tick
             tick += 1
-            sent = W if sent is None or tick % every == 0 else np.where(np.abs(W - sent) >= step, W, sent)
+            sent = W if sent is None or tick % every == 0 else np.where(np.abs(W - sent) >= nearly, W, sent)
             return sent
 
         return send

@@ -14,6 +14,9 @@ from core.plant.faults.draws import seed_of, spread
 from core.plant.faults.fault import Array, Channel, Fault, Joints, Machine, Setting
 from core.plant.faults.history import History
 
+LONGEST_BURST_S = 0.025
+"""A robot whose joints are not heard of for longer would be stopped."""
+
 
 @dataclass(frozen=True)
 class Delay(Fault):
@@ -117,8 +120,10 @@ class Butterworth(Fault):
         return cls(spread(rng, 2.0, 20.0) / size)
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`. The bilinear transform with the cut-off where it should be."""
-        k = math.tan(min(math.pi * self.cut_off_hz * machine.period, 1.5))
+        """See `Fault.sense`. The bilinear transform with the cut-off where it should be; none where that is beyond what is sampled."""
+        if self.cut_off_hz * machine.period > 0.45:
+            return None
+        k = math.tan(math.pi * self.cut_off_hz * machine.period)
         norm = 1 + math.sqrt(2) * k + k * k
         b, a1, a2 = k * k / norm, 2 * (k * k - 1) / norm, (1 - math.sqrt(2) * k + k * k) / norm
         u1 = u2 = y1 = y2 = np.zeros(6)
@@ -238,8 +243,8 @@ class HeldWrench(Fault):
 
 @dataclass(frozen=True)
 class LostBursts(Fault):
-    """Everything that the robot measures is lost for 5 to 25 ms at a time (Gilbert's channel), `lost_share` of all samples; joints and
-    wrench repeat their last value."""
+    """Everything that the robot measures is lost for 3 to 12 ms at a time (Gilbert's channel, never for longer than 25 ms), `lost_share` of
+    all samples; joints and wrench repeat their last value."""
 
     id = "sample_dropout"
     variant = "bursts"
@@ -251,10 +256,10 @@ class LostBursts(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """See `Fault.draw`."""
-        return cls(min(size * spread(rng, 0.1, 0.6), 0.8), spread(rng, 0.005, 0.025), seed_of(rng))
+        return cls(min(size * spread(rng, 0.1, 0.6), 0.8), spread(rng, 0.003, 0.012), seed_of(rng))
 
     def _schedule(self, period: float) -> LossSchedule:
-        return LossSchedule(self.lost_share, self.burst_s / period, self.seed)
+        return LossSchedule(self.lost_share, self.burst_s / period, self.seed, round(LONGEST_BURST_S / period))
 
     def encode(self, machine: Machine) -> Joints | None:
         """See `Fault.encode`."""
@@ -284,19 +289,22 @@ class LostBursts(Fault):
 
 
 class LossSchedule:
-    """Which samples are lost: two states with geometric durations; the same for all who ask once per sample."""
+    """Which samples are lost: two states with geometric durations, the lost one's at most `longest`; the same for all who ask once per
+    sample."""
 
-    def __init__(self, lost_share: float, burst_samples: float, seed: int) -> None:
+    def __init__(self, lost_share: float, burst_samples: float, seed: int, longest: int) -> None:
         self._rng = np.random.default_rng(seed)
         self._end = min(1.0 / burst_samples, 1.0)
         self._begin = self._end * lost_share / (1 - lost_share)
+        self._longest, self._left = longest, longest
         self._lost = False
 
     def lost(self) -> bool:
         """Whether the next sample is lost."""
         change = self._end if self._lost else self._begin
-        if self._rng.random() < change:
+        if self._rng.random() < change or self._left == 0:
             self._lost = not self._lost
+        self._left = self._left - 1 if self._lost else self._longest
         return self._lost
 
 

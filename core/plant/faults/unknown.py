@@ -9,10 +9,11 @@ from typing import Self
 import mujoco
 import numpy as np
 
+from core.plant.arm import arm_of_cell
 from core.plant.faults.draws import channels, direction, scattered, seed_of, sign, six, some_joints, spread, three, wrench_of
 from core.plant.faults.fault import Act, Array, Channel, Fault, Joints, Machine, Setting, Six, Three
 from core.plant.faults.history import History
-from core.plant.faults.mounting import tilt_of, turned
+from core.plant.faults.mounting import leaning, tilt_of, turned
 from core.plant.mechanics import arm_joints
 
 
@@ -75,11 +76,10 @@ class WarpingBase(Unknown):
         model, R = machine.model, machine.setting.cell.robot.base.rotation
         g0 = R.T @ model.opt.gravity
         x, y = self.tilt_rad
-        change = R @ np.array([y * g0[2], -x * g0[2], x * g0[1] - y * g0[0]])
-        start = model.opt.gravity.copy()
 
         def lean(t: float) -> None:
-            model.opt.gravity[:] = start - math.expm1(-t / self.time_constant_s) * change
+            share = -math.expm1(-t / self.time_constant_s)
+            model.opt.gravity[:] = R @ leaning(g0, share * x, share * y)
 
         return lean
 
@@ -265,14 +265,15 @@ class BentLink(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """See `Fault.draw`."""
-        return cls(int(rng.integers(2, setting.n)), three(math.radians(size * spread(rng, 0.2, 2.0)) * direction(rng)))
+        k = int(rng.integers(2, setting.n))
+        axis = arm_of_cell(setting.cell).joints[k].axis
+        across = np.cross(axis, direction(rng))
+        return cls(k, three(math.radians(size * spread(rng, 0.2, 2.0)) * across / np.linalg.norm(across)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """See `Fault.alter`."""
-        joint = arm_joints(spec)[self.joint]
-        axis, bend = np.array(joint.axis), np.array(self.bend_rad)
-        body = joint.parent
-        body.quat = turned(body.quat, bend - axis * float(axis @ bend))
+        body = arm_joints(spec)[self.joint].parent
+        body.quat = turned(body.quat, np.array(self.bend_rad))
 
 
 @dataclass(frozen=True)
