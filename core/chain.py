@@ -18,7 +18,8 @@ class Chain(NamedTuple):
     """A chain of n hinges.
 
     Args:
-        placements: (n + 1, 4, 4), each joint's frame in the previous one (the first in the world); the last is the sensor's in the last joint.
+        placements: (n + 1, 4, 4), each joint's frame in the previous one (the first in the world); the last is the sensor's in
+            the last joint.
         axes: (n, 3), unit axis of each joint in its own frame.
     """
 

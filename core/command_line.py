@@ -23,6 +23,7 @@ from core.cell import Cell, Payload, find_cell, list_cells, load_cell
 from core.collision import CollisionModel
 from core.errors import BadInput, BadPayload, HeftError
 from core.estimation.identification import identify_recording
+from core.gap.diagnosis import diagnose
 from core.plan import plan_procedure, plan_summary
 from core.procedure import identify
 from core.progress import watch
@@ -32,7 +33,7 @@ from core.result import Result, SecondsPart, result_of
 from core.robot import RobotModel
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
-from core.tables import cells_table, parameters_table, plan_table
+from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table
 
 app = typer.Typer(
     name="heft",
@@ -90,6 +91,24 @@ def identify_command(
     if report is not None:
         write_report(report, recording=loaded, identification=identification)
     _answer(result_of(identification, loaded, seconds=seconds, folder=recording), json)
+
+
+@app.command("diagnose")
+def diagnose_command(
+    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
+    json: JsonOption = None,
+) -> None:
+    """Where simulation and recording part, which unmodelled effect causes it, and how far adding it closes the gap."""
+    _check_new(None, json)
+    loaded = read_recording(recording)
+    with messages.status("fitting effects") if messages.is_terminal else nullcontext():
+        diagnosis = diagnose(loaded)
+    if json is not None:
+        _write_json(diagnosis.model_dump_json(indent=2), json)
+    if json != "-":
+        answers.print(diagnosis_table(diagnosis))
+        for line in diagnosis_lines(diagnosis):
+            answers.print(line, highlight=False)
 
 
 @app.command()

@@ -7,11 +7,14 @@ from numpy.typing import NDArray
 from rich.table import Table
 
 from core.cell import Cell
+from core.gap.answer import Diagnosis
 from core.inertia import PHI_NAMES, PHI_UNITS
 from core.plan import Plan
 from core.result import Result
 
 Array = NDArray[np.float64]
+
+SHOWN_EFFECTS = 5
 
 
 def _number(value: float | None, digits: int = 5) -> str:
@@ -84,3 +87,28 @@ def cells_table(cells: list[Cell]) -> Table:
             ", ".join(cell.payloads),
         )
     return table
+
+
+def diagnosis_table(diagnosis: Diagnosis) -> Table:
+    """The effects that may explain the gap, the most probable first."""
+    gap = "" if diagnosis.gap is None else f"gap before {diagnosis.gap.before:.2f}, after {diagnosis.gap.after:.2f} (noise is 1)"
+    table = Table(title=f"{diagnosis.verdict}: {diagnosis.summary}", caption=gap)
+    for heading in ("effect", "probability", "gap after", "closure", "parameters"):
+        table.add_column(heading, justify="right" if heading in ("probability", "gap after", "closure") else "left")
+    for effect in diagnosis.effects[:SHOWN_EFFECTS]:
+        values = ", ".join(f"{name} {_number(v.value, 4)} ± {_number(v.std, 2)}" for name, v in effect.parameters.items())
+        table.add_row(effect.id, f"{effect.probability:.3f}", f"{effect.gap_after:.3f}", f"{effect.closure:.3f}", values)
+    if diagnosis.effects:
+        table.add_row("none", f"{diagnosis.none_probability:.3f}", "", "", "")
+        table.add_row("unknown", f"{diagnosis.unknown_probability:.3f}", "", "", "")
+    return table
+
+
+def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
+    """Everything else that a person should read."""
+    lines = [diagnosis.where.sentence] if diagnosis.where and diagnosis.verdict != "no_gap" else []
+    lines += [f"{' or '.join(tie.ids)}: {tie.why}. What would settle it: {tie.splits}." for tie in diagnosis.indistinguishable]
+    lines += [f"Minor: {minor.id}: {minor.sentence}" for minor in diagnosis.minor]
+    lines += [diagnosis.consequence] if diagnosis.consequence else []
+    lines += [f"To do: {diagnosis.effects[0].advice}"] if diagnosis.effects and diagnosis.verdict in ("explained", "ambiguous") else []
+    return lines + [f"Not looked at: {limit}" for limit in diagnosis.limits]

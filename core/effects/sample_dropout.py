@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 
 MATERIAL = 0.05
 """Share of the samples that are held or lost."""
+LEAST = 0.005
+"""Share below which nothing is said: an arm that starts and stops makes channels repeat together as well."""
 SIGNIFICANT = 5.0
 """Standard deviations."""
 USUAL = 1e-4
@@ -48,7 +50,7 @@ class SampleDropout(Symptom):
         std = np.sqrt(np.array([held * (1 - held) + 1e-6, lost * (1 - lost) + 1e-6]) / np.array([max(informative, 1), len(recording)]))
         rows = informative if held >= lost else len(recording)
         sigma = rows * (max(held, lost) - USUAL) / math.sqrt(rows * USUAL + 1)
-        if sigma < SIGNIFICANT or max(held, lost) < 1e-3:
+        if sigma < SIGNIFICANT or max(held, lost) < LEAST:
             return None
         period = float(np.median(np.diff(recording.t)))
         sentence = (
@@ -81,6 +83,9 @@ def held_share(wrench: Array) -> tuple[float, int, int]:
     told = np.isfinite(shares)
     edges = np.flatnonzero(np.diff(np.concatenate([[0], every.astype(int), [0]])))
     longest = int(np.max(edges[1::2] - edges[::2], initial=0))
+    by_chance = e.prod(axis=1)
+    if BLOCK * float((joint - by_chance).sum()) < SIGNIFICANT * math.sqrt(BLOCK * float(by_chance.sum()) + 1):
+        shares[told] = 0.0
     if told.mean() < 0.5:  # the few blocks that seem to tell are then those in which chance did
         return 0.0, 0, longest
     shares[joint == 1.0] = 1.0  # where noise is seen elsewhere, a wrench that stands still altogether is held

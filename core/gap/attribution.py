@@ -23,6 +23,8 @@ PAIR_PRIOR = 0.02
 """Of two effects at once, against one."""
 NONE_PRIOR = 3.0
 """Of no effect, against each single one."""
+BENDS = 3
+"""A rival with this many parameters more than the first is its generalisation, not its rival."""
 UNEXPLAINED_HALF = 0.12
 """Share of the excess that the best model leaves over at which `unknown` is as probable as not."""
 UNEXPLAINED_WIDTH = 0.03
@@ -92,8 +94,10 @@ def leftover(nominal: EffectFit, fit: EffectFit) -> float:
 
 
 def _log_weight(fit: EffectFit, spread: float) -> float:
-    prior = np.log(NONE_PRIOR) if not fit.effects else (len(fit.effects) - 1) * np.log(PAIR_PRIOR)
-    return -0.5 * float(fit.held_out.sum()) / spread + prior
+    """Predictive fit, less what each parameter may bend (Schwarz), so that of two that predict alike the smaller one wins."""
+    prior = float(np.log(NONE_PRIOR)) if not fit.effects else (len(fit.effects) - 1) * float(np.log(PAIR_PRIOR))
+    bends = 0.5 * len(fit.theta) * float(np.log(fit.held_out.size / spread))
+    return -0.5 * float(fit.held_out.sum()) / spread - bends + prior
 
 
 def _ties(windows: Windows, nominal: EffectFit, explained: tuple[tuple[EffectFit, float], ...]) -> tuple[Tie, ...]:
@@ -102,7 +106,8 @@ def _ties(windows: Windows, nominal: EffectFit, explained: tuple[tuple[EffectFit
     if not singles:
         return ()
     first = singles[0]
-    ties = [Tie(first, fit, distance_sigma(windows, nominal, first, fit)) for fit in singles[1:]]
+    rivals = [fit for fit in singles[1:] if len(fit.theta) <= len(first.theta) + BENDS]
+    ties = [Tie(first, fit, distance_sigma(windows, nominal, first, fit)) for fit in rivals]
     return tuple(sorted((tie for tie in ties if tie.distance_sigma < INSEPARABLE_SIGMA), key=lambda tie: tie.distance_sigma))
 
 
@@ -110,4 +115,4 @@ def distance_sigma(windows: Windows, nominal: EffectFit, a: EffectFit, b: Effect
     """Distance of two predictions, after payload, offsets and small imperfections have made up for what they can."""
     difference = (a.change - b.change).ravel()
     seen = windows.X.reshape(len(difference), -1).T @ difference
-    return float(np.sqrt(max(0.0, difference @ difference - seen @ nominal.covariance @ seen)))
+    return float(np.sqrt(max(0.0, float(difference @ difference - seen @ nominal.covariance @ seen))))

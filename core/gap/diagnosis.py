@@ -11,6 +11,7 @@ from multiprocessing import get_context
 
 import numpy as np
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from core.effects.effect import Effect
 from core.effects.library import library
@@ -106,6 +107,7 @@ _shared: Windows
 def _share(windows: Windows) -> None:
     global _shared  # noqa: PLW0603  set once for each worker
     _shared = windows
+    threadpool_limits(1)
 
 
 def _fit(task: tuple[tuple[Effect, ...], EffectFit, list[Array]]) -> EffectFit:
