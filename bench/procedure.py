@@ -1,6 +1,6 @@
-"""The whole procedure on the virtual robot over many seeds: the errors of Table 1, with and without imperfections that nobody told the estimator.
+"""The whole procedure on the virtual robot over many seeds: the errors of Table 1, without and with imperfections unknown to the estimator.
 
-    python -m bench.procedure [--seeds 20] [--cell lwr4_bench]
+python -m bench.procedure [--seeds 20] [--cell lwr4_bench]
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Random cells through planning, judged by an independent checker; what was refused goes through a brute-force search.
+"""Random cells through planning and simulated motion, judged by an independent checker; what was refused goes through a brute-force search.
 
     python -m bench.random_cells [--count N] [--first N] [--processes N]
 
@@ -16,16 +16,24 @@ from dataclasses import dataclass, field
 from multiprocessing import get_context
 
 import numpy as np
+from numpy.typing import NDArray
 
 from bench.brute_force import CANDIDATES, BruteForce
+from core.cell import Cell
 from core.collision import CollisionModel
 from core.errors import NoStartConfiguration, Refused
-from core.events import StartConfigurationFound
+from core.events import RobotStopped, StartConfigurationFound
+from core.inertia import InertialParameters
 from core.plan import POSES, Plan, plan_procedure
+from core.procedure import carry_out
 from core.robot import RobotModel
+from core.sessions.session import RobotState
+from core.sessions.simulated import SimulatedSession
 from core.trajectory import JointTrajectory
 from tests.independent_checker import IndependentChecker
 from tests.random_cells import RandomCell, random_cell
+
+Array = NDArray[np.float64]
 
 ALIGNED_RAD = 1e-3
 
@@ -101,7 +109,42 @@ def judge_plan(drawn: RandomCell, plan: Plan, planning_s: float) -> Judgement:
         direction = checker.axis_direction(leg.start.q, "xyz".index(leg.axis[0])) * (1.0 if leg.axis[1] == "+" else -1.0)
         if np.linalg.norm(direction - down) > ALIGNED_RAD:
             violations.append(f"{leg.axis}: sensor axis {np.linalg.norm(direction - down):.2e} rad from gravity")
+    violations += simulated(drawn, plan, checker)
     return Judgement(drawn.seed, planning_s=planning_s, robot_s=plan.robot_s, least_margin_m=float(least), violations=tuple(violations))
+
+
+class Witness(SimulatedSession):
+    """The virtual robot with its true joint positions written down, ms by ms."""
+
+    def __init__(self, cell: Cell, payload: InertialParameters, seed: int) -> None:
+        super().__init__(cell, payload, seed=seed)
+        self.true_q: list[Array] = []
+
+    def state(self) -> RobotState:
+        """See `RobotSession.state`."""
+        state = super().state()
+        self.true_q.append(self.plant.truth.q.copy())
+        return state
+
+
+def simulated(drawn: RandomCell, plan: Plan, checker: IndependentChecker) -> list[str]:
+    """Violations of the whole run on the virtual robot: of what was commanded, and of where the arm truly was."""
+    carried = drawn.cell.payloads["random"].parameters
+    session = Witness(drawn.cell, carried, drawn.seed)
+    run = carry_out(drawn.cell, session, drawn.payload_box, plan, seed=drawn.seed)
+    violations: list[str] = []
+    try:
+        while True:
+            event = next(run)
+            if isinstance(event, RobotStopped):
+                violations.append(f"stopped by the guard: {event.message}")
+    except StopIteration as end:
+        commanded = end.value.recording.q_cmd
+    violations += [f"commanded: {violation}" for violation in checker.check(commanded, session.period).violations]
+    true = checker.check(np.array(session.true_q), session.period)
+    places = [f"{pair} {-1000 * margin:.3f} mm closer than allowed" for margin, pair in true.margins_m.values() if margin < 0.0]
+    fast = [f"a corner moves at {true.speed_m_s:.4f} m/s"] if true.speed_m_s > true.speed_limit_m_s else []
+    return violations + [f"simulated: {violation}" for violation in places + fast]
 
 
 def judge_refusal(drawn: RandomCell, refusal: str, blamed: tuple[str, ...], planning_s: float, candidates: int = CANDIDATES) -> Judgement:

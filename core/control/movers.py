@@ -16,6 +16,9 @@ Array = NDArray[np.float64]
 START_TOLERANCE = 1e-3
 """How far from the robot's commanded position a trajectory may start, rad."""
 
+FADE_S = 1.0
+"""Time in which that distance is brought to nothing, so that the command never jumps."""
+
 
 class Mover(ABC):
     """One motion, used once, from standstill to standstill."""
@@ -30,6 +33,9 @@ class Mover(ABC):
 
 class Playback(Mover):
     """Follows a trajectory sample by sample.
+
+    An arm with more joints than its task needs comes back from a rotation some 1e-5 rad away from where it was planned to be. What is
+    left is faded out smoothly along the way.
 
     Args:
         trajectory: at the session's period, starting where the robot stands.
@@ -48,8 +54,11 @@ class Playback(Mover):
         """
         if self._k == 0:
             self._check_start(state)
+            self._away = state.q_cmd - self._q[0]
         self._k += 1
-        return self._q[self._k] if self._k < len(self._q) else None
+        if self._k >= len(self._q):
+            return None
+        return self._q[self._k] if self._k >= self._fade else self._q[self._k] + self._away * _fading(self._k / self._fade)
 
     def _check_start(self, state: RobotState) -> None:
         away = np.abs(self._q[0] - state.q_cmd)
@@ -61,6 +70,11 @@ class Playback(Mover):
                 value=float(away[j]),
                 limit=START_TOLERANCE,
             )
+
+
+def _fading(s: float) -> float:
+    """From 1 at s = 0 to 0 at s = 1, with two derivatives zero at both ends."""
+    return 1.0 - s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
 
 
 class StandStill(Mover):
