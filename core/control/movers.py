@@ -45,6 +45,8 @@ class Playback(Mover):
         self.period = trajectory.period
         self._q = np.array(trajectory.q, dtype=float, order="C")  # one array type, or the guard compiles again while the robot moves
         self._k = 0
+        self._away = np.zeros(trajectory.q.shape[1])
+        self._fade = min(round(FADE_S / trajectory.period), len(trajectory.q) - 1)
 
     def next(self, state: RobotState) -> Array | None:
         """See `Mover.next`.
