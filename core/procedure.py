@@ -21,6 +21,7 @@ from core.control.movers import Mover, Playback, StandStill
 from core.control.rotation import Rotation
 from core.errors import Interrupted, Refused, Stopped
 from core.estimation.identification import identify_recording
+from core.estimation.online import OnlineEstimator
 from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped
 from core.outcome import Outcome
 from core.plan import POSES, Leg, Plan, Timing, plan_procedure
@@ -141,6 +142,8 @@ class _Run:
         self.robot = RobotModel.of_cell(cell)
         self.collision = CollisionModel(cell, self.robot, payload_box)
         self.guard = Guard(cell, self.robot, self.collision, period=session.period)
+        noise = np.array(cell.sensor.noise_std)
+        self.online = OnlineEstimator(self.robot, cell.gravity, period=session.period, noise_std=noise)
         self.restarts = 0
         self.plan_s = 0.0
 
@@ -219,4 +222,7 @@ class _Run:
         yield PhaseStarted(phase=phase, toward=toward, step=step, steps=len(POSES) + 1)
         for batch in execute(self.session, self.guard, mover, phase):
             log.extend(batch.states, batch.phase)
-            yield Progress(phase=phase, done_s=log.seconds, total_s=max(plan.robot_s, log.seconds))
+            for state in batch.states:
+                self.online.update(state.q, state.wrench)
+            known = tuple(float(value) if np.isfinite(value) else None for value in self.online.estimate.phi)
+            yield Progress(phase=phase, done_s=log.seconds, total_s=max(plan.robot_s, log.seconds), estimate_phi=known)

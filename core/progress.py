@@ -37,6 +37,7 @@ class _View:
         self.progress = progress
         self.task = task
         self.console = console
+        self.phase = ""
 
     def show(self, event: Event) -> None:
         match event:
@@ -48,8 +49,12 @@ class _View:
                 self.progress.update(self.task, total=event.robot_s, completed=0.0)
                 self._tell(f"Planned in {event.plan_s:.1f} s: {event.robot_s:.0f} s of robot time.")
             case events.PhaseStarted():
-                self._describe(f"{event.step}/{event.steps} {event.phase} {event.toward}")
+                self.phase = f"{event.step}/{event.steps} {event.phase} {event.toward}".strip()
+                self._describe(self.phase)
             case events.Progress():
+                mass = None if event.estimate_phi is None else event.estimate_phi[0]
+                known = "" if mass is None else f", {mass:.3f} kg so far"
+                self._describe(f"{self.phase}{known}")
                 self.progress.update(self.task, completed=event.done_s, total=event.total_s)
             case events.RobotStopped():
                 self.console.print(f"[bold]{event.error}[/bold]: {event.message}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 UNITS = ("N", "N", "N", "N m", "N m", "N m")
 POINTS = 2000  # of a line
+MATERIAL = 2.0  # times the noise: a gap that matters
 
 # stand-ins that become variables of the style sheet, so that a picture follows the page's light and dark
 COLOURS = {"ink": "#0a0a01", "muted": "#0a0a02", "rule": "#0a0a03", "band": "#0a0a04", "alarm": "#0a0a05"}
@@ -111,6 +112,67 @@ def distance_chart(t: Array, distance_m: Array, limit_m: float) -> str:
         axes.set_xlabel("t, s")
         axes.set_ylabel("distance, m")
         return _svg(figure, "distance")
+
+
+def gap_chart(gaps: Mapping[str, tuple[float, float]], floor: float) -> str:
+    """The gap of each channel before and after the effect was added, in standard deviations of the noise; alarm colour where it matters.
+
+    Args:
+        gaps: before and after of each channel, named.
+        floor: noise alone.
+    """
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(10.4, 0.5 + 0.46 * len(gaps)))
+        axes = figure.add_subplot()
+        top = max(2.0 * floor, *(max(pair) for pair in gaps.values()))
+        for row, (before, after) in enumerate(gaps.values()):
+            for value, offset, height, colour in ((before, -0.19, 0.3, MUTED), (after, 0.19, 0.3, INK)):
+                abnormal = value > MATERIAL * floor and colour == INK
+                axes.barh(row + offset, value, height, color=ALARM if abnormal else colour, alpha=0.55 if colour == MUTED else 1.0)
+                axes.annotate(f"{value:.2f}", (value, row + offset), (4, 0), textcoords="offset points", va="center", fontsize=8)
+        axes.axvline(floor, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+        axes.annotate("noise", (floor, 1), (0, 3), xycoords=("data", "axes fraction"), textcoords="offset points", ha="center", fontsize=8)
+        axes.set_yticks(range(len(gaps)), list(gaps))
+        axes.tick_params(axis="y", length=0)
+        axes.set_ylim(len(gaps) - 0.45, -0.55)
+        axes.set_xlim(0.0, 1.07 * top)
+        axes.set_xlabel("gap, noise = 1")
+        return _svg(figure, "gap")
+
+
+def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_std: Array, channels: Sequence[int]) -> str:
+    """Measured wrench over one motion with the simulation before and after the effect was added; below, what each leaves in sigmas.
+
+    Args:
+        t: (K,), s. measured, before, after: (K, 6), N and N m. noise_std: (6,), of one row.
+        channels: columns to draw.
+    """
+    changed = not np.allclose(before, after, rtol=1e-9, atol=1e-12)
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(10.4, 4.6))
+        grid = figure.add_gridspec(2, len(channels), height_ratios=[3, 1.4])
+        for column, k in enumerate(channels):
+            upper = figure.add_subplot(grid[0, column])
+            lower = figure.add_subplot(grid[1, column], sharex=upper)
+            _line(upper, t, measured[:, k], MUTED, width=3.2, alpha=0.5)
+            lower.axhspan(-3, 3, color=BAND, linewidth=0)
+            _simulated(upper, lower, t, before[:, k], (measured[:, k] - before[:, k]) / noise_std[k], dashed=changed)
+            if changed:
+                _simulated(upper, lower, t, after[:, k], (measured[:, k] - after[:, k]) / noise_std[k], dashed=False)
+            upper.set_ylabel(f"{CHANNELS[k]}, {UNITS[k]}")
+            upper.tick_params(labelbottom=False)
+            lower.margins(y=0.15)
+            lower.set_ylabel("rest, σ" if column == 0 else "")
+            lower.set_xlabel("t, s")
+        return _svg(figure, "overlay")
+
+
+def _simulated(upper: Axes, lower: Axes, t: Array, values: Array, sigmas: Array, *, dashed: bool) -> None:
+    """A simulated line with what it leaves below; in alarm colour where that is more than noise can be."""
+    colour = ALARM if float(np.sqrt(np.mean(sigmas**2))) > MATERIAL else INK
+    for axes, line in ((upper, values), (lower, sigmas)):
+        x, y = decimated(t, line)
+        axes.plot(x, y, color=colour, linewidth=1.1, linestyle=(0, (5, 2)) if dashed else "-")
 
 
 def decimated(t: Array, values: Array) -> tuple[Array, Array]:

@@ -161,3 +161,13 @@ def _throw(run: Generator[Event, None, Outcome], error: BaseException) -> None:
     """Raises inside the run and goes on to its end."""
     run.throw(error)
     drained(run)
+
+
+def test_the_estimate_on_line_closes_in_on_the_payload_while_the_robot_moves(whole_run):
+    cell, events, _, _ = whole_run
+    seen = [event.estimate_phi for event in events if isinstance(event, Progress)]
+    assert seen[0] == (None,) * 10  # nothing is known before two opposed poses
+    truth = cell.payloads["steel_block"].parameters.phi
+    assert seen[-1][0] == pytest.approx(truth[0], rel=2e-3)
+    for k in (4, 7, 9):
+        assert seen[-1][k] == pytest.approx(truth[k], rel=0.1)  # the filter's lag is in it

@@ -1,0 +1,209 @@
+"""The report of one diagnosis: where the gap lies, which effect causes it, how far it shrinks; a single HTML file without a network."""
+
+from __future__ import annotations
+
+import uuid
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jinja2
+import numpy as np
+from numpy.typing import NDArray
+
+from core.gap.answer import Diagnosis, GapPart, Minor, Tied, Where
+from core.report.charts import CHANNELS, MATERIAL, gap_chart, overlay_chart
+from core.report.diagnosis_rows import explanation_rows, heat_map, parameter_texts, payload_rows, percent, rest_sentences, title_of
+from core.report.page import TEMPLATE as IDENTIFICATION
+from core.report.rows import Fact, sentence
+
+Array = NDArray[np.float64]
+
+TEMPLATE = Path(__file__).with_name("diagnosis.html")
+HEADLINES = {
+    "no_gap": "No gap that matters",
+    "explained": "Gap explained",
+    "ambiguous": "Gap explained in more than one way",
+    "unknown": "Gap of unknown cause",
+    "not_enough": "Too little to say anything",
+}
+DIRECTIONS = {"positive": "turning positively", "negative": "turning negatively", "still": "standing still"}
+DRAWN = 2
+"""Channels of the overlay."""
+
+
+@dataclass(frozen=True)
+class Overlay:
+    """Measured and simulated wrench of the windowed rows, offsets taken off.
+
+    Args:
+        t: (K,), s.
+        phase: (K,), labels.
+        measured, before, after: (K, 6), N and N m; simulated without and with the effect.
+        noise_std: (6,), of one row.
+    """
+
+    t: Array
+    phase: NDArray[np.str_]
+    measured: Array
+    before: Array
+    after: Array
+    noise_std: Array
+
+
+def write_diagnosis(file: Path, *, diagnosis: Diagnosis, overlay: Overlay | None) -> None:
+    """Writes the report; the file appears complete or not at all, and replaces an older one of the same name.
+
+    Args:
+        diagnosis: the answer, whose parts may be lacking.
+        overlay: what the worst motion is drawn from; None where there is nothing to draw.
+    """
+    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
+    page = environment.from_string(TEMPLATE.read_text(encoding="utf-8"))
+    text = page.render(_content(diagnosis, overlay))
+    partial = file.with_name(f".{file.name}.{uuid.uuid4().hex[:8]}.partial")
+    try:
+        partial.write_text(text, encoding="utf-8")
+        partial.replace(file)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
+    titles = {effect.id: effect.title for effect in diagnosis.effects}
+    return {
+        "style": _style(),
+        "headline": HEADLINES[diagnosis.verdict],
+        "verdict": diagnosis.verdict,
+        "summary": sentence(diagnosis.summary),
+        "facts": _facts(diagnosis),
+        "to_do": _to_do(diagnosis),
+        "consequence": sentence(diagnosis.consequence),
+        "where": None if diagnosis.where is None else _where(diagnosis.where),
+        "explanations": [] if diagnosis.verdict == "not_enough" else explanation_rows(diagnosis, titles),
+        "rest": rest_sentences(diagnosis, titles),
+        "ties": [_tie(tie, titles) for tie in diagnosis.indistinguishable],
+        "minor": [_minor(minor, titles) for minor in diagnosis.minor],
+        "gap": None if diagnosis.gap is None else _gap(diagnosis.gap),
+        "overlay": None if overlay is None else _overlay(overlay),
+        "payload": [] if diagnosis.payload is None else payload_rows(diagnosis.payload),
+        "payload_moved": diagnosis.payload is not None and diagnosis.payload.before != diagnosis.payload.after,
+        "experiment": _experiment(diagnosis, titles),
+        "limits": [sentence(limit) for limit in diagnosis.limits if limit not in diagnosis.summary],
+        "seconds": f"{diagnosis.seconds:.1f}",
+    }
+
+
+def _style() -> str:
+    """The style sheet of the identification's report: the two look alike."""
+    return IDENTIFICATION.read_text(encoding="utf-8").partition("<style>")[2].partition("</style>")[0]
+
+
+def _facts(diagnosis: Diagnosis) -> list[Fact]:
+    gap, where = diagnosis.gap, diagnosis.where
+    found = []
+    if gap is not None:
+        before = "recording against simulation; noise alone is 1"
+        found.append(Fact("Gap", f"{gap.before:.2f}", before, alarm=gap.before > MATERIAL * gap.floor))
+        if diagnosis.effects:
+            name = "Gap with the effect added" if diagnosis.verdict == "explained" else "Gap with the best effect"
+            after = "on motions that the fit did not see"
+            found.append(Fact(name, f"{gap.after:.2f}", after, alarm=gap.after > MATERIAL * gap.floor))
+    if diagnosis.effects:
+        first = diagnosis.effects[0]
+        low, high = (100 * value for value in first.closure_interval)
+        found.append(Fact("Probability", percent(first.probability), f"of {first.title}"))
+        found.append(Fact("Closure", f"{100 * first.closure:.0f} %", f"95 %: {low:.0f} to {high:.0f} %"))
+    if where is not None and diagnosis.verdict != "no_gap":
+        known = diagnosis.verdict in ("explained", "ambiguous")
+        found.append(Fact("Largest in", where.channel, f"during {where.phase}" + (f"; stage: {where.stage}" if known else "")))
+    return found
+
+
+def _to_do(diagnosis: Diagnosis) -> list[str]:
+    """What a person should do, most urgent first."""
+    if diagnosis.verdict == "no_gap":
+        return ["Nothing needs to be added to the simulation."]
+    if diagnosis.verdict == "not_enough":
+        return ["Record again, with what is lacking."]
+    if diagnosis.verdict == "unknown":
+        where = "" if diagnosis.where is None else f" Look at {diagnosis.where.channel} during {diagnosis.where.phase} first."
+        return ["Add no effect to the simulation: none of them is the cause." + where]
+    advice = [sentence(effect.advice) for effect in diagnosis.effects[:1]]
+    if diagnosis.verdict == "explained":
+        return advice
+    settle = "Settle first which it is" + (": see the next experiment below." if diagnosis.next_experiment else ".")
+    return [settle, *(f"If it is {effect.title}: {text}" for effect, text in zip(diagnosis.effects, advice, strict=False))]
+
+
+def _where(where: Where) -> dict[str, Any]:
+    phases, blocks = heat_map(where.cells)
+    most = max(where.by_time, default=0.0) or 1.0
+    loud = {DIRECTIONS.get(name, name): float(np.sqrt(max(0.0, square))) for name, square in where.by_direction.items()}
+    loudest = max(loud.values(), default=0.0) or 1.0
+    return {
+        "sentence": sentence(where.sentence),
+        "phases": phases,
+        "blocks": blocks,
+        "listed": len(where.cells),
+        "share": f"{100 * sum(cell.share for cell in where.cells):.0f} %",
+        "time": [(f"{100 * share:.0f}", f"{100 * max(0.0, share) / most:.1f}") for share in where.by_time],
+        "direction": [(name, f"{value:.1f}", f"{100 * value / loudest:.1f}") for name, value in loud.items()],
+    }
+
+
+def _tie(tie: Tied, titles: dict[str, str]) -> dict[str, str]:
+    return {
+        "names": sentence(" or ".join(title_of(name, titles) for name in tie.ids)),
+        "distance": f"{tie.distance_sigma:.1f} σ apart",
+        "why": sentence(tie.why),
+        "splits": sentence(tie.splits),
+    }
+
+
+def _minor(minor: Minor, titles: dict[str, str]) -> dict[str, Any]:
+    return {
+        "title": sentence(title_of(minor.id, titles)).rstrip("."),
+        "sentence": sentence(minor.sentence),
+        "parameters": parameter_texts(minor.parameters),
+    }
+
+
+def _gap(gap: GapPart) -> dict[str, Any]:
+    gaps = {name: (change.before, change.after) for name, change in gap.by_channel.items()}
+    return {
+        "before": f"{gap.before:.2f}",
+        "after": f"{gap.after:.2f}",
+        "held_out": ", ".join(gap.held_out),
+        "chart": gap_chart(gaps, gap.floor) if gaps else None,
+    }
+
+
+def _overlay(overlay: Overlay) -> dict[str, Any]:
+    rows = worst_motion(overlay)
+    excess = np.mean(((overlay.measured[rows] - overlay.before[rows]) / overlay.noise_std) ** 2, axis=0)
+    channels = [int(k) for k in np.sort(np.argsort(-excess)[:DRAWN])]
+    parts = (overlay.t, overlay.measured, overlay.before, overlay.after)
+    t, measured, before, after = (part[rows] for part in parts)
+    return {
+        "chart": overlay_chart(t, measured, before, after, overlay.noise_std, channels),
+        "phase": str(overlay.phase[rows][0]),
+        "channels": " and ".join(CHANNELS[k] for k in channels),
+        "changed": not np.array_equal(before, after),
+    }
+
+
+def worst_motion(overlay: Overlay) -> slice:
+    """The rows of one motion, without a break in its label, in which the simulation without the effect leaves most."""
+    edges = np.flatnonzero(overlay.phase[1:] != overlay.phase[:-1]) + 1
+    motions = [slice(int(a), int(b)) for a, b in zip([0, *edges], [*edges, len(overlay.t)], strict=True)]
+    left = np.sum(((overlay.measured - overlay.before) / overlay.noise_std) ** 2, axis=1)
+    return max(motions, key=lambda rows: float(left[rows].sum()))
+
+
+def _experiment(diagnosis: Diagnosis, titles: dict[str, str]) -> dict[str, Any] | None:
+    experiment = diagnosis.next_experiment
+    if experiment is None:
+        return None
+    splits = [" from ".join(title_of(name, titles) for name in pair) for pair in experiment.splits]
+    return {"motion": sentence(experiment.motion), "seconds": f"{experiment.seconds:.0f} s", "splits": "; ".join(splits)}
