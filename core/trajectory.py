@@ -28,7 +28,7 @@ class JointTrajectory:
     @property
     def t(self) -> NDArray[np.float64]:
         """(N,), s."""
-        return self.period * np.arange(len(self.q))
+        return np.asarray(self.period * np.arange(len(self.q)), dtype=np.float64)
 
     def __len__(self) -> int:
         return len(self.q)

@@ -185,6 +185,7 @@ def _procedure(
             parts.append((f"hold:{axis}{sign}", np.tile(q, (round(1.5 / period), 1))))
             last = q
         if rotate:
+            assert last is not None
             turned = _rotation(robot, last, i, repetitions, float(rng.uniform(1.3, 1.6)), period)
             parts += [(f"rotate:{axis}", turned), (f"hold:{axis}+", np.tile(turned[-1], (round(1.0 / period), 1)))]
             last = turned[-1]
@@ -210,7 +211,7 @@ def _solve(robot: RobotModel, R: np.ndarray, p: np.ndarray, home: np.ndarray, rn
                 return (q + np.pi) % (2 * np.pi) - np.pi
             J = robot.sensor_jacobian(q)
             step = J.T @ np.linalg.solve(J @ J.T + (1e-4 if np.linalg.norm(error) > 1e-2 else 1e-10) * np.eye(6), error)
-            q = q + step * min(1.0, 0.4 / np.linalg.norm(step))
+            q = q + step * min(1.0, 0.4 / float(np.linalg.norm(step)))
     raise _NotReachableError
 
 
@@ -263,7 +264,7 @@ def _followed(command: np.ndarray, period: float, lag: float) -> tuple[np.ndarra
     relative = CubicSpline(t, command)(steps) - command[0]
     result = []
     for numerator in ([lag**2], [lag**2, 0.0], [lag**2, 0.0, 0.0]):
-        b, a, _ = cont2discrete((numerator, [1.0, 2 * lag, lag**2]), period / fine, method="foh")
+        b, a, _ = cont2discrete((np.array(numerator), np.array([1.0, 2 * lag, lag**2])), period / fine, method="foh")
         result.append(lfilter(b.ravel(), a, relative, axis=0)[::fine])
     return result[0] + command[0], result[1], result[2]
 

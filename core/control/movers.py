@@ -60,7 +60,8 @@ class Playback(Mover):
         self._k += 1
         if self._k >= len(self._q):
             return None
-        return self._q[self._k] if self._k >= self._fade else self._q[self._k] + self._away * _fading(self._k / self._fade)
+        planned = np.asarray(self._q[self._k])
+        return planned if self._k >= self._fade else planned + self._away * _fading(self._k / self._fade)
 
     def _check_start(self, state: RobotState) -> None:
         away = np.abs(self._q[0] - state.q_cmd)
