@@ -25,9 +25,9 @@ NONE_PRIOR = 3.0
 """Of no effect, against each single one."""
 BENDS = 3
 """A rival with this many parameters more than the first is its generalisation, not its rival."""
-UNEXPLAINED_HALF = 0.12
+UNEXPLAINED_HALF = 0.25
 """Share of the excess that the best model leaves over at which `unknown` is as probable as not."""
-UNEXPLAINED_WIDTH = 0.03
+UNEXPLAINED_WIDTH = 0.05
 
 
 @dataclass(frozen=True)

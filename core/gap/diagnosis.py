@@ -30,7 +30,7 @@ from core.gap.answer import (
     Verdict,
     Where,
 )
-from core.gap.attribution import Attribution, attribute
+from core.gap.attribution import Attribution, attribute, leftover
 from core.gap.basis import TooLittleError, basis_of
 from core.gap.effect_fit import STAGES, EffectFit, fit_effects, fit_nominal
 from core.gap.materiality import is_material, payload_shift
@@ -45,6 +45,10 @@ PAIRED = 4
 """How many of the best single effects are tried in pairs."""
 EXPLAINED = 0.5
 """Probability from which one name is given."""
+ONE_IS_ENOUGH = 0.01
+"""Share of the excess left over by one effect below which a second one is not sought: it would only pick up what a model gets wrong."""
+SECOND_EXPLAINS = 1.0 / 3.0
+"""A second effect has to explain most of what the first leaves over, or it is none."""
 SHOWN = 12
 """Patches of the residual in the answer."""
 RESAMPLED = 300
@@ -94,8 +98,10 @@ def gather(windows: Windows, effects: Sequence[Effect]) -> Evidence:
     with ProcessPoolExecutor(mp_context=get_context("fork"), initializer=_share, initargs=(windows,)) as pool:
         singles = list(pool.map(_fit, singly))
         best = sorted(singles, key=lambda fit: float(fit.held_out.sum()))[:PAIRED]
+        if not best or leftover(nominal, best[0]) < ONE_IS_ENOUGH:
+            best = []
         together = [((*a.effects, *b.effects), min(a, b, key=lambda fit: fit.cost), [_joined(a, b)]) for a, b in combinations(best, 2)]
-        pairs = list(pool.map(_fit, together))
+        pairs = [pair for pair in pool.map(_fit, together) if leftover(nominal, pair) < SECOND_EXPLAINS * leftover(nominal, best[0])]
     limits = tuple(f"{name}: {reason}" for name, reason in missing.items())
     return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribute(windows, nominal, [*singles, *pairs]), limits)
 

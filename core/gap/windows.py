@@ -28,13 +28,13 @@ Array = NDArray[np.float64]
 
 PHI = slice(0, 10)
 OFFSET = slice(10, 16)
-BACKGROUND = slice(16, 25)
-"""Small imperfections that every cell has: two tilts, a delay, six gains. Always in the model, with tight priors."""
+BACKGROUND = slice(16, 26)
+"""Small imperfections that every cell has: two tilts, a delay, a blur, six gains. Always in the model, with tight priors."""
 
 PHI_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0)))
 OFFSET_STD = np.full(6, 1e3)
-BACKGROUND_STD = np.concatenate((np.full(2, 4e-4), [3e-4], np.full(6, 5e-4)))
-"""0.02 deg, 0.3 ms, 0.05 %."""
+BACKGROUND_STD = np.concatenate((np.full(2, 4e-4), [3e-4, 2e-6], np.full(6, 5e-4)))
+"""0.02 deg, 0.3 ms, a blur of 2 ms (interpolation between samples, jitter), 0.05 %."""
 
 
 @dataclass(frozen=True)
@@ -81,11 +81,12 @@ class Windows:
         phi = self._first_phi(y, V)
         self._factors = self._whiteners(phi)
         nominal = basis.V @ phi
-        late = self._windowed(-np.gradient(nominal, t, axis=0))[..., None]
+        rate = np.gradient(nominal, t, axis=0)
+        late = self._windowed(np.stack((-rate, 0.5 * np.gradient(rate, t, axis=0)), axis=2))
         gain = np.einsum("kc,cd->kcd", V @ phi, np.eye(6))
         constant = np.broadcast_to(np.eye(6), (len(self.centres), 6, 6))
         self.X = self.whiten(np.concatenate((V, constant, self._windowed(self._tilt(phi)), late, gain), axis=2))
-        """(6, K, 25): columns of the nominal twin with its small imperfections."""
+        """(6, K, 26): columns of the nominal twin with its small imperfections."""
         self.target = self.whiten(y[..., None])[..., 0]
         """(6, K)."""
         self.prior_std = np.concatenate((PHI_STD, OFFSET_STD, BACKGROUND_STD))

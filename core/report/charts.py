@@ -154,7 +154,7 @@ def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_
         for column, k in enumerate(channels):
             upper = figure.add_subplot(grid[0, column])
             lower = figure.add_subplot(grid[1, column], sharex=upper)
-            _line(upper, t, measured[:, k], MUTED, width=3.2, alpha=0.5)
+            _line(upper, t, measured[:, k], MUTED, width=5.0, alpha=0.45)
             lower.axhspan(-3, 3, color=BAND, linewidth=0)
             _simulated(upper, lower, t, before[:, k], (measured[:, k] - before[:, k]) / noise_std[k], dashed=changed)
             if changed:

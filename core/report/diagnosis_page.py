@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from core.gap.answer import Diagnosis, GapPart, Minor, Tied, Where
 from core.report.charts import CHANNELS, MATERIAL, gap_chart, overlay_chart
-from core.report.diagnosis_rows import explanation_rows, heat_map, parameter_texts, payload_rows, percent, rest_sentences, title_of
+from core.report.diagnosis_rows import explanation_rows, heat_map, leading, parameter_texts, payload_rows, percent, rest_sentences, title_of
 from core.report.page import TEMPLATE as IDENTIFICATION
 from core.report.rows import Fact, sentence
 
@@ -28,6 +28,10 @@ HEADLINES = {
     "not_enough": "Too little to say anything",
 }
 DIRECTIONS = {"positive": "turning positively", "negative": "turning negatively", "still": "standing still"}
+LIKELY = 0.1
+"""Probability from which an explanation that is not settled has its advice."""
+NAMED = 3
+"""Explanations with their advice, at most."""
 DRAWN = 2
 """Channels of the overlay."""
 
@@ -80,6 +84,7 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
         "to_do": _to_do(diagnosis),
         "consequence": sentence(diagnosis.consequence),
         "where": None if diagnosis.where is None else _where(diagnosis.where),
+        "has_closures": bool(diagnosis.effects or diagnosis.pairs),
         "explanations": [] if diagnosis.verdict == "not_enough" else explanation_rows(diagnosis, titles),
         "rest": rest_sentences(diagnosis, titles),
         "ties": [_tie(tie, titles) for tie in diagnosis.indistinguishable],
@@ -89,7 +94,7 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
         "payload": [] if diagnosis.payload is None else payload_rows(diagnosis.payload),
         "payload_moved": diagnosis.payload is not None and diagnosis.payload.before != diagnosis.payload.after,
         "experiment": _experiment(diagnosis, titles),
-        "limits": [sentence(limit) for limit in diagnosis.limits if limit not in diagnosis.summary],
+        "limits": [_limit(limit, titles) for limit in diagnosis.limits if limit not in diagnosis.summary],
         "seconds": f"{diagnosis.seconds:.1f}",
     }
 
@@ -102,18 +107,18 @@ def _style() -> str:
 def _facts(diagnosis: Diagnosis) -> list[Fact]:
     gap, where = diagnosis.gap, diagnosis.where
     found = []
+    first = leading(diagnosis)
     if gap is not None:
-        before = "recording against simulation; noise alone is 1"
-        found.append(Fact("Gap", f"{gap.before:.2f}", before, alarm=gap.before > MATERIAL * gap.floor))
-        if diagnosis.effects:
+        found.append(Fact("Gap", f"{gap.before:.2f}", "noise alone is 1", alarm=gap.before > MATERIAL * gap.floor))
+        if first is not None:
             name = "Gap with the effect added" if diagnosis.verdict == "explained" else "Gap with the best effect"
-            after = "on motions that the fit did not see"
-            found.append(Fact(name, f"{gap.after:.2f}", after, alarm=gap.after > MATERIAL * gap.floor))
-    if diagnosis.effects:
-        first = diagnosis.effects[0]
-        low, high = (100 * value for value in first.closure_interval)
-        found.append(Fact("Probability", percent(first.probability), f"of {first.title}"))
-        found.append(Fact("Closure", f"{100 * first.closure:.0f} %", f"95 %: {low:.0f} to {high:.0f} %"))
+            found.append(Fact(name, f"{gap.after:.2f}", "on unseen motions", alarm=gap.after > MATERIAL * gap.floor))
+    if first is not None:
+        unknown = diagnosis.verdict == "unknown"
+        of = "of an unknown effect" if unknown else f"of {first.title}"
+        found.append(Fact("Probability", percent(diagnosis.unknown_probability if unknown else first.probability), of))
+        interval = "" if first.interval is None else f"95 %: {100 * first.interval[0]:.0f} to {100 * first.interval[1]:.0f} %"
+        found.append(Fact("Closure", f"{100 * first.closure:.0f} %", interval))
     if where is not None and diagnosis.verdict != "no_gap":
         known = diagnosis.verdict in ("explained", "ambiguous")
         found.append(Fact("Largest in", where.channel, f"during {where.phase}" + (f"; stage: {where.stage}" if known else "")))
@@ -129,11 +134,21 @@ def _to_do(diagnosis: Diagnosis) -> list[str]:
     if diagnosis.verdict == "unknown":
         where = "" if diagnosis.where is None else f" Look at {diagnosis.where.channel} during {diagnosis.where.phase} first."
         return ["Add no effect to the simulation: none of them is the cause." + where]
-    advice = [sentence(effect.advice) for effect in diagnosis.effects[:1]]
+    first = leading(diagnosis)
+    ids = () if first is None else first.ids
     if diagnosis.verdict == "explained":
-        return advice
-    settle = "Settle first which it is" + (": see the next experiment below." if diagnosis.next_experiment else ".")
-    return [settle, *(f"If it is {effect.title}: {text}" for effect, text in zip(diagnosis.effects, advice, strict=False))]
+        return [sentence(effect.advice) for effect in diagnosis.effects if effect.id in ids]
+    tied = {name for tie in diagnosis.indistinguishable for joined in tie.ids for name in joined.split("+")}
+    likely = [effect for effect in diagnosis.effects if effect.id in tied or effect.id in ids or effect.probability > LIKELY]
+    return [_settle(diagnosis), *(f"If it is {effect.title}: {sentence(effect.advice)}" for effect in likely[:NAMED])]
+
+
+def _settle(diagnosis: Diagnosis) -> str:
+    if diagnosis.next_experiment is not None:
+        return "Settle first which it is: see the next experiment below."
+    if diagnosis.indistinguishable:
+        return sentence(f"Settle first which it is: {diagnosis.indistinguishable[0].splits}")
+    return "Settle first which it is."
 
 
 def _where(where: Where) -> dict[str, Any]:
@@ -159,6 +174,12 @@ def _tie(tie: Tied, titles: dict[str, str]) -> dict[str, str]:
         "why": sentence(tie.why),
         "splits": sentence(tie.splits),
     }
+
+
+def _limit(limit: str, titles: dict[str, str]) -> str:
+    """`effect: reason` with the effect in words; any other text as it is."""
+    name, colon, reason = limit.partition(": ")
+    return sentence(f"{title_of(name, titles)}: {reason}" if colon and name.isidentifier() else limit)
 
 
 def _minor(minor: Minor, titles: dict[str, str]) -> dict[str, Any]:

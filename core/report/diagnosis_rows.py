@@ -17,7 +17,11 @@ SHOWN = 0.005
 """Probability from which an explanation has a row of its own."""
 PARAMETERS = 6
 """Of one effect; a cross-talk has thirty."""
-TIMES_NOISE = (2.0, 4.0, 8.0, 16.0, 32.0)
+CLOSED = 4
+"""Of the effects without a row, how many are named with what they would have closed."""
+ALIKE = 0.02
+"""Closures that differ by less need a word on why only one is likely."""
+TIMES_NOISE = (2.0, 5.0, 15.0, 40.0, 100.0)
 """Where the heat map's tints begin."""
 MATERIAL = np.array([0.01, *[0.01] * 3, *[0.03] * 6])
 """Shares from which a shift of the payload matters: of the mass, of the first moment's norm, of the largest moment of inertia."""
@@ -75,6 +79,25 @@ class PayloadRow:
     material: bool
 
 
+@dataclass(frozen=True)
+class Leading:
+    """The most probable explanation, one effect or two."""
+
+    ids: tuple[str, ...]
+    title: str
+    probability: float
+    closure: float
+    interval: tuple[float, float] | None
+
+
+def leading(diagnosis: Diagnosis) -> Leading | None:
+    """The most probable explanation; None where there is none."""
+    titles = {effect.id: effect.title for effect in diagnosis.effects}
+    singles = [Leading((e.id,), e.title, e.probability, e.closure, e.closure_interval) for e in diagnosis.effects]
+    pairs = [Leading(p.ids, title_of("+".join(p.ids), titles), p.probability, p.closure, None) for p in diagnosis.pairs]
+    return max([*singles, *pairs], key=lambda one: one.probability, default=None)
+
+
 def percent(share: float) -> str:
     """A probability in per cent without false certainty."""
     if share < 0.001:
@@ -86,7 +109,7 @@ def percent(share: float) -> str:
 
 def title_of(name: str, titles: Mapping[str, str]) -> str:
     """The words for an effect, or for several joined by a plus sign."""
-    return " with ".join(titles.get(part, part.replace("_", " ")) for part in name.split("+"))
+    return " and ".join(titles.get(part, part.replace("_", " ")) for part in name.split("+"))
 
 
 def heat_map(cells: Iterable[Cell]) -> tuple[tuple[str, ...], tuple[HeatBlock, ...]]:
@@ -207,13 +230,17 @@ def rest_sentences(diagnosis: Diagnosis, titles: Mapping[str, str]) -> list[str]
     pairs = [pair for pair in diagnosis.pairs if pair.probability < SHOWN]
     found = []
     if effects:
-        best = sorted(effects, key=lambda effect: -effect.closure)[:4]
+        best = sorted(effects, key=lambda effect: -effect.closure)[:CLOSED]
         closed = ", ".join(f"{effect.title} {100 * effect.closure:.0f} %" for effect in best)
         total = percent(sum(effect.probability for effect in effects))
         found.append(
             f"Not shown: {_count(len(effects), 'effect')}, together {total}. They would have closed: {closed}"
             + (", the rest less." if len(effects) > len(best) else ".")
         )
+        if diagnosis.verdict != "unknown" and best[0].closure > diagnosis.effects[0].closure - ALIKE:
+            found.append(
+                "Closure alone does not decide: of explanations that predict alike, the one with fewer parameters is the likelier."
+            )
     if pairs:
         total = percent(sum(pair.probability for pair in pairs))
         closest = max(pairs, key=lambda pair: pair.closure)

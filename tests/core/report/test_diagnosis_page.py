@@ -1,0 +1,353 @@
+"""The report of a diagnosis: one file, in words first, for every verdict, and in colour only where something is abnormal."""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Iterator
+from functools import cache
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from core.gap.answer import (
+    Cell,
+    Change,
+    Diagnosis,
+    Experiment,
+    Explanation,
+    GapPart,
+    Minor,
+    Pair,
+    Payload,
+    PayloadPart,
+    Tied,
+    Value,
+    Where,
+)
+from core.report import diagnosis_page
+from core.report.diagnosis_page import Overlay, worst_motion, write_diagnosis
+from core.report.diagnosis_rows import heat_map, parameter_texts, payload_rows, percent, value_text
+
+CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
+PHI = [2.0, 0.1, 0.0, 0.0, 0.02, 0.0, 0.0, 0.04, 0.0, 0.03]
+
+
+def effect(name: str, title: str, probability: float, closure: float, **parameters: Value) -> Explanation:
+    interval = (closure - 0.02, closure + 0.01)
+    advice = f"fix {title}"
+    return Explanation(
+        id=name, title=title, stage="timing", probability=probability, parameters=parameters, gap_after=1.25,
+        closure=closure, closure_interval=interval, advice=advice,
+    )  # fmt: skip
+
+
+@cache
+def explained() -> Diagnosis:
+    """A delay, clearly; two rivals that are not."""
+    delay = effect("time_delay", "a late wrench", 0.93, 0.97, delay_s=Value(value=0.0123, std=0.0004, unit="s"))
+    lag = effect("kinematic_lag", "a lag of the motion", 0.04, 0.6, lag_s=Value(value=0.1, std=None, unit="s", at_bound=True))
+    tilt = effect("base_tilt", "a tilted base", 0.003, 0.12, about_x_rad=Value(value=0.01, std=0.001, unit="rad"))
+    cells = [("tx", "rotate:y", (0.0, 2.0), 14.2, 0.5), ("tx", "rotate:y", (2.0, 8.0), 3.0, 0.1), ("fz", "hold:x+", (0.0, 2.0), 1.5, 0.05)]
+    shifted = [PHI[0], PHI[1], 0.0, 0.0, 0.022, *PHI[5:]]
+    return Diagnosis(
+        verdict="explained",
+        summary="The gap is explained by a late wrench",
+        effects=[delay, lag, tilt],
+        none_probability=0.0,
+        unknown_probability=0.02,
+        pairs=[Pair(ids=("time_delay", "base_tilt"), probability=0.007, gap_after=1.1, closure=0.98)],
+        minor=[
+            Minor(id="joint_friction", parameters={"joint_1_coulomb_nm": Value(value=3.0, std=0.1, unit="N m")}, sentence="joint 1 rubs")
+        ],
+        indistinguishable=[],
+        where=Where(
+            cells=[Cell(channel=c, phase=p, band_hz=b, times_noise=n, share=s) for c, p, b, n, s in cells],
+            channel="tx",
+            phase="rotate:y",
+            stage="timing",
+            by_time=[0.1, 0.7, 0.2],
+            by_direction={"positive": 4.0, "still": 1.0},
+            sentence="the gap is largest in tx",
+        ),
+        gap=GapPart(
+            before=9.8,
+            after=1.25,
+            held_out=["hold:x+", "rotate:y"],
+            by_channel={c: Change(before=9.0 - k, after=2.5 if c == "ty" else 1.0) for k, c in enumerate(CHANNELS)},
+        ),
+        payload=PayloadPart(before=Payload(phi=shifted, std=[1e-4] * 10), after=Payload(phi=PHI, std=[1e-4] * 10)),
+        consequence="left out, it changes the inertia",
+        next_experiment=None,
+        limits=["sensor_drift: no temperature was recorded"],
+        seconds=6.1,
+    )
+
+
+def with_verdict(verdict: str, **changes: Any) -> Diagnosis:
+    return explained().model_copy(update={"verdict": verdict, "summary": f"this is {verdict}", **changes})
+
+
+@cache
+def overlay() -> Overlay:
+    """The middle motion is the worst, there in fz and tx."""
+    random = np.random.default_rng(0)
+    t = np.linspace(0.0, 30.0, 300)
+    noise = np.array([0.02, 0.02, 0.03, 0.001, 0.001, 0.001])
+    after = np.sin(t)[:, None] * np.array([5, 5, 5, 0.3, 0.3, 0.3])
+    before = after.copy()
+    before[:100] += 5 * noise
+    before[100:200, [2, 3]] += 40 * noise[[2, 3]]
+    return Overlay(
+        t, np.repeat(["hold:x+", "rotate:y", "hold:x+"], 100), after + random.normal(size=(300, 6)) * noise, before, after, noise
+    )
+
+
+AMBIGUOUS = {
+    "indistinguishable": [Tied(ids=("time_delay", "kinematic_lag"), distance_sigma=2.14, why="both are late", splits="a wide-band motion")],
+    "next_experiment": Experiment(motion="rotate about a horizontal axis", splits=[("time_delay", "kinematic_lag")], seconds=12.3),
+}
+NOTHING: dict[str, Any] = {
+    "effects": [], "pairs": [], "minor": [], "where": None, "gap": None, "payload": None, "consequence": "",
+    "none_probability": 0.0, "unknown_probability": 0.0, "limits": ["no wrench was recorded"],
+}  # fmt: skip
+AGREES: dict[str, Any] = {
+    "effects": [], "pairs": [], "none_probability": 1.0, "unknown_probability": 0.0,
+    "gap": GapPart(before=1.1, after=1.1, held_out=["hold:x+"], by_channel={"fx": Change(before=1.1, after=1.1)}),
+    "payload": PayloadPart(before=Payload(phi=PHI, std=[1e-4] * 10), after=Payload(phi=PHI, std=[1e-4] * 10)),
+}  # fmt: skip
+CASES = {
+    "explained": with_verdict("explained"),
+    "ambiguous": with_verdict("ambiguous", **AMBIGUOUS),
+    "unknown": with_verdict("unknown", unknown_probability=0.9),
+    "no_gap": with_verdict("no_gap", **AGREES),
+    "not_enough": with_verdict("not_enough", **NOTHING),
+}
+
+
+def written(folder: Path, diagnosis: Diagnosis, drawn: Overlay | None = None) -> str:
+    write_diagnosis(folder / "diagnosis.html", diagnosis=diagnosis, overlay=drawn)
+    assert [file.name for file in folder.iterdir()] == ["diagnosis.html"]
+    return (folder / "diagnosis.html").read_text(encoding="utf-8")
+
+
+def words(text: str) -> str:
+    """What a person reads."""
+    text = re.sub(r"<style>.*?</style>", "", text, flags=re.DOTALL)
+    return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", text)).split())
+
+
+def alarms(text: str) -> list[str]:
+    return re.findall(r'<(?:h1|td|dd) class="alarm">(.*?)<', text)
+
+
+class Tags(HTMLParser):
+    """Fails on a tag that is closed twice, or never; keeps the attributes."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.values: list[tuple[str, str]] = []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.values += [(name, value or "") for name, value in attrs]
+        if tag not in ("meta", "br"):
+            self.open.append(tag)
+
+    def handle_startendtag(self, _: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.values += [(name, value or "") for name, value in attrs]
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+@pytest.mark.parametrize("verdict", CASES)
+def test_every_verdict_has_a_page_that_is_well_formed_and_loads_nothing(verdict: str, tmp_path: Path) -> None:
+    text = written(tmp_path, CASES[verdict], None if verdict == "not_enough" else overlay())
+    values = Tags(text).values
+    assert "<script" not in text and "@import" not in text
+    assert all(value.startswith("#") for name, value in values if name in ("src", "href", "xlink:href"))
+    assert not [value for _, value in values if re.search(r"url\((?!#)", value)]
+    read = words(text)
+    assert f"This is {verdict}." in read
+    assert not re.search(r"\b(nan|inf|None|Undefined)\b", read)
+    ids = re.findall(r' id="([^"]*)"', text)
+    assert len(ids) == len(set(ids))
+
+
+def test_an_explained_gap_is_told_in_words_and_numbers(tmp_path: Path) -> None:
+    text = words(written(tmp_path, explained(), overlay()))
+    for said in (
+        "Gap explained Diagnosis of the gap",
+        "The gap is explained by a late wrench.",
+        "What to do Fix a late wrench.",
+        "For the payload Left out, it changes the inertia.",
+        "Gap 9.80 noise alone is 1",
+        "Gap with the effect added 1.25",
+        "Probability 93.0 % of a late wrench",
+        "Closure 97 % 95 %: 95 to 98 %",
+        "A late wrench time_delay 93.0 % 97 % (95 to 98 %) 1.25 delay 12.30 ± 0.40 ms",
+        "lag 100 ms (at its bound)",
+        "A late wrench and a tilted base time_delay + base_tilt 0.7 % 98 % 1.10",
+        "Something that the library does not have 2.0 %",
+        "No effect < 0.1 %",
+        "Not shown: 1 other effect, together 0.3 %. They would have closed: a tilted base 12 %.",
+        "From 9.80 to 1.25 times the noise",
+        "predicted from the others: hold:x+, rotate:y.",
+        "The worst motion: fz and tx during rotate:y",
+        "Joint friction: Joint 1 rubs. joint 1 coulomb 3.00 ± 0.10 N m",
+        "Sensor drift: no temperature was recorded.",
+        "Worked out in 6.1 s",
+    ):
+        assert said in text, said
+    assert "Fix a lag of the motion" not in text
+    assert "Next experiment" not in text
+
+
+def test_an_unsettled_gap_says_what_would_settle_it_before_what_to_fix(tmp_path: Path) -> None:
+    text = words(written(tmp_path, CASES["ambiguous"]))
+    settle, delay, lag = (
+        text.index(said)
+        for said in ("Settle first which it is", "If it is a late wrench: Fix a late", "If it is a lag of the motion: Fix a lag")
+    )
+    assert settle < delay < lag
+    assert "If it is a tilted base" not in text
+    assert "A late wrench or a lag of the motion. 2.1 σ apart: Both are late. It would be settled by: A wide-band motion." in text
+    assert "Rotate about a horizontal axis. It takes 12 s and tells apart: a late wrench from a lag of the motion." in text
+
+
+def test_an_unknown_cause_has_no_advice_to_add_an_effect(tmp_path: Path) -> None:
+    text = words(written(tmp_path, CASES["unknown"]))
+    assert "Add no effect to the simulation: none of them is the cause. Look at tx during rotate:y first." in text
+    assert "Fix a late wrench" not in text
+    assert "90.0 % of an unknown effect" in text
+    assert text.index("Something that the library does not have 90.0 %") < text.index("No effect < 0.1 %")
+    assert "neither column can be trusted" in text
+
+
+def test_two_effects_at_once_have_the_advice_of_both(tmp_path: Path) -> None:
+    pair = Pair(ids=("time_delay", "base_tilt"), probability=0.95, gap_after=1.0, closure=0.99)
+    text = words(written(tmp_path, with_verdict("explained", pairs=[pair])))
+    assert "Fix a late wrench. Fix a tilted base." in text
+    assert "Probability 95.0 % of a late wrench and a tilted base" in text
+
+
+def test_a_recording_that_says_too_little_gets_that_and_nothing_else(tmp_path: Path) -> None:
+    text = written(tmp_path, CASES["not_enough"])
+    assert re.findall(r"<h[23][^>]*>(.*?)</h", text) == ["What this recording cannot say"]
+    assert "Record again" in words(text) and "no wrench was recorded" in words(text).lower()
+    assert "<svg" not in text and "<table" not in text
+
+
+def test_colour_is_only_where_something_is_abnormal(tmp_path: Path) -> None:
+    calm = written(tmp_path, CASES["no_gap"])
+    assert alarms(calm) == []
+    assert '<table class="heat calm">' in calm
+    assert "var(--alarm)" not in re.sub(r"<style>.*?</style>", "", calm, flags=re.DOTALL)
+    assert alarms(written(tmp_path, explained())) == ["9.80", "-5.00 %"]  # the gap, and Ixx of 0.002 over 0.04
+    assert alarms(written(tmp_path, CASES["unknown"]))[0] == "Gap of unknown cause"
+
+
+def test_the_bars_of_what_remains_are_in_colour_where_it_matters(tmp_path: Path) -> None:
+    chart = re.findall(r'<svg class="chart".*?</svg>', written(tmp_path, explained()), flags=re.DOTALL)
+    assert len(chart) == 1
+    assert chart[0].count("var(--alarm)") == 1  # ty, 2.5 after
+    assert all(f"{number:.2f}" in chart[0] for number in (9.0, 4.0, 2.5))
+
+
+def test_the_overlay_shows_the_motion_that_lacks_most_without_joining_others() -> None:
+    assert worst_motion(overlay()) == slice(100, 200)
+
+
+def test_an_overlay_without_a_change_has_one_line(tmp_path: Path) -> None:
+    drawn = overlay()
+    same = Overlay(drawn.t, drawn.phase, drawn.measured, drawn.before, drawn.before, drawn.noise_std)
+    assert "simulated before" not in words(written(tmp_path, explained(), same))
+    assert "simulated before" in words(written(tmp_path, explained(), drawn))
+
+
+def test_the_heat_map_takes_the_loudest_band_and_adds_the_shares() -> None:
+    where = explained().where
+    assert where is not None
+    phases, blocks = heat_map(where.cells)
+    assert phases == ("hold:x+", "rotate:y")
+    assert [block.title for block in blocks] == ["all bands", "0 to 2 Hz", "2 to 8 Hz"]
+    rows = {row.name: row for row in blocks[0].rows}
+    assert list(rows) == list(CHANNELS)
+    assert rows["tx"].entries == (("", 0, ""), ("14.2", 2, "60 %"))
+    assert rows["tx"].share == "60 %"
+    assert rows["fz"].entries[0] == ("1.5", 0, "5 %")  # below twice the noise: no tint
+    assert [row.name for row in blocks[2].rows] == ["tx"]
+    assert heat_map([]) == ((), ())
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "text"),
+    [
+        ("delay_s", Value(value=0.0123, std=0.0004, unit="s"), "delay 12.30 ± 0.40 ms"),
+        ("time_constant_s", Value(value=120.0, std=5.0, unit="s"), "time constant 120.0 ± 5.0 s"),
+        ("about_x_rad", Value(value=np.radians(0.5), std=np.radians(0.01), unit="rad"), "about x 0.500 ± 0.010°"),
+        ("z_m", Value(value=-0.0031, std=0.0002, unit="m"), "z -3.10 ± 0.20 mm"),
+        ("fx_creep_share", Value(value=0.003, std=0.0001, unit="1"), "fx creep 0.300 ± 0.010 %"),
+        ("damping_ratio", Value(value=0.05, std=None, unit="1"), "damping ratio 0.05"),
+        ("stiffness_n_per_m", Value(value=3.0, std=0.5, unit="N/m"), "stiffness 3.00 ± 0.50 N/m"),
+        ("frequency_hz", Value(value=50.0, std=0.0, unit="Hz", at_bound=True), "frequency 50 Hz (at its bound)"),
+    ],
+)
+def test_a_parameter_is_told_in_everyday_units(name: str, value: Value, text: str) -> None:
+    assert value_text(name, value) == text
+
+
+def test_of_many_parameters_the_clearest_are_told() -> None:
+    many = {f"gain_{k}": Value(value=float(k), std=1.0, unit="1") for k in range(30)}
+    texts = parameter_texts(many)
+    assert [text.split(" ±")[0] for text in texts[:-1]] == [f"gain {k} {k}.0" for k in range(24, 30)]
+    assert texts[-1] == "and 24 more, less clear"
+
+
+@pytest.mark.parametrize(("share", "text"), [(0.0, "< 0.1 %"), (0.5, "50.0 %"), (1.0, "> 99.9 %"), (0.9987, "99.9 %")])
+def test_no_probability_is_told_as_certain(share: float, text: str) -> None:
+    assert percent(share) == text
+
+
+def test_a_payload_that_moves_within_its_uncertainty_is_not_marked() -> None:
+    before, after = [2.05, *PHI[1:]], PHI
+    wide = payload_rows(PayloadPart(before=Payload(phi=before, std=[0.03] * 10), after=Payload(phi=after, std=[0.03] * 10)))
+    narrow = payload_rows(PayloadPart(before=Payload(phi=before, std=[0.01] * 10), after=Payload(phi=after, std=[0.01] * 10)))
+    assert [row.name for row in wide if row.material] == []
+    assert [(row.name, row.change, row.sigmas) for row in narrow if row.material] == [("m", "-2.50 %", "-5.0")]
+
+
+def test_words_from_outside_stay_words(tmp_path: Path) -> None:
+    attack = "<script>alert(1)</script>"
+    base = explained()
+    assert base.where is not None
+    where = base.where.model_copy(update={"sentence": attack, "cells": [base.where.cells[0].model_copy(update={"phase": attack})]})
+    drawn = overlay()
+    named = Overlay(drawn.t, np.full(300, attack), drawn.measured, drawn.before, drawn.after, drawn.noise_std)
+    text = written(tmp_path, with_verdict("explained", summary=attack, consequence=attack, limits=[f"{attack}!"], where=where), named)
+    assert "<script" not in text
+    assert text.count("&lt;script&gt;alert(1)") == 6
+
+
+def test_a_report_that_fails_leaves_the_older_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "diagnosis.html").write_text("the older one")
+
+    def fail(*_: object) -> Iterator[str]:
+        raise RuntimeError("no charts today")
+
+    monkeypatch.setattr(diagnosis_page, "gap_chart", fail)
+    with pytest.raises(RuntimeError):
+        write_diagnosis(tmp_path / "diagnosis.html", diagnosis=explained(), overlay=None)
+    assert (tmp_path / "diagnosis.html").read_text() == "the older one"
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+def test_the_same_answer_gives_the_same_page(tmp_path: Path) -> None:
+    assert written(tmp_path, explained(), overlay()) == written(tmp_path, explained(), overlay())
