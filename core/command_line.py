@@ -23,17 +23,21 @@ from core.cell import Cell, Payload, find_cell, list_cells, load_cell
 from core.collision import CollisionModel
 from core.errors import BadInput, BadPayload, HeftError
 from core.estimation.identification import identify_recording
-from core.gap.diagnosis import diagnose
+from core.gap.diagnosis import Evidence, examine
+from core.gap.windows import OFFSET
 from core.plan import plan_procedure, plan_summary
 from core.procedure import identify
 from core.progress import watch
 from core.recording_folder import read_recording
+from core.report.diagnosis_page import Overlay, write_diagnosis
 from core.report.page import write_report
 from core.result import Result, SecondsPart, result_of
 from core.robot import RobotModel
+from core.score import score_sheet
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
 from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table
+from core.trial import draw, run_trial
 
 app = typer.Typer(
     name="heft",
@@ -97,18 +101,47 @@ def identify_command(
 def diagnose_command(
     recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
     json: JsonOption = None,
+    report: Annotated[Path | None, typer.Option(metavar="FILE", help="Also write the HTML report.")] = None,
 ) -> None:
     """Where simulation and recording part, which unmodelled effect causes it, and how far adding it closes the gap."""
-    _check_new(None, json)
+    _check_new(report, json)
     loaded = read_recording(recording)
     with messages.status("fitting effects") if messages.is_terminal else nullcontext():
-        diagnosis = diagnose(loaded)
+        diagnosis, evidence = examine(loaded)
+    if report is not None:
+        write_diagnosis(report, diagnosis=diagnosis, overlay=None if evidence is None else _overlay(evidence))
     if json is not None:
         _write_json(diagnosis.model_dump_json(indent=2), json)
     if json != "-":
         answers.print(diagnosis_table(diagnosis))
         for line in diagnosis_lines(diagnosis):
             answers.print(line, highlight=False)
+
+
+@app.command()
+def trial(
+    count: Annotated[int, typer.Option(min=1, help="How many trials.")] = 1,
+    report: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder to make for the score sheet and all outcomes.")] = None,
+    seed: SeedOption = 0,
+) -> None:
+    """The blind check: plant faults in the virtual robot, seal the answer, diagnose, open the seal, score."""
+    _check_new(report, None)
+    outcomes = []
+    for k in range(seed, seed + count):
+        drawn = draw(k)
+        answers.print(f"trial {k}: sealed {drawn.sealed.hash}", highlight=False, soft_wrap=True)
+        outcome = run_trial(drawn)
+        outcomes.append(outcome)
+        planted = ", ".join(f"{i} ({v})" for i, v in zip(drawn.sealed.ids, drawn.sealed.variants, strict=True)) or "nothing"
+        answer = outcome.stopped or f"{outcome.verdict} {outcome.first or ''}".strip()
+        mark = "right" if outcome.right else "not right"
+        answers.print(f"  planted {planted}, size {drawn.sealed.size:.2f}; answered {answer}: {mark}", highlight=False, soft_wrap=True)
+    sheet = score_sheet(outcomes, f"heft trial --count {count} --seed {seed}")
+    if report is not None:
+        report.mkdir(parents=True)
+        (report / "trials.md").write_text(sheet, encoding="utf-8")
+        (report / "trials.jsonl").write_text("".join(outcome.model_dump_json() + "\n" for outcome in outcomes), encoding="utf-8")
+    answers.print(sheet, highlight=False, markup=False, soft_wrap=True)
 
 
 @app.command()
@@ -132,6 +165,20 @@ def plan(cell: CellArgument, payload: PayloadOption = None, seed: SeedOption = 0
 def cells() -> None:
     """List the cells at hand."""
     answers.print(cells_table([load_cell(folder) for folder in list_cells()]))
+
+
+def _overlay(evidence: Evidence) -> Overlay:
+    """Measured, and simulated without and with the effect, offsets taken off."""
+    windows, best = evidence.windows, evidence.best
+    measured = windows.y - best.beta[OFFSET]
+    return Overlay(
+        t=windows.centres,
+        phase=windows.phase,
+        measured=measured,
+        before=measured - windows.unwhitened(evidence.nominal.residual),
+        after=measured - windows.unwhitened(best.residual),
+        noise_std=windows.noise_std,
+    )
 
 
 def _payload(cell: Cell, name: str | None) -> tuple[str, Payload]:

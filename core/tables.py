@@ -15,6 +15,7 @@ from core.result import Result
 Array = NDArray[np.float64]
 
 SHOWN_EFFECTS = 5
+SHOWN_PARAMETERS = 4
 
 
 def _number(value: float | None, digits: int = 5) -> str:
@@ -96,7 +97,11 @@ def diagnosis_table(diagnosis: Diagnosis) -> Table:
     for heading in ("effect", "probability", "gap after", "closure", "parameters"):
         table.add_column(heading, justify="right" if heading in ("probability", "gap after", "closure") else "left")
     for effect in diagnosis.effects[:SHOWN_EFFECTS]:
-        values = ", ".join(f"{name} {_number(v.value, 4)} ± {_number(v.std, 2)}" for name, v in effect.parameters.items())
+        values = ", ".join(
+            f"{name} {_number(v.value, 4)} ± {_number(v.std, 2)}" for name, v in list(effect.parameters.items())[:SHOWN_PARAMETERS]
+        )
+        more = len(effect.parameters) - SHOWN_PARAMETERS
+        values += f" and {more} more" if more > 0 else ""
         table.add_row(effect.id, f"{effect.probability:.3f}", f"{effect.gap_after:.3f}", f"{effect.closure:.3f}", values)
     if diagnosis.effects:
         table.add_row("none", f"{diagnosis.none_probability:.3f}", "", "", "")

@@ -25,6 +25,7 @@ from core.gap.answer import Diagnosis
 from core.gap.diagnosis import diagnose
 from core.plan import Plan, plan_procedure
 from core.plant.faults import FAULTS, Background, Fault, Setting, variants
+from core.plant.mechanics import Drives
 from core.procedure import carry_out
 from core.robot import RobotModel
 from core.sessions.simulated import SimulatedSession
@@ -36,6 +37,8 @@ KINDS = {"none": 0.2, "single": 0.55, "double": 0.1, "unknown": 0.15}
 """How often each kind of trial is drawn."""
 SMALLEST, LARGEST = 0.3, 3.0
 """Sizes are drawn between these, in plausible sizes of the fault, evenly in their logarithm."""
+SMOOTH = Drives(damping_s=0.0, friction=0.0)
+"""Friction is one of the faults: where it is not planted, there is none."""
 IDS = sorted({fault.id for fault in FAULTS} - {"unknown"})
 
 
@@ -153,7 +156,7 @@ def run_trial(drawn: Drawn) -> Outcome:
     """Runs the procedure with the faults, diagnoses without them, and opens the seal."""
     cell, sealed = drawn.cell, drawn.sealed
     carried = cell.payloads[sealed.payload]
-    session = SimulatedSession(cell, carried.parameters, seed=sealed.seed, faults=drawn.faults)
+    session = SimulatedSession(cell, carried.parameters, seed=sealed.seed, faults=drawn.faults, drives=SMOOTH)
     try:
         recording = returned(carry_out(cell, session, carried.box, drawn.plan, payload=sealed.payload)).recording
     except Stopped as error:

@@ -53,6 +53,18 @@ def _transition(w: float, damping: float, h: float) -> Array:
     return np.asarray(np.exp(-damping * w * h) * np.array([[C + damping * w * S, S], [-w * w * S, C - damping * w * S]]))
 
 
+def ring(t: Array, frequency_hz: float, damping: float, start: Array, rate: Array) -> tuple[Array, Array, Array]:
+    """Free swing `y'' + 2 zeta w y' + w^2 y = 0` from `y = start`, `y' = rate` (c,) at t = 0; y, y', y'' at times t (N,), each (N, c)."""
+    w = 2.0 * np.pi * frequency_hz
+    root = w * cmath.sqrt(1.0 - damping**2)
+    fading = np.exp(-damping * w * t)
+    C = fading * np.cos(root * t).real
+    S = fading * (np.sin(root * t) / root).real if abs(root) > 1e-6 * w else fading * t
+    y = np.outer(C + damping * w * S, start) + np.outer(S, rate)
+    v = np.outer(-w * w * S, start) + np.outer(C - damping * w * S, rate)
+    return y, v, -2.0 * damping * w * v - w * w * y
+
+
 def spectral_peaks(residual: Array, period: float, lower_hz: float, upper_hz: float, count: int) -> list[float]:
     """Frequencies (Hz) at which the residual (N, c) has most power beyond its surroundings, largest first."""
     x = residual - residual.mean(axis=0)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.effects.oscillator import oscillate, spectral_peaks
+from core.effects.oscillator import oscillate, ring, spectral_peaks
 from core.effects.rigid_body import centre_of_mass, cross
 from core.effects.scene import Scene
 
@@ -23,7 +23,7 @@ class PayloadLoose(Effect):
     What moves is given by a symmetric matrix of shares of the payload's mass, `s = m S u` (kg m): `S = share e e^T` for a part on a slide
     along e, `share 1` for one that is free in all directions. Its first moment s adds
     `f = s'' + 2 omega x s' + alpha x s + omega x (omega x s)` and `tau = r x f + s x b`. What the moving frame does to the swing itself
-    is left out, as is `s x s''`.
+    is left out, as is `s x s''`. The part may swing already when the recording begins.
     """
 
     id = "payload_loose"
@@ -37,6 +37,8 @@ class PayloadLoose(Effect):
             Parameter("damping_ratio", "1", 0.05, 0.003, 1.5, 0.15),
             *(Parameter(f"moving_{axes}_share", "1", 0.0, -1.0, 1.0, 0.15) for axes in SHARES),
             *(Parameter(f"place_{axis}_m", "m", 0.0, -0.3, 0.3, 0.05) for axis in "xyz"),
+            *(Parameter(f"start_{axis}_m_per_s2", "m/s2", 0.0, -20.0, 20.0, 2.0) for axis in "xyz"),
+            *(Parameter(f"start_rate_{axis}_m_per_s2", "m/s2", 0.0, -20.0, 20.0, 2.0) for axis in "xyz"),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
@@ -45,8 +47,11 @@ class PayloadLoose(Effect):
         m = scene.motion
         r = centre_of_mass(scene) + part.place
         b = m.a - m.g + cross(m.alpha, r) + cross(m.omega, cross(m.omega, r))
-        y, rate, acceleration = oscillate(b, scene.period, part.frequency_hz, part.damping)
-        to_moment = -scene.phi[0] * part.shares / (2.0 * np.pi * part.frequency_hz) ** 2
+        w_n = 2.0 * np.pi * part.frequency_hz
+        swing = ring(scene.t - scene.t[0], part.frequency_hz, part.damping, part.start, w_n * part.start_rate)
+        driven = oscillate(b, scene.period, part.frequency_hz, part.damping)
+        y, rate, acceleration = (forced + free for forced, free in zip(driven, swing, strict=True))
+        to_moment = -scene.phi[0] * part.shares / w_n**2
         s, ds, dds = y @ to_moment, rate @ to_moment, acceleration @ to_moment
         f = dds + 2.0 * cross(m.omega, ds) + cross(m.alpha, s) + cross(m.omega, cross(m.omega, s))
         return np.asarray(w + np.hstack([f, cross(r, f) + cross(s, b)]))
@@ -56,7 +61,7 @@ class PayloadLoose(Effect):
         upper = self.parameters(scene)[0].upper
         grid = [f for f in (1.0, 2.0, 4.0) if f < upper]
         peaks = spectral_peaks(residual, scene.period, 0.8, upper, 2)
-        rest = [0.05, *([0.05] * 6), *([0.0] * 3)]
+        rest = [0.05, *([0.05] * 6), *([0.0] * 9)]
         return [np.array([f, *rest]) for f in (*peaks, *grid)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
@@ -94,3 +99,13 @@ class _Part:
     def place(self) -> Array:
         """(3,), m, from the centre of mass."""
         return self.theta[8:11]
+
+    @property
+    def start(self) -> Array:
+        """(3,), displacement when the recording begins, as the specific force that would hold it, m/s2."""
+        return self.theta[11:14]
+
+    @property
+    def start_rate(self) -> Array:
+        """(3,), its rate over the angular frequency, m/s2."""
+        return self.theta[14:17]

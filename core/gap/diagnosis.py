@@ -35,7 +35,7 @@ from core.gap.basis import TooLittleError, basis_of
 from core.gap.effect_fit import STAGES, EffectFit, fit_effects, fit_nominal
 from core.gap.materiality import is_material, payload_shift
 from core.gap.residual import CHANNELS, Residual
-from core.gap.symptoms import observed
+from core.gap.symptoms import Observed, observed
 from core.gap.windows import Windows
 from core.recording import Recording
 
@@ -49,8 +49,7 @@ ONE_IS_ENOUGH = 0.01
 """Share of the excess left over by one effect below which a second one is not sought: it would only pick up what a model gets wrong."""
 SECOND_EXPLAINS = 1.0 / 3.0
 """A second effect has to explain most of what the first leaves over, or it is none."""
-SHOWN = 12
-"""Patches of the residual in the answer."""
+UNKNOWN_CONSEQUENCE = "What it does to the payload cannot be told as long as its cause is not known: use these numbers with care."
 RESAMPLED = 300
 
 
@@ -79,13 +78,18 @@ def diagnose(recording: Recording, effects: Sequence[Effect] | None = None) -> D
         recording: with a wrist wrench and motion; anything less is answered with what is missing.
         effects: candidates; the whole library where absent.
     """
+    return examine(recording, effects)[0]
+
+
+def examine(recording: Recording, effects: Sequence[Effect] | None = None) -> tuple[Diagnosis, Evidence | None]:
+    """The diagnosis together with everything that was fitted; None where the recording is not enough."""
     began = time.perf_counter()
     try:
         windows = Windows(basis_of(recording))
     except TooLittleError as reason:
-        return not_enough(str(reason), time.perf_counter() - began)
+        return not_enough(str(reason), time.perf_counter() - began), None
     evidence = gather(windows, library() if effects is None else effects)
-    return answer(recording, evidence, began)
+    return answer(recording, evidence, began), evidence
 
 
 def gather(windows: Windows, effects: Sequence[Effect]) -> Evidence:
@@ -138,11 +142,14 @@ def answer(recording: Recording, evidence: Evidence, began: float) -> Diagnosis:
     windows, nominal, best = evidence.windows, evidence.nominal, evidence.best
     attribution = evidence.attribution
     material = is_material(windows, nominal, best)
-    symptoms = observed(recording, windows, best)
+    seen = observed(recording, windows, best)
     verdict = _verdict(evidence, material)
+    told = [it for it in seen if it.finding.material] if verdict in ("no_gap", "unknown") else []
+    before = gap_of(windows, nominal)
+    if told:
+        return _read_off(evidence, told, seen, before, began)
     residual = Residual(windows, nominal)
     ranked = [(fit, p) for fit, p in attribution.explained if len(fit.effects) == 1]
-    before = gap_of(windows, nominal)
     return Diagnosis(
         verdict=verdict,
         summary=_summary(verdict, evidence),
@@ -150,22 +157,67 @@ def answer(recording: Recording, evidence: Evidence, began: float) -> Diagnosis:
         none_probability=attribution.none if material else 1.0,
         unknown_probability=attribution.unknown if material else 0.0,
         pairs=[_pair(windows, nominal, fit, p) for fit, p in attribution.explained if len(fit.effects) == 2] if material else [],
-        minor=[*([] if material else _minor(best)), *symptoms],
+        minor=[*([] if material else _minor(best)), *(_noted(it) for it in seen)],
         indistinguishable=[_tied(tie.first, tie.second, tie.distance_sigma) for tie in attribution.ties] if material else [],
         where=_where(residual, best, verdict),
-        gap=GapPart(
-            before=before,
-            after=gap_of(windows, best),
-            held_out=sorted({part.phase for part in windows.basis.segments}),
-            by_channel={
-                name: Change(before=gap_of(windows, nominal, c), after=gap_of(windows, best, c)) for c, name in enumerate(CHANNELS)
-            },
-        ),
+        gap=_gap(evidence, best),
         payload=PayloadPart(before=_payload(nominal), after=_payload(best)),
-        consequence=payload_shift(nominal, best),
+        consequence=payload_shift(nominal, best) if verdict != "unknown" else UNKNOWN_CONSEQUENCE,
         next_experiment=None,
         limits=list(evidence.limits),
         seconds=time.perf_counter() - began,
+    )
+
+
+def _read_off(evidence: Evidence, told: list[Observed], seen: list[Observed], before: float, began: float) -> Diagnosis:
+    """The answer where the wrench agrees, or no effect on it explains the gap, but something is plain in the recording itself."""
+    windows, nominal = evidence.windows, evidence.nominal
+    share = 0.95 / len(told)
+    explanations = [
+        Explanation(
+            id=it.symptom.id,
+            title=it.symptom.title,
+            stage=it.symptom.stage,
+            probability=share,
+            parameters=it.parameters,
+            gap_after=before,
+            closure=0.0,
+            closure_interval=(0.0, 0.0),
+            advice=it.symptom.advice(it.finding),
+        )
+        for it in told
+    ]
+    residual = Residual(windows, nominal)
+    return Diagnosis(
+        verdict="explained" if len(told) == 1 else "ambiguous",
+        summary=" ".join(it.finding.sentence for it in told),
+        effects=explanations,
+        none_probability=0.03,
+        unknown_probability=0.02,
+        pairs=[],
+        minor=[_noted(it) for it in seen if it not in told],
+        indistinguishable=[],
+        where=_where(residual, nominal, "unknown").model_copy(update={"stage": told[0].symptom.stage}),
+        gap=_gap(evidence, nominal),
+        payload=PayloadPart(before=_payload(nominal), after=_payload(nominal)),
+        consequence="It is read off the recording itself; the wrench that the payload asks of the sensor is not changed by it.",
+        next_experiment=None,
+        limits=list(evidence.limits),
+        seconds=time.perf_counter() - began,
+    )
+
+
+def _noted(it: Observed) -> Minor:
+    return Minor(id=it.symptom.id, parameters=it.parameters, sentence=it.finding.sentence)
+
+
+def _gap(evidence: Evidence, after: EffectFit) -> GapPart:
+    windows, nominal = evidence.windows, evidence.nominal
+    return GapPart(
+        before=gap_of(windows, nominal),
+        after=gap_of(windows, after),
+        held_out=sorted({part.phase for part in windows.basis.segments}),
+        by_channel={name: Change(before=gap_of(windows, nominal, c), after=gap_of(windows, after, c)) for c, name in enumerate(CHANNELS)},
     )
 
 
@@ -259,7 +311,7 @@ def _where(residual: Residual, best: EffectFit, verdict: Verdict) -> Where:
     top = residual.patches[0]
     stage = best.effects[0].stage if best.effects and verdict in ("explained", "ambiguous") else "sensor"
     return Where(
-        cells=[Cell(**vars(patch)) for patch in residual.patches[:SHOWN]],
+        cells=[Cell(**vars(patch)) for patch in residual.patches],
         channel=top.channel,
         phase=top.phase,
         stage=stage,

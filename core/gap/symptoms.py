@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from core.effects.effect import View
+from core.effects.effect import Finding, Symptom, View
 from core.effects.library import symptoms
-from core.gap.answer import Minor, Value
+from core.gap.answer import Value
 from core.gap.effect_fit import EffectFit
 from core.gap.windows import Windows
 from core.recording import Recording
@@ -14,8 +16,17 @@ from core.recording import Recording
 SEEN_SIGMA = 5.0
 
 
-def observed(recording: Recording, windows: Windows, fit: EffectFit) -> list[Minor]:
-    """Symptoms that stand clearly above chance."""
+@dataclass(frozen=True)
+class Observed:
+    """A symptom with what it found."""
+
+    symptom: Symptom
+    finding: Finding
+    parameters: dict[str, Value]
+
+
+def observed(recording: Recording, windows: Windows, fit: EffectFit) -> list[Observed]:
+    """Symptoms that stand clearly above chance, the clearest first."""
     holds = tuple(part.rows for part in windows.basis.segments if part.is_hold)
     view = View(holds, windows.basis.noise.std, fit.phi, fit.phi_std)
     found = []
@@ -27,5 +38,5 @@ def observed(recording: Recording, windows: Windows, fit: EffectFit) -> list[Min
             p.name: Value(value=float(v), std=float(s) if np.isfinite(s) else None, unit=p.unit)
             for p, v, s in zip(symptom.parameters(recording), finding.theta, finding.std, strict=True)
         }
-        found.append(Minor(id=symptom.id, parameters=values, sentence=finding.sentence))
-    return found
+        found.append(Observed(symptom, finding, values))
+    return sorted(found, key=lambda seen: -seen.finding.sigma)

@@ -77,7 +77,9 @@ class Windows:
         self.step = step_of(basis.poses)
         self.centres = np.arange(t[0] + 2.0 * self.step, t[-1] - 2.0 * self.step, self.step)
         self._to_windows = window_matrix(self.centres, self.step, t)
-        y, V = self._windowed(basis.wrench), self._windowed(basis.V)
+        self.y = y = self._windowed(basis.wrench)
+        """(K, 6), measured, N and N m."""
+        V = self._windowed(basis.V)
         phi = self._first_phi(y, V)
         self._factors = self._whiteners(phi)
         nominal = basis.V @ phi
@@ -129,6 +131,19 @@ class Windows:
     def whiten(self, x: Array) -> Array:
         """Rows (6, K, n) with unit noise from windowed wrenches (K, 6, n)."""
         return np.stack([dtbtrs(factor, np.ascontiguousarray(x[:, c]), uplo="L")[0] for c, factor in enumerate(self._factors)])
+
+    def unwhitened(self, rows: Array) -> Array:
+        """(K, 6), N and N m, of rows (6, K)."""
+        result = np.zeros((rows.shape[1], 6))
+        for c, factor in enumerate(self._factors):
+            for k, band in enumerate(factor):
+                result[k:, c] += (band * rows[c])[: rows.shape[1] - k]
+        return result
+
+    @property
+    def noise_std(self) -> Array:
+        """(6,), of one windowed wrench, N and N m."""
+        return np.array([np.sqrt(np.median((factor**2).sum(axis=0))) for factor in self._factors])
 
     def rows_of(self, change: Array) -> Array:
         """Rows (6, K, n) of changes of the wrench on the scene's grid, (N, 6, n)."""

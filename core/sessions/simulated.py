@@ -15,7 +15,7 @@ from core.inertia import InertialParameters
 from core.plant.braking import braking_positions
 from core.plant.faults.fault import Fault
 from core.plant.imperfections import Imperfections
-from core.plant.mechanics import PERIOD
+from core.plant.mechanics import PERIOD, Drives
 from core.plant.virtual_robot import VirtualRobot
 from core.sessions.pace import AsFastAsPossible, Pace
 from core.sessions.session import RobotSession, RobotState
@@ -40,6 +40,7 @@ class SimulatedSession(RobotSession):
         seed: of offset and noise.
         pace: as fast as possible, or real time for a person who watches.
         imperfections, faults: what is planted; nothing where absent.
+        drives: friction and rotor inertia of the joints; those of a usual arm where absent.
 
     Raises:
         BadRobot, BadPayload: the simulation cannot be built.
@@ -56,8 +57,10 @@ class SimulatedSession(RobotSession):
         pace: Pace | None = None,
         imperfections: Imperfections | None = None,
         faults: tuple[Fault, ...] = (),
+        drives: Drives | None = None,
     ) -> None:
-        self.plant = VirtualRobot(cell, payload, np.random.default_rng(seed), imperfections=imperfections, faults=faults)
+        rng = np.random.default_rng(seed)
+        self.plant = VirtualRobot(cell, payload, rng, imperfections=imperfections, faults=faults, drives=drives)
         """The virtual robot; its `truth` is for tests only."""
         self._pace = pace or AsFastAsPossible()
         self._acceleration = np.array(cell.robot.acceleration_rad_s2)

@@ -262,7 +262,7 @@ PLANTED = [
     ),
     Planted(
         PayloadLoose(),
-        np.array([HZ, ZETA, *matrix_shares(), *(POINTS[PART] - MASSES @ POINTS / MASSES.sum())]),
+        np.array([HZ, ZETA, *matrix_shares(), *(POINTS[PART] - MASSES @ POINTS / MASSES.sum()), *([0.0] * 6)]),
         loose,
         tolerance=0.06,
         fit_tolerance=0.2,

@@ -1,0 +1,112 @@
+"""The diagnosis of runs on the virtual robot, and of what is too little to say anything."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.effects.library import library
+from core.gap.attribution import attribute, distance_sigma, leftover
+from core.gap.basis import basis_of
+from core.gap.diagnosis import diagnose, gap_of
+from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
+from core.gap.residual import Residual
+from core.gap.windows import Windows
+from core.plant.imperfections import Imperfections
+from core.procedure import carry_out
+from core.recording import Recording
+from core.recording_folder import read_recording
+from core.sessions.simulated import SimulatedSession
+from core.trial import planned, returned
+
+REAL = Path(__file__).parents[4] / "shared" / "real"
+FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
+
+
+@cache
+def recorded(tilt: float = 0.0, delay: float = 0.0) -> Recording:
+    """A run with the cylinder."""
+    cell, plans = planned("lwr4_bench")
+    carried = cell.payloads["cylinder"]
+    imperfections = Imperfections(base_tilt_rad=(tilt, 0.0), wrench_delay_s=delay)
+    session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=imperfections)
+    return returned(carry_out(cell, session, carried.box, plans["cylinder"])).recording
+
+
+def fitted(recording: Recording) -> tuple[Windows, EffectFit, list[EffectFit]]:
+    """The nominal twin and a few effects, one by one."""
+    windows = Windows(basis_of(recording))
+    nominal = fit_nominal(windows)
+    scene = windows.basis.scene.carrying(nominal.phi)
+    still = np.zeros((len(scene), 6))
+    return windows, nominal, [fit_effects(windows, (effect,), nominal, effect.starts(scene, still)) for effect in FEW]
+
+
+def test_a_run_without_faults_has_a_gap_of_noise_alone():
+    windows, nominal, _ = fitted(recorded())
+    assert nominal.held_out.mean() == pytest.approx(1.0, abs=0.05)
+    assert gap_of(windows, nominal) == pytest.approx(1.0, abs=0.01)
+
+
+def test_a_tilted_base_is_named_sized_and_closed_on_motions_that_the_fit_did_not_see():
+    windows, nominal, fits = fitted(recorded(tilt=0.01))
+    attribution = attribute(windows, nominal, fits)
+    best, probability = attribution.explained[0]
+    assert best.name == "base_tilt"
+    assert probability > 0.9
+    assert best.theta[0] == pytest.approx(0.01, abs=1e-3)  # 0.02 deg of tilt may hide in what every cell has
+    assert leftover(nominal, best) < 0.01
+    assert sum(p for _, p in attribution.explained) + attribution.none + attribution.unknown == pytest.approx(1.0)
+
+
+def test_a_late_wrench_is_told_from_a_filtered_one():
+    windows, nominal, fits = fitted(recorded(delay=0.02))
+    by_name = {fit.name: fit for fit in fits}
+    assert attribute(windows, nominal, fits).explained[0][0].name == "time_delay"
+    assert by_name["time_delay"].theta[0] == pytest.approx(0.02, abs=5e-4)
+    assert distance_sigma(windows, nominal, by_name["time_delay"], by_name["sensor_lowpass"]) > 3.0
+
+
+def test_shares_of_the_gap_sum_to_one_and_its_place_is_said():
+    windows, nominal, _ = fitted(recorded(delay=0.02))
+    residual = Residual(windows, nominal)
+    assert sum(patch.share for patch in residual.patches) == pytest.approx(1.0)
+    assert residual.patches[0].channel in residual.sentence()
+    assert sum(residual.by_time()) == pytest.approx(1.0)
+
+
+def test_the_whole_diagnosis_of_a_delay_names_it_and_leaves_the_recording_alone():
+    recording = recorded(delay=0.02)
+    before = recording.wrench.copy()
+    diagnosis = diagnose(recording, effects=FEW)
+    assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "time_delay")
+    assert diagnosis.effects[0].closure > 0.95
+    assert diagnosis.gap.after < 1.05 < diagnosis.gap.before
+    assert "20" in diagnosis.effects[0].advice
+    np.testing.assert_array_equal(recording.wrench, before)
+
+
+@pytest.mark.parametrize("name", ["kuka-med14-static", "kuka-lwr4-torques-1"])
+def test_a_real_recording_without_motion_or_wrench_is_answered_with_what_is_missing(name):
+    diagnosis = diagnose(read_recording(REAL / name))
+    assert diagnosis.verdict == "not_enough"
+    assert diagnosis.limits
+
+
+def test_too_short_a_recording_is_answered_not_refused():
+    whole = recorded()
+    short = replace(
+        whole,
+        t=whole.t[:1500],
+        wrench=whole.wrench[:1500],
+        q=whole.q[:1500],
+        dq=None,
+        q_cmd=None,
+        tau=None,
+        phase=whole.phase[:1500],
+    )
+    assert diagnose(short).verdict == "not_enough"
