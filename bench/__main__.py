@@ -5,8 +5,17 @@ from __future__ import annotations
 import subprocess
 import sys
 
-BENCHES = ("online", "sns_step", "plant_speed", "start_search", "procedure", "coverage", "random_cells")
+BENCHES = (
+    ("online",),
+    ("sns_step",),
+    ("plant_speed",),
+    ("start_search",),
+    ("diagnosis",),
+    ("procedure", "--seeds", "20"),
+    ("coverage", "--count", "1000", "--seeds", "20"),
+    ("random_cells", "--count", "200", "--first", "1000"),
+)
 
-for name in BENCHES:
-    print(f"\n== {name}", flush=True)
-    subprocess.run([sys.executable, "-m", f"bench.{name}"], check=True)
+for name, *options in BENCHES:
+    print(f"\n== {name} {' '.join(options)}", flush=True)
+    subprocess.run([sys.executable, "-m", f"bench.{name}", *options], check=True)

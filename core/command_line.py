@@ -11,6 +11,7 @@ import sys
 import time
 from contextlib import nullcontext
 from datetime import UTC, datetime
+from enum import StrEnum
 from pathlib import Path
 from types import FrameType
 from typing import Annotated
@@ -49,9 +50,18 @@ app = typer.Typer(
 answers = Console()
 messages = Console(stderr=True)
 
+
+class PlannerName(StrEnum):
+    """The planners at hand."""
+
+    rrt_connect = "rrt_connect"
+    rrt_star = "rrt_star"
+
+
 CellArgument = Annotated[str, typer.Argument(metavar="CELL", help="A cell's name (see `heft cells`) or the path of its folder.")]
 JsonOption = Annotated[str | None, typer.Option("--json", metavar="FILE", help="Write the answer as JSON; `-` for standard output.")]
 SeedOption = Annotated[int, typer.Option(min=0, help="Makes planning and the simulated noise repeatable.")]
+PlannerOption = Annotated[PlannerName, typer.Option(help="How paths are searched.")]
 PayloadOption = Annotated[str | None, typer.Option(metavar="NAME", help="A payload that the cell knows. [default: its first]")]
 
 
@@ -60,6 +70,7 @@ def run(
     cell: CellArgument,
     payload: PayloadOption = None,
     seed: SeedOption = 0,
+    planner: PlannerOption = PlannerName.rrt_connect,
     out: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder to make for recording and report.")] = None,
     json: JsonOption = None,
     real_time: Annotated[bool, typer.Option("--real-time", help="Move at the speed of a real robot, to watch it.")] = False,
@@ -71,7 +82,9 @@ def run(
     _check_new(folder, json)
     pace = RealTime() if real_time else AsFastAsPossible()
     session = SimulatedSession(loaded, carried.parameters, seed=seed, pace=pace)
-    outcome = watch(identify(loaded, session, carried.box, payload=name, reference=carried, seed=seed, out=folder), messages)
+    outcome = watch(
+        identify(loaded, session, carried.box, payload=name, reference=carried, planner=planner.value, seed=seed, out=folder), messages
+    )
     page = folder / "report.html"
     write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
     _answer(outcome.result(folder), json)
@@ -145,7 +158,13 @@ def trial(
 
 
 @app.command()
-def plan(cell: CellArgument, payload: PayloadOption = None, seed: SeedOption = 0, json: JsonOption = None) -> None:
+def plan(
+    cell: CellArgument,
+    payload: PayloadOption = None,
+    seed: SeedOption = 0,
+    planner: PlannerOption = PlannerName.rrt_connect,
+    json: JsonOption = None,
+) -> None:
     """Plan the procedure and show start configurations, distances and times. Nothing moves."""
     loaded = load_cell(find_cell(cell))
     box = loaded.payload_box if payload is None else _payload(loaded, payload)[1].box
@@ -153,7 +172,7 @@ def plan(cell: CellArgument, payload: PayloadOption = None, seed: SeedOption = 0
     robot = RobotModel.of_cell(loaded)
     collision = CollisionModel(loaded, robot, box)
     home = np.array(loaded.robot.home_rad)
-    found = watch(plan_procedure(loaded, robot, collision, box, start=home, seed=seed), messages)
+    found = watch(plan_procedure(loaded, robot, collision, box, start=home, planner=planner.value, seed=seed), messages)
     if json is not None:
         _write_json(plan_summary(loaded, found).model_dump_json(indent=2), json)
     if json != "-":

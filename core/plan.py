@@ -20,7 +20,7 @@ from core.collision import CollisionModel
 from core.control.decoupling import decoupling_profile, expected_inertia, repetitions_for
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
-from core.planning.path import one_turn_away
+from core.planning.path import Planner, one_turn_away
 from core.planning.start_configuration import StartConfiguration, find_start_configuration
 from core.planning.transfer import Transfer, plan_transfer
 from core.robot import RobotModel
@@ -102,6 +102,7 @@ def plan_procedure(
     period: float = 0.001,
     timing: Timing | None = None,
     mass_guess_kg: float = 1.0,
+    planner: Planner = "rrt_connect",
     seed: int = 0,
 ) -> Generator[Event, None, Plan]:
     """Plans from joint positions `start` through all `poses` back to home.
@@ -113,14 +114,14 @@ def plan_procedure(
     timing = timing or Timing()
     speed = cell.limits.cartesian_speed_m_s
     once = decoupling_profile(payload_box, cartesian_speed=speed, period=period, excursion=timing.swing_rad)
-    planner = _Planner(cell, robot, collision, once, seed)
+    search = _Search(cell, robot, collision, once, planner, seed)
     home = np.array(cell.robot.home_rad)
     reached: list[Reached] = []
     for _, group in groupby(poses, key=lambda pose: pose[0]):
         here = reached[-1].start.q if reached else start
-        reached += yield from planner.reach(tuple(group), here)
+        reached += yield from search.reach(tuple(group), here)
     last = reached[-1].start.q if reached else start
-    back = plan_transfer(cell, robot, collision, last, home, period=period, seed=seed, seconds=PATH_SECONDS)
+    back = plan_transfer(cell, robot, collision, last, home, period=period, planner=planner, seed=seed, seconds=PATH_SECONDS)
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
     moving = back.trajectory.duration + sum(pose.transfer.trajectory.duration for pose in reached)
     rotations = sum(axis.endswith("+") for axis in poses)
@@ -142,13 +143,14 @@ class Reached(NamedTuple):
     transfer: Transfer
 
 
-class _Planner(NamedTuple):
+class _Search(NamedTuple):
     """Finds the poses of one axis together with the ways to them."""
 
     cell: Cell
     robot: RobotModel
     collision: CollisionModel
     rotation: AngularProfile
+    planner: Planner
     seed: int
 
     def reach(self, poses: tuple[str, ...], here: Array) -> Generator[Event, None, list[Reached]]:
@@ -185,7 +187,15 @@ class _Planner(NamedTuple):
         for axis in poses:
             goals = one_turn_away(self.robot, starts[axis].q, here)
             transfer = plan_transfer(
-                self.cell, self.robot, self.collision, here, goals, period=self.rotation.period, seed=self.seed, seconds=PATH_SECONDS
+                self.cell,
+                self.robot,
+                self.collision,
+                here,
+                goals,
+                period=self.rotation.period,
+                planner=self.planner,
+                seed=self.seed,
+                seconds=PATH_SECONDS,
             )
             yield TransferPlanned(axis=axis, robot_s=transfer.trajectory.duration, least_margin_m=transfer.least_margin_m)
             reached.append(Reached(axis, replace(starts[axis], q=transfer.goal), transfer))

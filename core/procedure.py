@@ -25,6 +25,7 @@ from core.estimation.online import OnlineEstimator
 from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped
 from core.outcome import Outcome
 from core.plan import POSES, Leg, Plan, Timing, plan_procedure
+from core.planning.path import Planner
 from core.recording_folder import write_recording
 from core.robot import RobotModel
 from core.sample_log import SampleLog
@@ -45,6 +46,7 @@ def identify(
     reference: Payload | None = None,
     timing: Timing | None = None,
     mass_guess_kg: float = 1.0,
+    planner: Planner = "rrt_connect",
     seed: int = 0,
     out: Path | None = None,
 ) -> Generator[Event, None, Outcome]:
@@ -57,6 +59,7 @@ def identify(
         payload, reference: name and reference values, only written into the recording.
         timing: holds, accuracy and robot time.
         mass_guess_kg: what repetitions are planned for until the mass is known.
+        planner: of the paths.
         seed: of planning.
         out: folder to make for the recording; nothing is written where absent.
 
@@ -65,7 +68,7 @@ def identify(
         Stopped: the guard stopped the robot more often than may be; the recording is written.
         Interrupted: Ctrl-C; the robot is stopped and the recording written.
     """
-    run = _Run(cell, session, payload_box, timing or Timing(), mass_guess_kg, seed)
+    run = _Run(cell, session, payload_box, timing or Timing(), mass_guess_kg, planner, seed)
     plan = yield from run.planned(np.array(cell.robot.home_rad), POSES)
     return (yield from _carried_out(run, plan, payload, reference, out))
 
@@ -83,7 +86,7 @@ def carry_out(
     out: Path | None = None,
 ) -> Generator[Event, None, Outcome]:
     """The second half of `identify`, for a plan that starts where the robot stands. Arguments and errors as there."""
-    run = _Run(cell, session, payload_box, plan.timing, mass_guess_kg, seed)
+    run = _Run(cell, session, payload_box, plan.timing, mass_guess_kg, "rrt_connect", seed)
     run.plan_s = plan.plan_s
     return (yield from _carried_out(run, plan, payload, reference, out))
 
@@ -136,9 +139,11 @@ def _written(log: SampleLog, out: Path | None) -> Generator[Event, None, None]:
 class _Run:
     """One robot in one cell: plans, moves, and plans anew after a stop."""
 
-    def __init__(self, cell: Cell, session: RobotSession, payload_box: Box, timing: Timing, mass_guess_kg: float, seed: int) -> None:
+    def __init__(
+        self, cell: Cell, session: RobotSession, payload_box: Box, timing: Timing, mass_guess_kg: float, planner: Planner, seed: int
+    ) -> None:
         self.cell, self.session, self.payload_box = cell, session, payload_box
-        self.timing, self.mass_guess_kg, self.seed = timing, mass_guess_kg, seed
+        self.timing, self.mass_guess_kg, self.planner, self.seed = timing, mass_guess_kg, planner, seed
         self.robot = RobotModel.of_cell(cell)
         self.collision = CollisionModel(cell, self.robot, payload_box)
         self.guard = Guard(cell, self.robot, self.collision, period=session.period)
@@ -159,6 +164,7 @@ class _Run:
             period=self.session.period,
             timing=self.timing,
             mass_guess_kg=self.mass_guess_kg,
+            planner=self.planner,
             seed=self.seed + self.restarts,
         )
         self.plan_s += plan.plan_s
