@@ -32,11 +32,9 @@ POSES = ("x-", "x+", "y-", "y+", "z-", "z+")
 """Against gravity first: the rotation then starts where the hold along gravity has just been measured."""
 
 
-PATH_SECONDS = 1.0
-"""For one search; most paths take a tenth of it, and another start configuration is cheaper than a longer search."""
-
-TRIES = 4
-"""How many start configurations of an axis are tried where no path leads to the first."""
+PATH_SECONDS = (0.6, 1.0, 1.6, 3.0)
+"""For one search, try by try: most paths take a tenth of the first, and where there is no path to a start configuration another one is
+cheaper than a longer search."""
 
 
 @dataclass(frozen=True)
@@ -121,7 +119,7 @@ def plan_procedure(
         here = reached[-1].start.q if reached else start
         reached += yield from search.reach(tuple(group), here)
     last = reached[-1].start.q if reached else start
-    back = plan_transfer(cell, robot, collision, last, home, period=period, planner=planner, seed=seed, seconds=PATH_SECONDS)
+    back = plan_transfer(cell, robot, collision, last, home, period=period, planner=planner, seed=seed, seconds=PATH_SECONDS[-1])
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
     moving = back.trajectory.duration + sum(pose.transfer.trajectory.duration for pose in reached)
     rotations = sum(axis.endswith("+") for axis in poses)
@@ -155,14 +153,13 @@ class _Search(NamedTuple):
 
     def reach(self, poses: tuple[str, ...], here: Array) -> Generator[Event, None, list[Reached]]:
         """Start configurations that can be reached from joint positions `here`, other ones where there is no way to the first."""
-        for attempt in range(TRIES):
+        for attempt, seconds in enumerate(PATH_SECONDS):
             starts = yield from self._find(poses, here, self.seed + 101 * attempt)
             try:
-                return (yield from self._connect(poses, starts, here))
-            except NoPath:
-                if attempt == TRIES - 1:
-                    raise
-        return []
+                return (yield from self._connect(poses, starts, here, seconds))
+            except NoPath as error:
+                failure = error
+        raise failure
 
     def _find(self, poses: tuple[str, ...], here: Array, seed: int) -> Generator[Event, None, dict[str, StartConfiguration]]:
         """The axis along gravity first, which is the harder one; its opposite then near it."""
@@ -181,7 +178,9 @@ class _Search(NamedTuple):
             here = found.q
         return starts
 
-    def _connect(self, poses: tuple[str, ...], starts: dict[str, StartConfiguration], here: Array) -> Generator[Event, None, list[Reached]]:
+    def _connect(
+        self, poses: tuple[str, ...], starts: dict[str, StartConfiguration], here: Array, seconds: float
+    ) -> Generator[Event, None, list[Reached]]:
         """Transfers from one pose to the next."""
         reached: list[Reached] = []
         for axis in poses:
@@ -195,7 +194,7 @@ class _Search(NamedTuple):
                 period=self.rotation.period,
                 planner=self.planner,
                 seed=self.seed,
-                seconds=PATH_SECONDS,
+                seconds=seconds,
             )
             yield TransferPlanned(axis=axis, robot_s=transfer.trajectory.duration, least_margin_m=transfer.least_margin_m)
             reached.append(Reached(axis, replace(starts[axis], q=transfer.goal), transfer))
