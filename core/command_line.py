@@ -37,7 +37,7 @@ from core.robot import RobotModel
 from core.score import score_sheet
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
-from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table
+from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table, reason_lines
 from core.trial import draw, run_trial
 
 app = typer.Typer(
@@ -222,8 +222,8 @@ def _answer(result: Result, json: str | None) -> None:
     if json == "-":
         return
     answers.print(parameters_table(result))
-    for reason in () if result.estimate is None else result.estimate.reasons.items():
-        answers.print(f"{reason[0]}: {reason[1]}", highlight=False)
+    for line in reason_lines(result):
+        answers.print(line, highlight=False)
     for warning in result.warnings:
         answers.print(f"Warning: {warning}", highlight=False)
     answers.print(result.verdict, highlight=False)

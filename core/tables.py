@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 from rich.table import Table
@@ -22,25 +24,36 @@ def _number(value: float | None, digits: int = 5) -> str:
     return "" if value is None else f"{value:.{digits}g}"
 
 
+def _decimals(half_width: float | None) -> int:
+    """Decimal places at which a half-width has two digits."""
+    return 6 if not half_width else max(0, 1 - math.floor(math.log10(half_width)))
+
+
+def _fixed(value: float | None, decimals: int) -> str:
+    return "" if value is None else f"{value:.{decimals}f}"
+
+
 def parameters_table(result: Result) -> Table:
     """All ten parameters: reference, the paper's estimate, ours with its 95 % half-width, and the error against the reference."""
     table = Table(title="Payload in the sensor frame", caption="± is the half-width of the 95 % interval; inertia about the sensor origin")
     table.add_column("")
     for heading in ("reference", "paper's method", "Heft", "±", "error"):
-        table.add_column(heading, justify="right")
-    table.add_column("unit")
+        table.add_column(heading, justify="right", no_wrap=True)
+    table.add_column("unit", no_wrap=True)
     estimate, reference = result.estimate, result.reference
     for k, (name, unit) in enumerate(zip(PHI_NAMES, PHI_UNITS, strict=True)):
         truth = reference.phi[k] if reference else None
         value = estimate.phi[k] if estimate else None
         std = estimate.std[k] if estimate else None
         known = estimate is not None and estimate.determined[k]
+        half = 1.96 * std if known and std is not None else None
+        places = _decimals(half)
         table.add_row(
             name,
             _number(truth),
-            _number(result.paper.phi[k]),
-            _number(value) if known else "not determined",
-            _number(1.96 * std, 2) if known and std is not None else "",
+            _fixed(result.paper.phi[k], places),
+            _fixed(value, places) if known else "not determined",
+            _fixed(half, places),
             _error(value if known else None, truth),
             unit,
         )
@@ -51,6 +64,12 @@ def _error(value: float | None, truth: float | None) -> str:
     if value is None or truth is None:
         return ""
     return f"{value - truth:+.2g}" if truth == 0 else f"{100 * (value / truth - 1):+.3f} %"
+
+
+def reason_lines(result: Result) -> list[str]:
+    """Why parameters are not determined, those with the same reason in one line."""
+    reasons = {} if result.estimate is None else result.estimate.reasons
+    return [f"{', '.join(name for name in reasons if reasons[name] == why)}: {why}" for why in dict.fromkeys(reasons.values())]
 
 
 def plan_table(plan: Plan) -> Table:

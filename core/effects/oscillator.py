@@ -57,9 +57,9 @@ def ring(t: Array, frequency_hz: float, damping: float, start: Array, rate: Arra
     """Free swing `y'' + 2 zeta w y' + w^2 y = 0` from `y = start`, `y' = rate` (c,) at t = 0; y, y', y'' at times t (N,), each (N, c)."""
     w = 2.0 * np.pi * frequency_hz
     root = w * cmath.sqrt(1.0 - damping**2)
-    fading = np.exp(-damping * w * t)
-    C = fading * np.cos(root * t).real
-    S = fading * (np.sin(root * t) / root).real if abs(root) > 1e-6 * w else fading * t
+    slow, fast = np.exp((-damping * w + 1j * root) * t), np.exp((-damping * w - 1j * root) * t)
+    C = (0.5 * (slow + fast)).real
+    S = ((slow - fast) / (2j * root)).real if abs(root) > 1e-6 * w else np.exp(-damping * w * t) * t
     y = np.outer(C + damping * w * S, start) + np.outer(S, rate)
     v = np.outer(-w * w * S, start) + np.outer(C - damping * w * S, rate)
     return y, v, -2.0 * damping * w * v - w * w * y

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,7 +22,9 @@ def verdict_of(estimate: Estimate, *, static: bool) -> str:
     """One or two sentences."""
     if not estimate.determined[0]:
         return f"The payload is not determined: {estimate.reasons['m']}."
-    mass = f"The payload has {estimate.phi[0]:.4g} kg (±{INTERVAL * estimate.std[0]:.2g} kg, 95 %)"
+    half = INTERVAL * float(estimate.std[0])
+    places = max(0, 1 - math.floor(math.log10(half)))
+    mass = f"The payload has {estimate.phi[0]:.{places}f} kg (±{half:.{places}f} kg, 95 %)"
     if estimate.determined.all():
         return f"{mass}; all ten inertial parameters are determined."
     if estimate.determined[:4].all() and not estimate.determined[4:].any():
