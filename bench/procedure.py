@@ -6,11 +6,9 @@ python -m bench.procedure [--seeds 20] [--cell lwr4_bench]
 from __future__ import annotations
 
 import argparse
-from collections.abc import Generator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +21,7 @@ from core.plant.imperfections import ExponentialDrift, Imperfections, LinearDrif
 from core.procedure import carry_out
 from core.robot import RobotModel
 from core.sessions.simulated import SimulatedSession
+from core.trial import returned
 
 Array = NDArray[np.float64]
 
@@ -65,15 +64,6 @@ def planted(condition: str, seed: int) -> Imperfections:
     return Imperfections(base_tilt_rad=(float(tilt[0]), float(tilt[1])), wrench_delay_s=0.004, offset_drift=(drift,))
 
 
-def drained(run: Generator[Any, None, Any]) -> Any:
-    """What a generator returns in the end."""
-    while True:
-        try:
-            next(run)
-        except StopIteration as end:
-            return end.value
-
-
 @cache
 def planned(name: str, payload: str) -> tuple[Cell, Plan]:
     """The plan that all seeds of a payload share."""
@@ -81,7 +71,7 @@ def planned(name: str, payload: str) -> tuple[Cell, Plan]:
     robot = RobotModel.of_cell(cell)
     box = cell.payloads[payload].box
     home = np.array(cell.robot.home_rad)
-    return cell, drained(plan_procedure(cell, robot, CollisionModel(cell, robot, box), box, start=home))
+    return cell, returned(plan_procedure(cell, robot, CollisionModel(cell, robot, box), box, start=home))
 
 
 def run(job: Job) -> Errors:
@@ -89,8 +79,10 @@ def run(job: Job) -> Errors:
     cell, plan = planned(job.cell, job.payload)
     carried = cell.payloads[job.payload]
     session = SimulatedSession(cell, carried.parameters, seed=job.seed, imperfections=planted(job.condition, job.seed))
-    outcome = drained(carry_out(cell, session, carried.box, plan))
+    outcome = returned(carry_out(cell, session, carried.box, plan))
     estimate, truth = outcome.identification.estimate, carried.parameters.phi
+    if estimate is None:
+        raise RuntimeError(f"{job}: {outcome.identification.verdict}")
     covered = np.abs(estimate.phi - truth) <= 1.96 * estimate.std
     return Errors(job, errors(estimate.phi, truth), errors(outcome.identification.paper.phi, truth), covered, plan.plan_s, outcome.robot_s)
 

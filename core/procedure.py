@@ -227,8 +227,7 @@ class _Run:
         """One motion: its samples into the log, its progress as events."""
         yield PhaseStarted(phase=phase, toward=toward, step=step, steps=len(POSES) + 1)
         for batch in execute(self.session, self.guard, mover, phase):
-            log.extend(batch.states, batch.phase)
-            for state in batch.states:
+            for state in log.extend(batch.states, batch.phase):
                 self.online.update(state.q, state.wrench)
             known = tuple(float(value) if np.isfinite(value) else None for value in self.online.estimate.phi)
             yield Progress(phase=phase, done_s=log.seconds, total_s=max(plan.robot_s, log.seconds), estimate_phi=known)

@@ -31,15 +31,17 @@ class SampleLog:
         """From the first sample to the last, s."""
         return self.states[-1].t - self.states[0].t if self.states else 0.0
 
-    def extend(self, states: Iterable[RobotState], phase: str) -> None:
+    def extend(self, states: Iterable[RobotState], phase: str) -> list[RobotState]:
         """Appends samples of one phase, but for those that no recording can hold: not finite, or with a clock that stands still.
 
-        The guard stops the robot at such a sample, and its error carries it.
+        The guard stops the robot at such a sample, and its error carries it. Returns what was appended.
         """
+        before = len(self.states)
         for state in states:
             if self._fits(state):
                 self.states.append(state)
                 self.phases.append(phase)
+        return self.states[before:]
 
     def _fits(self, state: RobotState) -> bool:
         later = not self.states or state.t > self.states[-1].t

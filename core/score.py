@@ -69,7 +69,7 @@ def _reliability(outcomes: list[Outcome]) -> list[str]:
     named = [o for o in outcomes if o.first is not None and o.sealed.kind == "single"]
     rows = []
     for low in np.arange(BINS) / BINS:
-        inside = [o for o in named if low <= o.first_probability < low + 1.0 / BINS + 1e-9]
+        inside = [o for o in named if min(int(o.first_probability * BINS), BINS - 1) == round(low * BINS)]
         if inside:
             hit = np.mean([o.first in o.sealed.ids for o in inside])
             rows.append(

@@ -89,7 +89,8 @@ class Outcome(BaseModel):
             return self.verdict == "no_gap"
         if self.sealed.kind == "unknown":
             return self.verdict in ("unknown", "no_gap")
-        return self.first in self.sealed.ids or bool(set(self.tied) & set(self.sealed.ids))
+        named = self.verdict in ("explained", "ambiguous")
+        return named and (self.first in self.sealed.ids or bool(set(self.tied) & set(self.sealed.ids)))
 
 
 @dataclass(frozen=True)

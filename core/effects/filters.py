@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import cast
+from typing import Any, cast
 
 import numba
 import numpy as np
@@ -46,7 +46,7 @@ def play(w: Array, radius: Array) -> Array:
 
 
 @numba.njit(cache=True)
-def _delayed(w, samples):  # type: ignore[no-untyped-def]
+def _delayed(w: Array, samples: float) -> Array:
     N, n = w.shape
     out = np.empty_like(w)
     for k in range(N):
@@ -64,7 +64,7 @@ def _delayed(w, samples):  # type: ignore[no-untyped-def]
 
 
 @numba.njit(cache=True)
-def _recursion(w, a, before, now):  # type: ignore[no-untyped-def]
+def _recursion(w: Array, a: complex, before: complex, now: complex) -> NDArray[Any]:
     N, n = w.shape
     out = w * a  # complex where a is
     for j in range(n):
@@ -76,7 +76,7 @@ def _recursion(w, a, before, now):  # type: ignore[no-untyped-def]
 
 
 @numba.njit(cache=True)
-def _play(w, radius):  # type: ignore[no-untyped-def]
+def _play(w: Array, radius: Array) -> Array:
     N, n = w.shape
     out = np.empty_like(w)
     for j in range(n):

@@ -104,9 +104,11 @@ class _Run:
     def of(cls, recording: Recording) -> _Run | None:
         """None where joints, their kinematics, or both torques and commands are missing, or where there is too little."""
         q, robot = recording.q, recording.robot
-        if q is None or robot is None or (recording.tau is None and recording.q_cmd is None) or len(q) < 50:
+        raw = recording.tau
+        if raw is None and q is not None and recording.q_cmd is not None:
+            raw = recording.q_cmd - q
+        if q is None or robot is None or raw is None or len(q) < 50:
             return None
-        raw = recording.tau if recording.tau is not None else recording.q_cmd - q  # type: ignore[operator]
         t = np.linspace(recording.t[0], recording.t[-1], len(q))
         period = float(t[1] - t[0])
         q, signal = _at(t, recording.t, q), _at(t, recording.t, raw)

@@ -105,13 +105,14 @@ class DelayLine:
             raise ValueError(f"a delay of {samples} samples; expected a finite number that is not negative")
         whole = math.floor(samples)
         self._fraction = samples - whole
-        self._line: deque[Array] = deque(maxlen=whole + 2)
+        self._length = whole + 2
+        self._line: deque[Array] = deque(maxlen=self._length)
 
     def push(self, value: Array) -> Array:
         """Takes the newest sample and gives the delayed one."""
         line = self._line
         line.append(value)
-        while len(line) < line.maxlen:  # type: ignore[operator]
+        while len(line) < self._length:
             line.append(value)
         return (1 - self._fraction) * line[1] + self._fraction * line[0]
 
