@@ -4,6 +4,7 @@ WORKDIR /heft
 COPY requirements.txt pyproject.toml README.md ./
 COPY core core
 COPY cells cells
+COPY server server
 RUN python -m venv .venv \
     && .venv/bin/python -m pip install --no-cache-dir -r requirements.txt \
     && .venv/bin/python -m pip install --no-cache-dir --no-deps .
@@ -15,5 +16,8 @@ ENV PATH=/heft/.venv/bin:$PATH MPLBACKEND=Agg NUMBA_CACHE_DIR=/data/numba
 USER heft
 WORKDIR /data
 VOLUME /data
+EXPOSE 8000
+HEALTHCHECK --interval=10s --timeout=5s --start-period=30s \
+    CMD ["python", "-c", "import urllib.request; urllib.request.urlopen('http://127.0.0.1:8000/health', timeout=4)"]
 ENTRYPOINT ["heft"]
-CMD ["run", "lwr4_bench", "--payload", "steel_block"]
+CMD ["serve", "--host", "0.0.0.0", "--data", "/data"]

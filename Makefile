@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 .PHONY: run test check bench clean
 
 run: $(VENV)/.run
-	$(BIN)/heft run lwr4_bench --payload steel_block
+	$(BIN)/heft serve
 
 test: check
 	$(BIN)/python -m pytest -n 2

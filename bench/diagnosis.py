@@ -12,8 +12,8 @@ import numpy as np
 
 from core.effects.library import library
 from core.gap.basis import basis_of
-from core.gap.diagnosis import gather
 from core.gap.effect_fit import fit_nominal
+from core.gap.evidence import gather
 from core.gap.residual import Residual
 from core.gap.windows import Windows
 from core.plant.imperfections import Imperfections

@@ -138,6 +138,17 @@ class Cell(Model):
         where = f"{self.folder / CELL_FILE}: robot.urdf"
         return read_inside(self.folder, self.robot.urdf, BadRobot, max_bytes=MAX_URDF_BYTES, where=where)
 
+    def with_moved(self, name: str, pose: Pose) -> Cell:
+        """The same cell with the obstacle or zone of that name elsewhere (world frame)."""
+        moved = {
+            field: tuple(
+                item.model_copy(update={"shape": item.shape.model_copy(update={"pose": pose})}) if item.name == name else item
+                for item in getattr(self, field)
+            )
+            for field in ("obstacles", "zones")
+        }
+        return self.model_copy(update=moved)
+
     @model_validator(mode="after")
     def _contradicts_nothing(self) -> Cell:
         for contradiction in contradictions(self):

@@ -20,11 +20,15 @@ import numpy as np
 import typer
 from rich.console import Console
 
+from core import twin_commands
 from core.cell import Cell, Payload, find_cell, list_cells, load_cell
 from core.collision import CollisionModel
 from core.errors import BadInput, BadPayload, HeftError
 from core.estimation.identification import identify_recording
-from core.gap.diagnosis import Evidence, examine
+from core.experiment.command import check_target, plan_next, read_request
+from core.experiment.run import measure_more
+from core.gap.diagnosis import examine
+from core.gap.evidence import Evidence
 from core.gap.windows import OFFSET
 from core.plan import plan_procedure, plan_summary
 from core.procedure import identify
@@ -34,11 +38,12 @@ from core.report.diagnosis_page import Overlay, write_diagnosis
 from core.report.page import write_report
 from core.result import Result, SecondsPart, result_of
 from core.robot import RobotModel
-from core.score import score_sheet
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
 from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table, reason_lines
-from core.trial import draw, run_trial
+from core.trial.command import trial
+from core.twin import NOMINAL
+from core.twin_file import read_twin
 
 app = typer.Typer(
     name="heft",
@@ -74,17 +79,27 @@ def run(
     out: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder to make for recording and report.")] = None,
     json: JsonOption = None,
     real_time: Annotated[bool, typer.Option("--real-time", help="Move at the speed of a real robot, to watch it.")] = False,
+    experiment: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Instead of the procedure, the motion that `heft diagnose --experiment` proposed.")
+    ] = None,
+    recording: Annotated[Path | None, typer.Option(metavar="DIR", help="The recording that the experiment continues, if moved.")] = None,
 ) -> None:
     """Plan and run the procedure on the simulated robot, identify the payload, write recording and report."""
     loaded = load_cell(find_cell(cell))
-    name, carried = _payload(loaded, payload)
+    asked, before = (None, None) if experiment is None else read_request(experiment, recording, loaded)
+    name, carried = _payload(loaded, payload or (asked.payload if asked else None))
     folder = out or Path("recordings") / f"{loaded.name}-{name}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
     _check_new(folder, json)
     pace = RealTime() if real_time else AsFastAsPossible()
-    session = SimulatedSession(loaded, carried.parameters, seed=seed, pace=pace)
-    outcome = watch(
-        identify(loaded, session, carried.box, payload=name, reference=carried, planner=planner.value, seed=seed, out=folder), messages
-    )
+    twin = read_twin(loaded)
+    session = SimulatedSession(loaded, carried.parameters, seed=seed + (before is not None), pace=pace, twin=twin)
+    if asked is None or before is None:
+        steps = identify(
+            loaded, session, carried.box, payload=name, reference=carried, planner=planner.value, seed=seed, out=folder, twin=twin
+        )
+    else:
+        steps = measure_more(before, asked.stops, loaded, session, carried.box, planner=planner.value, seed=seed, out=folder, twin=twin)
+    outcome = watch(steps, messages)
     page = folder / "report.html"
     write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
     _answer(outcome.result(folder), json)
@@ -97,13 +112,15 @@ def identify_command(
     recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
     json: JsonOption = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="Also write the HTML report.")] = None,
+    cell: Annotated[str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin is accounted for.")] = None,
 ) -> None:
     """Identify the payload from a recording, of this program or from elsewhere. The recording is only read."""
     _check_new(report, json)
+    twin = NOMINAL if cell is None else read_twin(load_cell(find_cell(cell)))
     loaded = read_recording(recording)
     began = time.perf_counter()
     with messages.status("estimating") if messages.is_terminal else nullcontext():
-        identification = identify_recording(loaded)
+        identification = identify_recording(loaded, twin)
     seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
     if report is not None:
         write_report(report, recording=loaded, identification=identification)
@@ -115,12 +132,23 @@ def diagnose_command(
     recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
     json: JsonOption = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="Also write the HTML report.")] = None,
+    cell: Annotated[
+        str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin is the start, the next motion is planned there.")
+    ] = None,
+    experiment: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write the next motion for `heft run --experiment`; needs --cell.")
+    ] = None,
 ) -> None:
     """Where simulation and recording part, which unmodelled effect causes it, and how far adding it closes the gap."""
     _check_new(report, json)
+    check_target(experiment, cell)
+    made_in = None if cell is None else load_cell(find_cell(cell))
+    twin = NOMINAL if made_in is None else read_twin(made_in)
     loaded = read_recording(recording)
     with messages.status("fitting effects") if messages.is_terminal else nullcontext():
-        diagnosis, evidence = examine(loaded)
+        diagnosis, evidence = examine(loaded, twin=twin)
+    if made_in is not None:
+        diagnosis = plan_next(diagnosis, evidence, loaded, recording, made_in, experiment, messages)
     if report is not None:
         write_diagnosis(report, diagnosis=diagnosis, overlay=None if evidence is None else _overlay(evidence))
     if json is not None:
@@ -131,30 +159,8 @@ def diagnose_command(
             answers.print(line, highlight=False)
 
 
-@app.command()
-def trial(
-    count: Annotated[int, typer.Option(min=1, help="How many trials.")] = 1,
-    report: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder to make for the score sheet and all outcomes.")] = None,
-    seed: SeedOption = 0,
-) -> None:
-    """The blind check: plant faults in the virtual robot, seal the answer, diagnose, open the seal, score."""
-    _check_new(report, None)
-    outcomes = []
-    for k in range(seed, seed + count):
-        drawn = draw(k)
-        answers.print(f"trial {k}: sealed {drawn.sealed.hash}", highlight=False, soft_wrap=True)
-        outcome = run_trial(drawn)
-        outcomes.append(outcome)
-        planted = ", ".join(f"{i} ({v})" for i, v in zip(drawn.sealed.ids, drawn.sealed.variants, strict=True)) or "nothing"
-        answer = outcome.stopped or f"{outcome.verdict} {outcome.first or ''}".strip()
-        mark = "right" if outcome.right else "not right"
-        answers.print(f"  planted {planted}, size {drawn.sealed.size:.2f}; answered {answer}: {mark}", highlight=False, soft_wrap=True)
-    sheet = score_sheet(outcomes, f"heft trial --count {count} --seed {seed}")
-    if report is not None:
-        report.mkdir(parents=True)
-        (report / "trials.md").write_text(sheet, encoding="utf-8")
-        (report / "trials.jsonl").write_text("".join(outcome.model_dump_json() + "\n" for outcome in outcomes), encoding="utf-8")
-    answers.print(sheet, highlight=False, markup=False, soft_wrap=True)
+app.command()(trial)
+app.add_typer(twin_commands.app, name="twin")
 
 
 @app.command()
@@ -224,6 +230,8 @@ def _answer(result: Result, json: str | None) -> None:
     answers.print(parameters_table(result))
     for line in reason_lines(result):
         answers.print(line, highlight=False)
+    if result.accounted:
+        answers.print(f"Accounted for, as the cell's twin has it: {', '.join(result.accounted)}", highlight=False)
     for warning in result.warnings:
         answers.print(f"Warning: {warning}", highlight=False)
     answers.print(result.verdict, highlight=False)
@@ -245,11 +253,11 @@ def _terminate(_signal: int, _frame: FrameType | None) -> None:
     raise KeyboardInterrupt
 
 
-def main() -> None:
+def main(program: typer.Typer = app) -> None:
     """Entry point: runs a command and turns errors into one sentence and an exit code."""
     signal.signal(signal.SIGTERM, _terminate)
     try:
-        app()
+        program()
     except HeftError as error:
         messages.print(f"heft: {error}", highlight=False, markup=False, soft_wrap=True)
         sys.exit(error.exit_code)

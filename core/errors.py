@@ -5,6 +5,7 @@ HeftError                      exit code 1
 │   ├── BadCell                    cell.toml contradicts itself or is malformed
 │   ├── BadRobot                   the URDF is malformed, hostile or lacks what is needed
 │   ├── BadPayload                 a payload that no rigid body can have
+│   ├── BadTwin                    a twin.json that cannot be used, or an effect that cannot be added to it
 │   └── BadRecording               a recording that cannot be read
 ├── Refused                    3   the cell leaves no safe way to do it; the robot has not moved
 │   ├── NoStartConfiguration       no start configuration for an axis (Algorithm 6)
@@ -14,7 +15,10 @@ HeftError                      exit code 1
 │   ├── TooFast                    a link, a corner of the payload box, or a joint
 │   ├── OutOfLimits                joint position
 │   ├── OverLoad                   the wrist wrench
-│   └── BadState                   stale, non-finite or inconsistent robot state
+│   ├── BadState                   stale, non-finite or inconsistent robot state
+│   ├── Held                       somebody asked to pause; goes on when they say so
+│   ├── Commanded                  somebody asked to stop; no way back into the same run
+│   └── ControlLost                nobody is in control of the robot any more
 └── Interrupted                130 Ctrl-C or SIGTERM; the robot was stopped and the recording closed
 """
 
@@ -60,6 +64,10 @@ class BadRobot(BadInput):
 
 class BadPayload(BadInput):
     """Inertial parameters that no rigid body can have, or an unknown payload name."""
+
+
+class BadTwin(BadInput):
+    """A twin.json that cannot be used, or an effect that cannot be added to it."""
 
 
 class BadRecording(BadInput):
@@ -110,6 +118,8 @@ class Stopped(HeftError):
     """
 
     exit_code = 4
+    may_go_on: ClassVar[bool] = True
+    """Whether the procedure may go on by itself once the robot stands."""
 
     def __init__(self, message: str, *, value: float, limit: float, samples: Sequence[object] = ()) -> None:
         super().__init__(message)
@@ -136,6 +146,22 @@ class OverLoad(Stopped):
 
 class BadState(Stopped):
     """The robot state is stale, not finite, or does not follow the command."""
+
+
+class Held(Stopped):
+    """Somebody asked to pause; the rest is planned anew from where the robot stands."""
+
+
+class Commanded(Stopped):
+    """Somebody asked to stop."""
+
+    may_go_on = False
+
+
+class ControlLost(Stopped):
+    """The lease of control ran out: the person, their screen, the server or the way between them is gone."""
+
+    may_go_on = False
 
 
 class Interrupted(HeftError):

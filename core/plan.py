@@ -24,7 +24,7 @@ from core.planning.path import Planner, one_turn_away
 from core.planning.start_configuration import StartConfiguration, find_start_configuration
 from core.planning.transfer import Transfer, plan_transfer
 from core.robot import RobotModel
-from core.trajectory import AngularProfile
+from core.trajectory import AngularProfile, JointTrajectory
 
 Array = NDArray[np.float64]
 
@@ -59,12 +59,26 @@ class Timing:
 
 @dataclass(frozen=True)
 class Leg:
-    """One transfer and what is done at its end: a hold, and a rotation where `profile` is not None."""
+    """One transfer and what is done at its end: a hold, and one movement between two holds at most.
+
+    Args:
+        axis: `x+`, or `free`: what points down in the hold.
+        profile: of a rotation, None where there is none.
+        about: sensor axis of that rotation.
+        wave: joint trajectory from standstill to standstill, checked at every tick.
+    """
 
     axis: str
     start: StartConfiguration
     transfer: Transfer
-    profile: AngularProfile | None
+    profile: AngularProfile | None = None
+    about: str = ""
+    wave: JointTrajectory | None = None
+
+    @property
+    def moving_s(self) -> float:
+        """Time of the movement at its end, s."""
+        return sum(motion.duration for motion in (self.profile, self.wave) if motion is not None)
 
 
 @dataclass(frozen=True)
@@ -80,7 +94,7 @@ class Plan:
     def robot_s(self) -> float:
         """Time that the robot will need, s."""
         moving = self.home.trajectory.duration + sum(leg.transfer.trajectory.duration for leg in self.legs)
-        turning = sum(leg.profile.duration + self.timing.settle_s for leg in self.legs if leg.profile is not None)
+        turning = sum(leg.moving_s + self.timing.settle_s for leg in self.legs if leg.moving_s > 0.0)
         return moving + turning + self.timing.hold_s * len(self.legs)
 
     @property
@@ -125,7 +139,7 @@ def plan_procedure(
     rotations = sum(axis.endswith("+") for axis in poses)
     budget = (timing.robot_s - moving - timing.hold_s * len(poses)) / max(rotations, 1) - timing.settle_s
     legs = tuple(
-        Leg(axis, start, transfer, _repeated(cell, payload_box, axis, once, budget, mass_guess_kg, timing))
+        Leg(axis, start, transfer, _repeated(cell, payload_box, axis, once, budget, mass_guess_kg, timing), axis[0])
         for axis, start, transfer in reached
     )
     plan = Plan(legs, back, timing, time.perf_counter() - began)

@@ -13,28 +13,33 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Cell, Payload
+from core.cell import Box, Cell, Payload, Pose
 from core.collision import CollisionModel
 from core.control.execute import execute
 from core.control.guard import Guard
 from core.control.movers import Mover, Playback, StandStill
 from core.control.rotation import Rotation
-from core.errors import Interrupted, Refused, Stopped
+from core.errors import Held, Interrupted, Refused, Stopped
 from core.estimation.identification import identify_recording
 from core.estimation.online import OnlineEstimator
 from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped
 from core.outcome import Outcome
 from core.plan import POSES, Leg, Plan, Timing, plan_procedure
 from core.planning.path import Planner
+from core.recording import Recording
 from core.recording_folder import write_recording
 from core.robot import RobotModel
 from core.sample_log import SampleLog
-from core.sessions.session import RobotSession
+from core.sessions.session import RobotSession, RobotState
+from core.twin import NOMINAL, Twin
 
 Array = NDArray[np.float64]
 
 MAX_RESTARTS = 3
 """How often the guard may stop a run before it is given up."""
+
+BATCH_S = 0.02
+"""How often samples are handed on while the robot moves."""
 
 
 def identify(
@@ -49,6 +54,7 @@ def identify(
     planner: Planner = "rrt_connect",
     seed: int = 0,
     out: Path | None = None,
+    twin: Twin = NOMINAL,
 ) -> Generator[Event, None, Outcome]:
     """Finds out what the robot carries: plans, carries the plan out, estimates.
 
@@ -62,15 +68,17 @@ def identify(
         planner: of the paths.
         seed: of planning.
         out: folder to make for the recording; nothing is written where absent.
+        twin: of the cell; the estimate accounts for its effects.
 
     Raises:
         Refused: the cell leaves no safe way; the robot has not moved.
         Stopped: the guard stopped the robot more often than may be; the recording is written.
         Interrupted: Ctrl-C; the robot is stopped and the recording written.
     """
-    run = _Run(cell, session, payload_box, timing or Timing(), mass_guess_kg, planner, seed)
-    plan = yield from run.planned(np.array(cell.robot.home_rad), POSES)
-    return (yield from _carried_out(run, plan, payload, reference, out))
+    run = Run(cell, session, payload_box, timing or Timing(), mass_guess_kg, planner, seed)
+    run.twin = twin
+    plan = yield from run.planned(np.array(cell.robot.home_rad))
+    return (yield from carried_out(run, plan, payload, reference, out))
 
 
 def carry_out(
@@ -84,32 +92,31 @@ def carry_out(
     mass_guess_kg: float = 1.0,
     seed: int = 0,
     out: Path | None = None,
+    twin: Twin = NOMINAL,
 ) -> Generator[Event, None, Outcome]:
     """The second half of `identify`, for a plan that starts where the robot stands. Arguments and errors as there."""
-    run = _Run(cell, session, payload_box, plan.timing, mass_guess_kg, "rrt_connect", seed)
-    run.plan_s = plan.plan_s
-    return (yield from _carried_out(run, plan, payload, reference, out))
+    run = Run(cell, session, payload_box, plan.timing, mass_guess_kg, "rrt_connect", seed)
+    run.plan_s, run.twin = plan.plan_s, twin
+    return (yield from carried_out(run, plan, payload, reference, out))
 
 
-def _carried_out(
-    run: _Run, plan: Plan, payload: str | None, reference: Payload | None, out: Path | None
-) -> Generator[Event, None, Outcome]:
+def carried_out(run: Run, plan: Plan, payload: str | None, reference: Payload | None, out: Path | None) -> Generator[Event, None, Outcome]:
     """Moves, closes the recording whatever ended the motion, and estimates."""
     log = SampleLog(run.cell, run.robot, payload=payload, reference=reference)
     try:
         with run.session:
             plan = yield from run.moved(plan, log)
     except (Stopped, Refused):
-        yield from _written(log, out)
+        yield from _written(run, log, out)
         raise
     except KeyboardInterrupt:
-        yield from _written(log, out)
+        yield from _written(run, log, out)
         where = "" if out is None else f" and the recording so far closed in {out}"
         raise Interrupted(f"interrupted after {log.seconds:.1f} s of motion; the robot was stopped{where}.") from None
-    yield from _written(log, out)
-    recording = log.recording()
+    yield from _written(run, log, out)
+    recording = run.recording(log)
     began = time.perf_counter()
-    identification = identify_recording(recording)
+    identification = identify_recording(recording, run.twin)
     estimate_s = time.perf_counter() - began
     yield Finished(verdict=identification.verdict)
     return Outcome(
@@ -128,16 +135,22 @@ def _carried_out(
     )
 
 
-def _written(log: SampleLog, out: Path | None) -> Generator[Event, None, None]:
+def _written(run: Run, log: SampleLog, out: Path | None) -> Generator[Event, None, None]:
     """The recording on disk, if it is wanted and there is anything to write."""
     if out is None or not len(log):
         return
-    write_recording(log.recording(), out)
-    yield RecordingWritten(folder=str(out), samples=len(log))
+    recording = run.recording(log)
+    write_recording(recording, out)
+    yield RecordingWritten(folder=str(out), samples=len(recording))
 
 
-class _Run:
+class Run:
     """One robot in one cell: plans, moves, and plans anew after a stop."""
+
+    steps: int = len(POSES)
+    """How many legs there are to do."""
+    twin: Twin = NOMINAL
+    """What the estimate accounts for."""
 
     def __init__(
         self, cell: Cell, session: RobotSession, payload_box: Box, timing: Timing, mass_guess_kg: float, planner: Planner, seed: int
@@ -152,15 +165,18 @@ class _Run:
         self.restarts = 0
         self.plan_s = 0.0
 
-    def planned(self, start: Array, poses: Sequence[str]) -> Generator[Event, None, Plan]:
-        """A plan through the poses from where the robot stands; another seed after each stop gives other start configurations."""
+    def planned(self, start: Array, done: int = 0) -> Generator[Event, None, Plan]:
+        """A plan through what is left to do after so many legs, from where the robot stands.
+
+        Another seed after each stop gives other start configurations.
+        """
         plan = yield from plan_procedure(
             self.cell,
             self.robot,
             self.collision,
             self.payload_box,
             start=start,
-            poses=poses,
+            poses=POSES[done:],
             period=self.session.period,
             timing=self.timing,
             mass_guess_kg=self.mass_guess_kg,
@@ -169,6 +185,10 @@ class _Run:
         )
         self.plan_s += plan.plan_s
         return plan
+
+    def recording(self, log: SampleLog) -> Recording:
+        """What is written and estimated from."""
+        return log.recording()
 
     def moved(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
         """Carries the plan out; after a stop by the guard the rest of it from new start configurations, as the paper says.
@@ -181,16 +201,16 @@ class _Run:
                 for leg in plan.legs:
                     yield from self.leg(leg, log, plan, step=done + 1)
                     done += 1
-                yield from self.phase("transfer", "home", Playback(plan.home.trajectory), log, plan, step=len(POSES) + 1)
+                yield from self.phase("transfer", "home", Playback(plan.home.trajectory), log, plan, step=self.steps + 1)
             except Stopped as error:
-                final = self.restarts >= MAX_RESTARTS
+                final = self.restarts >= MAX_RESTARTS or not error.may_go_on
+                here = self._braked(log)
                 yield RobotStopped(error=type(error).__name__, message=str(error), restart=self.restarts + 1, final=final)
                 if final:
                     raise
-                self.restarts += 1
-                here = self._braked(log)
+                self.restarts += not isinstance(error, Held)  # a pause costs no attempt
                 self.session.release()
-                plan = yield from self.planned(here, POSES[done:])
+                plan = yield from self.planned(here, done)
             else:
                 return plan
 
@@ -200,34 +220,52 @@ class _Run:
         while True:
             state = self.session.state()
             log.extend([state], "transfer")
-            if np.array_equal(state.q_cmd, before.q_cmd):
+            if np.array_equal(state.q_cmd, before.q_cmd, equal_nan=True):
                 return state.q_cmd
             before = state
 
+    def move_zone(self, name: str, pose: Pose) -> None:
+        """A zone or an obstacle has moved (world frame): the guard sees it at its next look, later plans keep clear of it.
+
+        To be called between two events.
+
+        Raises:
+            BadCell: there is none of that name.
+        """
+        self.collision.move(name, pose)
+        self.cell = self.cell.with_moved(name, pose)
+
     def leg(self, leg: Leg, log: SampleLog, plan: Plan, *, step: int) -> Generator[Event, None, None]:
-        """Transfer, motionless phase, and where the axis lies along gravity the decoupling motion and another motionless phase."""
+        """Transfer, motionless phase, and where there is one the movement and another motionless phase."""
         hold = f"hold:{leg.axis}"
         period = self.session.period
         yield from self.phase("transfer", leg.axis, Playback(leg.transfer.trajectory), log, plan, step=step)
         yield from self.phase(hold, "", StandStill(plan.timing.hold_s, period), log, plan, step=step)
-        if leg.profile is None:
-            return
-        rotation = Rotation(
-            self.robot,
-            self.collision.points,
-            self.guard.limits,
-            cartesian_speed=self.cell.limits.cartesian_speed_m_s,
-            profile=leg.profile,
-            axis="xyz".index(leg.axis[0]),
-        )
-        yield from self.phase(f"rotate:{leg.axis[0]}", "", rotation, log, plan, step=step)
-        yield from self.phase(hold, "", StandStill(plan.timing.settle_s, period), log, plan, step=step)
+        if leg.profile is not None:
+            rotation = Rotation(
+                self.robot,
+                self.collision.points,
+                self.guard.limits,
+                cartesian_speed=self.cell.limits.cartesian_speed_m_s,
+                profile=leg.profile,
+                axis="xyz".index(leg.about),
+            )
+            yield from self.phase(f"rotate:{leg.about}", "", rotation, log, plan, step=step)
+        if leg.wave is not None:
+            yield from self.phase("transfer", leg.axis, Playback(leg.wave), log, plan, step=step)
+        if leg.moving_s > 0.0:
+            yield from self.phase(hold, "", StandStill(plan.timing.settle_s, period), log, plan, step=step)
 
     def phase(self, phase: str, toward: str, mover: Mover, log: SampleLog, plan: Plan, *, step: int) -> Generator[Event, None, None]:
         """One motion: its samples into the log, its progress as events."""
-        yield PhaseStarted(phase=phase, toward=toward, step=step, steps=len(POSES) + 1)
-        for batch in execute(self.session, self.guard, mover, phase):
-            for state in log.extend(batch.states, batch.phase):
-                self.online.update(state.q, state.wrench)
-            known = tuple(float(value) if np.isfinite(value) else None for value in self.online.estimate.phi)
+        yield PhaseStarted(phase=phase, toward=toward, step=step, steps=self.steps + 1)
+        size = max(1, round(BATCH_S / self.session.period))
+        for batch in execute(self.session, self.guard, mover, phase, batch=size):
+            known = self.learned(log.extend(batch.states, batch.phase))
             yield Progress(phase=phase, done_s=log.seconds, total_s=max(plan.robot_s, log.seconds), estimate_phi=known)
+
+    def learned(self, states: Sequence[RobotState]) -> tuple[float | None, ...]:
+        """The estimate along the way, after some more samples; None where a parameter is not yet known."""
+        for state in states:
+            self.online.update(state.q, state.wrench)
+        return tuple(float(value) if np.isfinite(value) else None for value in self.online.estimate.phi)

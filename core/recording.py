@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from core.errors import BadRecording
 from core.inertia import InertialParameters
 
 Array = NDArray[np.float64]
@@ -74,3 +76,30 @@ class Recording:
 
     def __len__(self) -> int:
         return len(self.t)
+
+
+PAUSE_S = 1.0
+"""A longer gap in time is a pause between two runs, not a loss of samples."""
+BETWEEN_RUNS_S = 60.0
+"""Put between two recordings whose clocks do not say how long after the first the second was made."""
+COLUMNS = ("wrench", "q", "dq", "q_cmd", "tau", "orientation", "position", "temperature", "phase")
+
+
+def appended(first: Recording, then: Recording) -> Recording:
+    """Both as one recording with a gap in time; columns that one of them lacks are left out.
+
+    Args:
+        first, then: of the same robot and sensor with the same payload. Where the clock of the second began anew, it goes on
+            `BETWEEN_RUNS_S` after the first.
+
+    Raises:
+        BadRecording: another robot, or another direction of gravity.
+    """
+    if first.robot != then.robot:
+        raise BadRecording("what is appended", "another robot", "the robot of the recording")
+    if not np.allclose(first.gravity, then.gravity, atol=1e-6):
+        raise BadRecording("what is appended: gravity", f"{then.gravity.tolist()}", f"that of the recording, {first.gravity.tolist()}")
+    late = 0.0 if then.t[0] > first.t[-1] + PAUSE_S else first.t[-1] + BETWEEN_RUNS_S - then.t[0]
+    pairs = {name: (getattr(first, name), getattr(then, name)) for name in COLUMNS}
+    columns: dict[str, Any] = {name: None if a is None or b is None else np.concatenate((a, b)) for name, (a, b) in pairs.items()}
+    return replace(first, t=np.concatenate((first.t, then.t + late)), **columns)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import shutil
 import uuid
+from hashlib import sha256
 from pathlib import Path
 
 import numpy as np
@@ -16,11 +17,12 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from core.errors import BadInput, BadRecording
-from core.jail import read_inside
+from core.jail import find_inside, read_inside
 from core.manifest import FILE as MANIFEST
 from core.manifest import RobotPart, manifest_of, read_manifest
 from core.recording import Recording, RobotDescription
-from core.samples import Samples, write_samples
+from core.samples import FILES as SAMPLES
+from core.samples import MAX_BYTES, Samples, write_samples
 from core.urdf import check_urdf
 from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 
@@ -107,6 +109,24 @@ def write_recording(recording: Recording, folder: Path) -> None:
             raise BadInput(str(folder), f"a folder that cannot be made ({error.strerror})", "a new folder") from error
     finally:
         shutil.rmtree(partial, ignore_errors=True)
+
+
+def recording_sha256(folder: Path) -> str:
+    """SHA-256 of what a recording consists of: manifest, samples and URDF, whatever else lies beside them.
+
+    Raises:
+        BadRecording: no readable recording is there.
+    """
+    folder = Path(folder)
+    if not folder.is_dir():
+        raise BadRecording(str(folder), "no such folder", f"a folder with {MANIFEST} and samples")
+    manifest = read_manifest(folder)
+    names = [MANIFEST, *(name for name in SAMPLES if (folder / name).exists()), *([manifest.robot.urdf] if manifest.robot else [])]
+    digest = sha256()
+    for name in names:
+        digest.update(f"{name}\n".encode())
+        digest.update(find_inside(folder, name, BadRecording, max_bytes=MAX_BYTES).read_bytes())
+    return digest.hexdigest()
 
 
 # reading

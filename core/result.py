@@ -47,7 +47,9 @@ class EstimatePart(Part):
     offset: Numbers
     offset_std: Numbers
     com_m: Numbers
+    com_std_m: Numbers
     inertia_com_kg_m2: Numbers
+    inertia_com_std_kg_m2: Numbers
     consistent: bool
     base_tilt_rad: Numbers | None
     base_tilt_std_rad: Numbers | None
@@ -94,6 +96,8 @@ class Result(Part):
     safety: SafetyPart | None
     seconds: SecondsPart
     recording: str | None
+    accounted: list[str] = []
+    """Effects of the cell's twin that were taken off the wrench."""
 
 
 def numbers(values: Array | None) -> Numbers:
@@ -123,6 +127,7 @@ def result_of(
         safety=safety,
         seconds=seconds,
         recording=None if folder is None else str(folder),
+        accounted=list(identification.accounted),
     )
 
 
@@ -137,7 +142,9 @@ def _estimate_part(estimate: Estimate) -> EstimatePart:
         offset=numbers(estimate.offset),
         offset_std=numbers(estimate.offset_std),
         com_m=numbers(estimate.com_m),
+        com_std_m=numbers(estimate.com_std),
         inertia_com_kg_m2=numbers(estimate.inertia_com),
+        inertia_com_std_kg_m2=numbers(estimate.inertia_com_std),
         consistent=estimate.consistent,
         base_tilt_rad=None if tilt is None else numbers(tilt),
         base_tilt_std_rad=None if tilt_std is None else numbers(tilt_std),

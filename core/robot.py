@@ -138,6 +138,14 @@ class RobotModel:
         T = forward_many(self.chain, np.ascontiguousarray(q, dtype=float))
         return SensorPose(T[:, :3, :3], T[:, :3, 3])
 
+    def sensor_twist(self, q: Array, dq: Array, ddq: Array) -> tuple[Array, Array]:
+        """Velocity and acceleration (6,) of the sensor frame at one instant: of its origin, then angular, in sensor axes."""
+        pin.forwardKinematics(self.model, self.data, q, dq, ddq)
+        local = pin.ReferenceFrame.LOCAL
+        v = pin.getFrameVelocity(self.model, self.data, self.sensor_frame_id, local)
+        a = pin.getFrameClassicalAcceleration(self.model, self.data, self.sensor_frame_id, local)
+        return np.array(v.vector), np.array(a.vector)
+
     def sensor_jacobian(self, q: Array) -> Array:
         """(6, n), linear then angular velocity of the sensor origin, in sensor axes, per joint velocity."""
         return jacobian(self.chain, np.ascontiguousarray(q, dtype=float))

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rich.table import Table
 
 from core.cell import Cell
-from core.gap.answer import Diagnosis
+from core.gap.answer import Diagnosis, Experiment
 from core.inertia import PHI_NAMES, PHI_UNITS
 from core.plan import Plan
 from core.result import Result
@@ -132,7 +132,18 @@ def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
     """Everything else that a person should read."""
     lines = [diagnosis.where.sentence] if diagnosis.where and diagnosis.verdict != "no_gap" else []
     lines += [f"{' or '.join(tie.ids)}: {tie.why}. What would settle it: {tie.splits}." for tie in diagnosis.indistinguishable]
+    lines += [_experiment_line(diagnosis.next_experiment)] if diagnosis.next_experiment else []
     lines += [f"Minor: {minor.id}: {minor.sentence}" for minor in diagnosis.minor]
     lines += [diagnosis.consequence] if diagnosis.consequence else []
     lines += [f"To do: {diagnosis.effects[0].advice}"] if diagnosis.effects and diagnosis.verdict in ("explained", "ambiguous") else []
     return lines + [f"Not looked at: {limit}" for limit in diagnosis.limits]
+
+
+def _experiment_line(experiment: Experiment) -> str:
+    """What to measure next, and what it is going to tell."""
+    pairs = "; ".join(" or ".join(names) for names in experiment.splits)
+    how = "planned" if experiment.planned else f"not planned: {experiment.refused}"
+    return (
+        f"Next: {experiment.motion} ({experiment.seconds:.0f} s of robot time, {how}). It tells {pairs}: "
+        f"{experiment.sigma_before:.1f} standard deviations apart now, about {experiment.sigma_after:.1f} with both recordings."
+    )

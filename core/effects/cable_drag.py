@@ -6,8 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
+from core.effects.filters import play
 from core.effects.rigid_body import cross
 from core.effects.scene import Scene
+from core.effects.window_search import weights
+from core.inertia import regressor
 
 Array = NDArray[np.float64]
 
@@ -15,11 +18,26 @@ CREEP = 0.003
 """m/s, speed at which two thirds of the Coulomb friction act."""
 
 
-class CableDrag(Effect):
-    """A spring to a fixed point and Coulomb friction act on the payload at r: `F = c - k (p - p_0) - mu v / sqrt(v^2 + v_c^2)`, base axes.
+YIELD = 0.1
+"""rad, by which a hose twists before it slips along itself."""
+ANCHORS = np.stack(np.meshgrid(*[(-0.8, -0.4, 0.0, 0.4, 0.8)] * 3), axis=-1).reshape(-1, 3)
+"""m, from the payload's first place: where a cable may be fixed, in the search before a fit."""
+SLACK = (0.2, 0.5, 0.8)
+"""Quantiles of the distance to its fixed point at which a cable may tighten."""
+STIFF = 10.0
+"""N/m, of the cables from which a fit starts."""
+LOOKED_AT = 600
+"""The search looks at no more rows than about this many."""
+TRIED = 2
 
-    c is the pull in the first sample (so the fixed point is `p_0 + c / k`); p and v are of the point r, sensor axes.
-    The sensor reads `-F` and `-r x F`.
+
+class CableDrag(Effect):
+    """A hose or cable between the payload at r and a fixed point: spring with slack, Coulomb friction, and torsion of the wrist.
+
+    `F = f max(0, 1 - s/|f|) - mu v / sqrt(v^2 + v_c^2)` with `f = c - k (p - p_0)`, base axes; p and v are of the point r. c is the pull
+    in the first sample if there were no slack, so the fixed point is `p_0 + c / k`, and `s / k` is the free length: a hose has `s = 0`.
+    About the last joint, `T = -(k_1 x + k_2 x^2 + k_3 x^3) - mu_t z` with x the angle since the first sample (the constant is an offset)
+    and z from -1 to 1 what a play of 0.1 rad holds back. The sensor reads `-F` and `-r x F - T`.
     """
 
     id = "cable_drag"
@@ -27,35 +45,108 @@ class CableDrag(Effect):
     stage = "environment"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
-        return (
-            Parameter("stiffness_n_per_m", "N/m", 0.0, -5.0, 100.0, 5.0),
-            *(Parameter(f"pull_{axis}_n", "N", 0.0, -50.0, 50.0, 3.0) for axis in "xyz"),
+        """See `Effect.parameters`; where the joints are known also the torsion, its terms at one radian."""
+        cable = (
+            Parameter("stiffness_n_per_m", "N/m", 0.0, -5.0, 300.0, 10.0),
+            *(Parameter(f"pull_{axis}_n", "N", 0.0, -200.0, 200.0, 5.0) for axis in "xyz"),
             Parameter("friction_n", "N", 0.0, -1.0, 10.0, 0.5),
             *(Parameter(f"at_{axis}_m", "m", 0.0, -0.5, 0.5, 0.1) for axis in "xyz"),
+            Parameter("slack_n", "N", 0.0, 0.0, 200.0, 5.0),
+        )
+        if scene.q is None or scene.jacobian is None:
+            return cable
+        return (
+            *cable,
+            Parameter("twist_linear_nm", "N m", 0.0, -5.0, 5.0, 0.2),
+            Parameter("twist_square_nm", "N m", 0.0, -2.0, 2.0, 0.1),
+            Parameter("twist_cube_nm", "N m", 0.0, -1.0, 1.0, 0.05),
+            Parameter("twist_friction_nm", "N m", 0.0, -0.1, 1.0, 0.03),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
         if scene.position is None:
-            raise ValueError("cable drag needs a scene with positions (see Effect.missing)")
+            raise ValueError("cable drag needs a scene with positions (see Effect.lacking)")
         r = theta[5:8]
         p = scene.position + scene.rotation @ r
-        v = np.diff(p, axis=0, prepend=p[:1]) / scene.period
-        F = theta[1:4] - theta[0] * (p - p[0]) - theta[4] * v / np.sqrt(np.sum(v * v, axis=1, keepdims=True) + CREEP**2)
+        whole = scene.past("place").before(p, 1)
+        v = np.diff(whole, axis=0, prepend=whole[:1])[-len(p) :] / scene.period
+        F = taut(theta[1:4] - theta[0] * (p - scene.past("first place").first(p)), theta[8])
+        F = F - theta[4] * v / np.sqrt(np.sum(v * v, axis=1, keepdims=True) + CREEP**2)
         f = np.einsum("ni,nij->nj", F, scene.rotation)
-        return np.asarray(w - np.hstack([f, cross(np.broadcast_to(r, f.shape), f)]))
+        W = w - np.hstack([f, cross(np.broadcast_to(r, f.shape), f)])
+        if len(theta) > 9:
+            W[:, 3:] += twist(scene, theta[9:])
+        return np.asarray(W)
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """See `Effect.starts`: a hose, and the cables with slack whose pull looks most like the residual."""
+        parameters = self.parameters(scene)
+        hose = np.array([0.3 * p.scale for p in parameters])
+        hose[8:] = 0.0
+        slack = []
+        for anchor, free in _cables_seen(scene, residual):
+            cable = np.zeros(len(parameters))
+            cable[[0, 1, 2, 3, 8]] = STIFF * np.array([1.0, *anchor, free])
+            slack.append(cable)
+        return [hose, *slack]
+
+    def lacking(self, scene: Scene) -> str | None:
+        """See `Effect.lacking`."""
+        return "the recording does not say where the sensor is" if scene.position is None else None
 
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""
         if scene.position is None:
-            return "the recording does not say where the sensor is"
+            return self.lacking(scene)
         return None if np.ptp(scene.position, axis=0).max() > 0.01 else "the sensor stays in one place"
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
-        pull = float(np.linalg.norm(theta[1:4]))
+        pull = float(np.linalg.norm(taut(theta[None, 1:4], theta[8])))
+        twisting = f", and it twists with {theta[9]:.2f} N m per rad" if len(theta) > 9 and abs(theta[9]) > 0.01 else ""
         return (
             f"Free the hose or cable: it pulls with {pull:.1f} N at the start, changes by {theta[0]:.1f} N per metre "
-            f"and rubs with {theta[4]:.1f} N."
+            f"and rubs with {theta[4]:.1f} N{twisting}."
         )
+
+
+def taut(f: Array, slack: float) -> Array:
+    """Pull (N, 3) of a spring f, of which the first newtons take up the slack."""
+    size = np.sqrt(np.sum(f * f, axis=1, keepdims=True))
+    return np.asarray(f * np.maximum(0.0, 1.0 - slack / np.maximum(size, 1e-12)))
+
+
+def twist(scene: Scene, theta: Array) -> Array:
+    """(N, 3), torque with which the payload twists the hose about the last joint's axis, sensor axes."""
+    if scene.q is None or scene.jacobian is None:
+        raise ValueError("the torsion of a hose needs a scene with joints (see CableDrag.parameters)")
+    q = scene.q[:, -1:]
+    x = q - scene.past("first angle").first(q)
+    held = (q - play(q, np.array([YIELD]), scene.past("twist"))) / YIELD
+    torque = x * (theta[0] + x * (theta[1] + x * theta[2])) + theta[3] * held
+    return np.asarray(torque * scene.jacobian[:, 3:, -1])
+
+
+def _cables_seen(scene: Scene, residual: Array) -> list[tuple[Array, float]]:
+    """Fixed points (m, from the first place) and free lengths (m) of the cables whose pull looks most like the residual.
+
+    What payload and offsets take up does not count.
+    """
+    if scene.position is None:
+        return []
+    rows = slice(0, None, max(1, len(scene) // LOOKED_AT))
+    R, p = scene.rotation[rows], scene.position[rows] - scene.position[0]
+    nuisance = np.concatenate([regressor(scene.motion[rows])[:, :3], np.broadcast_to(np.eye(3), (len(p), 3, 3))], axis=2)
+    scale = weights(scene)[:3]
+    Q = np.linalg.svd((nuisance * scale[:, None]).reshape(3 * len(p), -1), full_matrices=False)[0]
+    cables, gains = [], []
+    for anchor in ANCHORS:
+        away = anchor - p
+        for free in np.quantile(np.linalg.norm(away, axis=1), SLACK):
+            c = (-np.einsum("ni,nij->nj", taut(away, free), R) * scale).ravel()
+            c -= Q @ (Q.T @ c)
+            along = float(c @ residual[rows, :3].ravel())
+            cables.append((anchor, float(free)))
+            gains.append(along * abs(along) / max(float(c @ c), 1e-12))
+    return [cables[k] for k in np.argsort(gains)[: -TRIED - 1 : -1]]

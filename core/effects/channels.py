@@ -52,6 +52,13 @@ def full_scale(scene: Scene, w: Array) -> Array:
     return np.asarray(np.maximum(np.abs(w).max(axis=0), six(1.0, 0.05)))
 
 
+def without_range(scene: Scene) -> str | None:
+    """Why shares of full scale have a meaning in this run only, None where the sensor's range is known."""
+    if scene.range is not None:
+        return None
+    return "its parameters are shares of the sensor's range, which the recording does not state; the largest load of this run stood for it"
+
+
 def largest(values: Array) -> tuple[int, str]:
     """Index and name of the channel with the largest magnitude."""
     k = int(np.abs(values).argmax())

@@ -18,6 +18,8 @@ from core.recording import Recording
 Array = NDArray[np.float64]
 
 Stage = Literal["sensor", "timing", "mounting", "kinematics", "payload", "environment", "actuation"]
+STAGES: tuple[Stage, ...] = ("mounting", "kinematics", "actuation", "payload", "environment", "timing", "sensor")
+"""From the robot to the reading: the order in which effects act on the wrench."""
 
 
 @dataclass(frozen=True)
@@ -58,13 +60,23 @@ class Effect(ABC):
         """The sensor's reading with the effect.
 
         Args:
-            scene: the nominal run, causal: row k depends on rows up to k only.
+            scene: the nominal run, causal: row k depends on rows up to k only. Of a run that comes in blocks, what an operator needs of
+                earlier rows stands in its `scene.past(name)`, so blocks of any sizes give the wrench of the whole.
             w: (N, 6), what the nominal twin predicts, N and N m; offsets are not in it.
             theta: parameters, in the order of `parameters`. At their `absent` values the result equals `w`.
         """
 
+    def lacking(self, scene: Scene) -> str | None:
+        """Why the model cannot be evaluated in this scene (no joints, no positions), None where it can."""
+        del scene
+        return None
+
     def missing(self, scene: Scene) -> str | None:
-        """Why this recording cannot show the effect (no joints, no temperature ...), None where it can."""
+        """Why this recording cannot show the effect (the sensor stays still, no load changes its side ...), None where it can."""
+        return self.lacking(scene)
+
+    def tied_to_run(self, scene: Scene) -> str | None:
+        """Why parameters found in this run have no meaning in another, or the effect cannot be simulated sample by sample; else None."""
         del scene
         return None
 
@@ -106,6 +118,8 @@ class Symptom(ABC):
     id: ClassVar[str]
     title: ClassVar[str]
     stage: ClassVar[Stage]
+    explains: ClassVar[tuple[str, ...]] = ()
+    """Symptoms that come along with this one, and are not named beside it."""
 
     @abstractmethod
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:

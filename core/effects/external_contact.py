@@ -6,17 +6,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
+from core.effects.rigid_body import cross
 from core.effects.scene import Scene
-from core.effects.window_search import best_windows, onset_parameter_scale
+from core.effects.window_search import best_windows, onset_parameter_scale, weights
 
 Array = NDArray[np.float64]
 
+LONGEST_S = 30.0
+"""Of a touch."""
+LONGEST_SHARE = 1.0 / 3.0
+"""Of the run, likewise. What pushes for longer is no touch: a payload that has changed, or a base that warps."""
+ARM = 0.3
+"""m, to the farthest point of a payload that a search before a fit believes in."""
+
 
 class ExternalContact(Effect):
-    """A force fixed in base axes and a torque in sensor axes (about the sensor origin) act on the payload within a window of time.
+    """A force f fixed in base axes acts on a point r of the payload within a window of time: the sensor reads `-f` and `-r x f`.
 
-    The window rises and falls by cosines (Tukey): taper 0 is on and off at once, 1 a single bump, near half a sine. The sensor reads the
-    opposite.
+    What leans on a payload does so at a point, so there is no torque without a force. The window rises and falls by cosines (Tukey): taper
+    0 is on and off at once, 1 a single bump, near half a sine.
     """
 
     id = "external_contact"
@@ -26,27 +34,30 @@ class ExternalContact(Effect):
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
         middle, begin, end, spread = onset_parameter_scale(scene)
+        longest = _longest(scene)
         return (
             Parameter("at_s", "s", middle, begin, end, spread),
-            Parameter("duration_s", "s", min(2.0, 0.5 * (end - begin)), 2.0 * scene.period, end - begin, 0.3 * (end - begin)),
+            Parameter("duration_s", "s", min(2.0, 0.5 * longest), min(2.0 * scene.period, 0.5 * longest), longest, longest),
             Parameter("taper_share", "1", 0.5, 0.0, 1.0, 0.5),
             *(Parameter(f"force_{axis}_n", "N", 0.0, -100.0, 100.0, 5.0) for axis in "xyz"),
-            *(Parameter(f"torque_{axis}_nm", "N m", 0.0, -20.0, 20.0, 0.5) for axis in "xyz"),
+            *(Parameter(f"at_{axis}_m", "m", 0.0, -0.5, 0.5, 0.1) for axis in "xyz"),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
         on = window(scene.t, theta[0], theta[1], theta[2], scene.period)[:, None]
-        push = np.hstack([theta[3:6] @ scene.rotation, np.broadcast_to(theta[6:9], (len(scene), 3))])
-        return w - on * push
+        f = on * (theta[3:6] @ scene.rotation)
+        return np.asarray(w - np.hstack([f, cross(theta[6:9], f)]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """The windows in which a constant push explains most of the residual."""
+        """See `Effect.starts`: the windows in which a constant push explains most of the residual, with its direction and point."""
         columns = np.zeros((len(scene), 6, 6))
         columns[:, :3, :3] = scene.rotation.transpose(0, 2, 1)
         columns[:, 3:, 3:] = np.eye(3)
-        found = best_windows(scene, residual, columns, 3, open_end=False)
-        return [np.array([b, e - b, 0.3, *([0.5] * 3), *([0.02] * 3)]) for b, e in found]
+        found = best_windows(scene, residual, columns, 4, open_end=False, longest_s=_longest(scene))
+        return [
+            np.concatenate([[begin, min(end - begin, _longest(scene)), 0.3], _push(scene, residual, begin, end)]) for begin, end in found
+        ]
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
@@ -55,6 +66,24 @@ class ExternalContact(Effect):
             f"Keep the payload clear: something pushed it with up to {force:.1f} N from {theta[0]:.1f} to {theta[0] + theta[1]:.1f} s; "
             "leave that part out or run again."
         )
+
+
+def _longest(scene: Scene) -> float:
+    """s."""
+    return min(LONGEST_S, LONGEST_SHARE * float(scene.t[-1] - scene.t[0]))
+
+
+def _push(scene: Scene, residual: Array, begin: float, end: float) -> Array:
+    """(6,): force of 1 N, base axes, and its point, m, that look most like the residual between two times."""
+    on = (scene.t >= begin) & (scene.t <= end)
+    if not on.any() or on.all():
+        return np.array([0.5, 0.5, 0.5, 0.0, 0.0, 0.0])
+    seen = -(residual[on] - residual[~on].mean(axis=0)) / weights(scene)
+    force = np.einsum("nij,nj->i", scene.rotation[on], seen[:, :3]) / np.count_nonzero(on)
+    f = force @ scene.rotation[on]
+    columns = np.stack([cross(axis, f) for axis in np.eye(3)], axis=2)
+    point = np.linalg.lstsq(columns.reshape(-1, 3), seen[:, 3:].ravel(), rcond=1e-2)[0]
+    return np.concatenate([force / max(float(np.linalg.norm(force)), 1e-12), np.clip(point, -ARM, ARM)])
 
 
 def window(t: Array, begin: float, duration: float, taper: float, period: float) -> Array:

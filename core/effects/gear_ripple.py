@@ -41,13 +41,18 @@ class GearRipple(Effect):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
         if scene.q is None or scene.dq is None:
-            raise ValueError("gear ripple needs a scene with joints (see Effect.missing)")
-        error, acceleration = _ripple(scene.q, scene.dq, 2.0 * theta[0], theta[1::2].copy(), theta[2::2].copy(), scene.period)
-        return w + wrench_change(scene, true_motion(scene, error, acceleration))
+            raise ValueError("gear ripple needs a scene with joints (see Effect.lacking)")
+        q, dq = scene.past("ripple q").before(scene.q, 1), scene.past("ripple dq").before(scene.dq, 1)
+        error, acceleration = _ripple(q, dq, 2.0 * theta[0], theta[1::2].copy(), theta[2::2].copy(), scene.period)
+        return w + wrench_change(scene, true_motion(scene, error[-len(w) :], acceleration[-len(w) :]))
+
+    def lacking(self, scene: Scene) -> str | None:
+        """See `Effect.lacking`."""
+        return without_joints(scene)
 
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""
-        if reason := without_joints(scene):
+        if reason := self.lacking(scene):
             return reason
         return None if scene.dq is not None and np.abs(scene.dq).max() > 1e-3 else "no joint moves in this recording"
 

@@ -31,9 +31,13 @@ class JointBacklash(Effect):
         """See `Effect.wrench`."""
         return w + wrench_change(scene, true_motion(scene, -theta * np.tanh(joint_torque(scene) / CONTACT_TORQUE)))
 
+    def lacking(self, scene: Scene) -> str | None:
+        """See `Effect.lacking`."""
+        return without_joints(scene)
+
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""
-        if reason := without_joints(scene):
+        if reason := self.lacking(scene):
             return reason
         tau = joint_torque(scene)
         reversed_ = (tau.min(axis=0) < -CONTACT_TORQUE) & (tau.max(axis=0) > CONTACT_TORQUE)

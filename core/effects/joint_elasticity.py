@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from core.effects.deflection import deflection
 from core.effects.effect import Effect, Parameter
-from core.effects.joint_error import joint_count, joint_torque, largest, true_motion, without_joints
+from core.effects.joint_error import joint_count, largest, rigid_load, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 
@@ -14,9 +15,11 @@ Array = NDArray[np.float64]
 
 
 class JointElasticity(Effect):
-    """True joints are `q - C tau`: the link hangs back behind the motor that holds it. C = 1/K per joint, tau as the joints exert it.
+    """True joints are `q + e` with `share M e'' + D e' + K e = -tau`, K = 1/C per joint: the links hang back behind the motors that hold
+    them, and swing on their springs. tau and M are those of the rigid arm with its payload along the recorded motion of the motors.
 
-    Spong, Modeling and control of elastic joint robots, 1987, quasi-static.
+    Spong, Modeling and control of elastic joint robots, 1987, with the motors' motion known. A share of 1 is the inertia by the URDF's
+    masses, 0 a quasi-static arm, `e = -C tau`.
     """
 
     id = "joint_elasticity"
@@ -25,20 +28,35 @@ class JointElasticity(Effect):
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
-        return tuple(Parameter(f"joint_{j + 1}_rad_per_nm", "rad/(N m)", 0.0, 0.0, 1.0 / 500.0, 2e-4) for j in range(joint_count(scene)))
+        return (
+            *(Parameter(f"joint_{j + 1}_rad_per_nm", "rad/(N m)", 0.0, 0.0, 1.0 / 500.0, 2e-4) for j in range(joint_count(scene))),
+            Parameter("swinging_inertia_share", "1", 1.0, 0.0, 2.0, 0.3),
+            Parameter("damping_ratio", "1", 0.1, 0.005, 1.0, 0.1),
+        )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        return w + wrench_change(scene, true_motion(scene, -theta * joint_torque(scene)))
+        share, damping = theta[-2:]
+        inertia, load = share * scene.joint_inertia, rigid_load(scene)
+        error, acceleration = deflection(inertia, load, theta[:-2], damping, scene.period, scene.past("deflection"))
+        return w + wrench_change(scene, true_motion(scene, error, acceleration))
 
-    def missing(self, scene: Scene) -> str | None:
-        """See `Effect.missing`."""
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """Joints from stiff to soft with the inertia that is known, well damped so that a wrong frequency still points to the right one;
+        and a quasi-static arm."""
+        n = joint_count(scene)
+        swinging = [np.concatenate((np.full(n, compliance), [1.0, 0.2])) for compliance in (1e-4, 2e-4, 4e-4, 8e-4)]
+        return [*swinging, np.concatenate((np.full(n, 1e-4), [0.0, 0.2]))]
+
+    def lacking(self, scene: Scene) -> str | None:
+        """See `Effect.lacking`."""
         return without_joints(scene)
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
-        j = largest(theta * np.abs(joint_torque(scene)).max(axis=0))
-        give = np.degrees(theta[j] * np.abs(joint_torque(scene)[:, j]).max())
+        most = np.abs(rigid_load(scene)).max(axis=0)
+        j = largest(theta[:-2] * most)
+        give = np.degrees(theta[j] * most[j])
         stiffness = f"{1e-3 / theta[j]:.1f} kN m/rad" if theta[j] > 0 else "rigid"
         return (
             f"Enter the joints' stiffness in the cell's twin (joint {j + 1}: {stiffness}, it gives by up to {give:.2f} deg), "

@@ -11,7 +11,6 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.effects.rigid_body import rigid_wrench
 from core.effects.scene import Scene
 from core.inertia import Motion
 
@@ -42,32 +41,34 @@ def _add_twist_change(J: Array, dq: Array, error: Array, sign: float, out: Array
 
 @njit(cache=True)
 def _true_motion(J: Array, dq: Array, error: Array, g0: Array, a0: Array, omega0: Array, alpha0: Array, period: float) -> Array:
-    """(4, N, 3): gravity, acceleration, angular velocity and acceleration."""
-    N, n = dq.shape
+    """(4, N, 3): gravity, acceleration, angular velocity and acceleration. J and dq may begin one row before all others."""
+    N, n = error.shape
+    shift = len(dq) - N
     out = np.empty((4, N, 3))
     twist = np.empty(6)
     rate = np.empty(6)
     for k in range(N):
+        i = k + shift
         gx, gy, gz = g0[k, 0], g0[k, 1], g0[k, 2]
         vx = vy = vz = 0.0
         for j in range(n):
             e = error[k, j]
-            s = dq[k, j]
-            vx += J[k, 0, j] * s
-            vy += J[k, 1, j] * s
-            vz += J[k, 2, j] * s
+            s = dq[i, j]
+            vx += J[i, 0, j] * s
+            vy += J[i, 1, j] * s
+            vz += J[i, 2, j] * s
             if e != 0.0:  # R(-e J_j) to second order, joint after joint
-                rx, ry, rz = e * J[k, 3, j], e * J[k, 4, j], e * J[k, 5, j]
+                rx, ry, rz = e * J[i, 3, j], e * J[i, 4, j], e * J[i, 5, j]
                 dx, dy, dz = ry * gz - rz * gy, rz * gx - rx * gz, rx * gy - ry * gx
                 gx += 0.5 * (ry * dz - rz * dy) - dx
                 gy += 0.5 * (rz * dx - rx * dz) - dy
                 gz += 0.5 * (rx * dy - ry * dx) - dz
         twist[:] = 0.0
-        _add_twist_change(J[k], dq[k], error[k], 1.0, twist)
+        _add_twist_change(J[i], dq[i], error[k], 1.0, twist)
         rate[:] = 0.0
-        if k > 0:
+        if i > 0:
             rate[:] = twist
-            _add_twist_change(J[k - 1], dq[k - 1], error[k], -1.0, rate)
+            _add_twist_change(J[i - 1], dq[i - 1], error[k], -1.0, rate)
             rate /= period
         px, py, pz = omega0[k, 0], omega0[k, 1], omega0[k, 2]
         out[0, k, 0], out[0, k, 1], out[0, k, 2] = gx, gy, gz
@@ -75,9 +76,9 @@ def _true_motion(J: Array, dq: Array, error: Array, g0: Array, a0: Array, omega0
         out[1, k, 0] = a0[k, 0] + rate[0] + twist[4] * vz - twist[5] * vy + py * twist[2] - pz * twist[1]
         out[1, k, 1] = a0[k, 1] + rate[1] + twist[5] * vx - twist[3] * vz + pz * twist[0] - px * twist[2]
         out[1, k, 2] = a0[k, 2] + rate[2] + twist[3] * vy - twist[4] * vx + px * twist[1] - py * twist[0]
-        for i in range(3):
-            out[2, k, i] = omega0[k, i] + twist[3 + i]
-            out[3, k, i] = alpha0[k, i] + rate[3 + i]
+        for c in range(3):
+            out[2, k, c] = omega0[k, c] + twist[3 + c]
+            out[3, k, c] = alpha0[k, c] + rate[3 + c]
     return out
 
 
@@ -90,9 +91,10 @@ def true_motion(scene: Scene, error: Array, acceleration: Array | None = None) -
         acceleration: (N, n), second derivative of the error, rad/s2, where it is not slow.
     """
     if scene.jacobian is None or scene.dq is None:
-        raise ValueError("an error of the joints needs a scene with joints (see Effect.missing)")
+        raise ValueError("an error of the joints needs a scene with joints (see Effect.lacking)")
     m = scene.motion
-    out = _true_motion(scene.jacobian, scene.dq, np.ascontiguousarray(error), m.g, m.a, m.omega, m.alpha, scene.period)
+    J, dq = scene.past("jacobian").before(scene.jacobian, 1), scene.past("dq").before(scene.dq, 1)
+    out = _true_motion(J, dq, np.ascontiguousarray(error), m.g, m.a, m.omega, m.alpha, scene.period)
     if acceleration is not None:
         extra = np.einsum("nij,nj->ni", scene.jacobian, acceleration)
         out[1] += extra[:, :3]
@@ -113,12 +115,21 @@ def joint_count(scene: Scene) -> int:
 
 
 def joint_torque(scene: Scene) -> Array:
-    """(N, n), N m, that the joints exert; without a measurement or masses of the arm, what the payload alone asks: `J^T w`."""
-    if scene.torque is not None:
-        return scene.torque
+    """(N, n), N m, that the joints exert, as measured, or as `rigid_load` without a measurement."""
+    return rigid_load(scene) if scene.torque is None else scene.torque
+
+
+def rigid_load(scene: Scene) -> Array:
+    """(N, n), N m, that arm and payload ask of the joints, as if rigid.
+
+    Where the masses of the links are not known: what was measured, or what the payload alone asks, `J^T w`.
+    """
     if scene.jacobian is None:
-        raise ValueError("joint torques need a scene with joints (see Effect.missing)")
-    return np.asarray(np.einsum("ni,nij->nj", rigid_wrench(scene.motion, scene.phi), scene.jacobian))
+        raise ValueError("joint torques need a scene with joints (see Effect.lacking)")
+    if scene.link_torque is None and scene.torque is not None:
+        return scene.torque
+    payload = np.einsum("ni,nij->nj", scene.nominal, scene.jacobian)
+    return np.asarray(payload if scene.link_torque is None else payload + scene.link_torque)
 
 
 def largest(theta: Array) -> int:

@@ -28,8 +28,8 @@ class JointOffset(Effect):
         """See `Effect.wrench`."""
         return w + wrench_change(scene, true_motion(scene, np.broadcast_to(theta, (len(scene), len(theta)))))
 
-    def missing(self, scene: Scene) -> str | None:
-        """See `Effect.missing`."""
+    def lacking(self, scene: Scene) -> str | None:
+        """See `Effect.lacking`."""
         return without_joints(scene)
 
     def advice(self, scene: Scene, theta: Array) -> str:

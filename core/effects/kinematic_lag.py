@@ -31,7 +31,7 @@ class KinematicLag(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        return np.asarray(w + theta[0] * derivative(w, scene.period))
+        return np.asarray(w + theta[0] * derivative(w, scene.period, scene.past("wrench")))
 
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""

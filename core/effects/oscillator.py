@@ -8,13 +8,15 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from core.effects.memory import Past
+
 Array = NDArray[np.float64]
 
 
 @njit(cache=True)
-def _run(u: Array, A: Array, before: Array, now: Array, out: Array) -> None:
+def _run(u: Array, start: Array, A: Array, before: Array, now: Array, out: Array) -> None:
     for c in range(u.shape[1]):
-        y, v = u[0, c], 0.0
+        y, v = start[0, c], start[1, c]
         out[0, 0, c] = y
         out[1, 0, c] = v
         for k in range(1, len(u)):
@@ -24,13 +26,14 @@ def _run(u: Array, A: Array, before: Array, now: Array, out: Array) -> None:
             out[1, k, c] = v
 
 
-def oscillate(u: Array, period: float, frequency_hz: float, damping: float) -> tuple[Array, Array, Array]:
+def oscillate(u: Array, period: float, frequency_hz: float, damping: float, past: Past | None = None) -> tuple[Array, Array, Array]:
     """Solves `y'' + 2 zeta w y' + w^2 y = w^2 u` from rest at `y = u`; causal.
 
     Args:
         u: (N, c).
         period: of the samples, s.
         damping: zeta, a share of the critical one.
+        past: of a run that comes in blocks.
 
     Returns:
         y, y', y'', each (N, c).
@@ -39,9 +42,14 @@ def oscillate(u: Array, period: float, frequency_hz: float, damping: float) -> t
     E = _transition(w, damping, period)
     constant = np.array([1.0, 0.0]) - E[:, 0]
     ramp = np.array([1.0, 0.0]) + (E - np.eye(2)) @ np.array([2.0 * damping / w, -1.0]) / period
-    out = np.empty((2, *u.shape))
-    _run(np.ascontiguousarray(u), E, constant - ramp, ramp, out)
-    y, rate = out
+    past = past or Past()
+    whole, start = u, np.stack([u[0], np.zeros(u.shape[1])])
+    if past.rows is not None:  # the last input, position and rate
+        whole, start = np.concatenate([past.rows[:1], u]), past.rows[1:]
+    out = np.empty((2, *whole.shape))
+    _run(np.ascontiguousarray(whole), start, E, constant - ramp, ramp, out)
+    y, rate = out[:, -len(u) :]
+    past.rows = np.stack([u[-1], y[-1], rate[-1]])
     return y, rate, w * w * (u - y) - 2.0 * damping * w * rate
 
 

@@ -48,8 +48,8 @@ class PayloadLoose(Effect):
         r = centre_of_mass(scene) + part.place
         b = m.a - m.g + cross(m.alpha, r) + cross(m.omega, cross(m.omega, r))
         w_n = 2.0 * np.pi * part.frequency_hz
-        swing = ring(scene.t - scene.t[0], part.frequency_hz, part.damping, part.start, w_n * part.start_rate)
-        driven = oscillate(b, scene.period, part.frequency_hz, part.damping)
+        swing = ring(scene.elapsed, part.frequency_hz, part.damping, part.start, w_n * part.start_rate)
+        driven = oscillate(b, scene.period, part.frequency_hz, part.damping, scene.past("part"))
         y, rate, acceleration = (forced + free for forced, free in zip(driven, swing, strict=True))
         to_moment = -scene.phi[0] * part.shares / w_n**2
         s, ds, dds = y @ to_moment, rate @ to_moment, acceleration @ to_moment

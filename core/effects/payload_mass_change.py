@@ -6,16 +6,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.effects.rigid_body import rigid_wrench
 from core.effects.scene import Scene
-from core.effects.window_search import best_windows, onset, onset_parameter_scale
+from core.effects.window_search import best_windows, onset_parameter_scale, ramp
 from core.inertia import regressor, six_of
+from core.inertia import wrench as rigid_wrench
 
 Array = NDArray[np.float64]
 
 
 class PayloadMassChange(Effect):
-    """From t0 on there is a mass more (or less) at the point r, sensor axes: `phi + m [1, r, r.r 1 - r r^T]`."""
+    """From t0 on there is a mass more (or less) at the point r, sensor axes: `phi + m [1, r, r.r 1 - r r^T]`.
+
+    It comes or goes at once, or evenly over a time (a leak).
+    """
 
     id = "payload_mass_change"
     title = "a payload that gained or lost mass"
@@ -28,19 +31,20 @@ class PayloadMassChange(Effect):
             Parameter("at_s", "s", middle, begin, end, spread),
             Parameter("mass_kg", "kg", 0.0, -5.0, 5.0, 0.15),
             *(Parameter(f"place_{axis}_m", "m", 0.0, -0.5, 0.5, 0.1) for axis in "xyz"),
+            Parameter("over_s", "s", 0.0, 0.0, 0.9 * (end - begin), 0.2 * (end - begin)),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
         r = theta[2:5]
         change = theta[1] * np.concatenate(([1.0], r, six_of(r @ r * np.eye(3) - np.outer(r, r))))
-        return w + onset(scene.t, theta[0], scene.period)[:, None] * rigid_wrench(scene.motion, change)
+        return w + ramp(scene.t, theta[0], theta[-1], scene.period)[:, None] * rigid_wrench(scene.motion, change)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The times at which a jump of mass and first moment explains most of the residual, gained and lost."""
         columns = regressor(scene.motion)[:, :, :4]
         times = [t0 for t0, _ in best_windows(scene, residual, columns, 2, open_end=True)]
-        return [np.array([t0, m, 0.0, 0.0, 0.05]) for t0 in times for m in (-0.05, 0.05)]
+        return [np.array([t0, m, 0.0, 0.0, 0.05, over]) for t0 in times for m in (-0.05, 0.05) for over in (0.0, 5.0)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""

@@ -6,16 +6,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.effects.rigid_body import centre_of_mass, rigid_wrench
+from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
-from core.effects.window_search import best_windows, onset, onset_parameter_scale
+from core.effects.window_search import best_windows, onset_parameter_scale, ramp
 from core.inertia import regressor, six_of
+from core.inertia import wrench as rigid_wrench
 
 Array = NDArray[np.float64]
 
 
 class PayloadShift(Effect):
-    """The first moment jumps by d at t0, and the inertia by `2 c.d 1 - c d^T - d c^T`: as if what slips were at the centre of mass c."""
+    """The first moment moves by d from t0 on, at once or evenly over a time.
+
+    The inertia changes by `2 c.d 1 - c d^T - d c^T`, as if what slips were at the centre of mass c.
+    """
 
     id = "payload_shift"
     title = "a payload that slipped"
@@ -27,6 +31,7 @@ class PayloadShift(Effect):
         return (
             Parameter("at_s", "s", middle, begin, end, spread),
             *(Parameter(f"first_moment_{axis}_kgm", "kg m", 0.0, -0.5, 0.5, 0.02) for axis in "xyz"),
+            Parameter("over_s", "s", 0.0, 0.0, 0.9 * (end - begin), 0.05 * (end - begin)),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
@@ -34,12 +39,13 @@ class PayloadShift(Effect):
         d, c = theta[1:4], centre_of_mass(scene)
         inertia = 2.0 * (c @ d) * np.eye(3) - np.outer(c, d) - np.outer(d, c)
         change = np.concatenate(([0.0], d, six_of(inertia)))
-        return w + onset(scene.t, theta[0], scene.period)[:, None] * rigid_wrench(scene.motion, change)
+        return w + ramp(scene.t, theta[0], theta[-1], scene.period)[:, None] * rigid_wrench(scene.motion, change)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """The times at which a jump of the first moment explains most of the residual."""
         columns = regressor(scene.motion)[:, :, 1:4]
-        return [np.array([t0, 0.005, 0.005, 0.005]) for t0, _ in best_windows(scene, residual, columns, 3, open_end=True)]
+        found = best_windows(scene, residual, columns, 3, open_end=True)
+        return [np.array([t0, 0.005, 0.005, 0.005, over]) for t0, _ in found for over in (0.0, 3.0)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""

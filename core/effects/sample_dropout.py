@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Finding, Parameter, Symptom, View
-from core.recording import Recording
+from core.recording import PAUSE_S, Recording
 
 Array = NDArray[np.float64]
 
@@ -36,6 +36,7 @@ class SampleDropout(Symptom):
     id = "sample_dropout"
     title = "samples that are held or lost"
     stage = "sensor"
+    explains = ("sensor_noise", "sensor_quantization")
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""
@@ -97,6 +98,7 @@ def lost_share(t: Array) -> float:
     """Share of rows that the clock `t` (N,) should have beyond those it has: gaps of one and a half periods and more."""
     steps = np.diff(t)
     period = float(np.median(steps))
+    steps = steps[steps <= max(PAUSE_S, 1.5 * period)]  # in a longer pause nothing was to be recorded
     missing = int(np.maximum(np.rint(steps / period) - 1, 0).sum())
     return missing / (len(t) + missing)
 

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from core.inertia import Motion, wrench
+from core.effects.memory import Memory, Past
+from core.inertia import Motion, spatial_inertia, wrench
 
 Array = NDArray[np.float64]
+
+PER_ROW = ("t", "phase", "motion", "rotation", "position", "q", "dq", "jacobian", "torque", "link_inertia", "link_torque", "temperature")
 
 
 @dataclass(frozen=True)
@@ -26,9 +31,13 @@ class Scene:
         phi: (10,), payload as estimated together with the effects.
         q, dq: (N, n), joints; None for a recording of poses.
         jacobian: (N, 6, n), linear over angular velocity of the sensor frame in sensor axes; None likewise.
-        torque: (N, n), joint torques (measured, or from the arm's and the payload's masses), N m; None where neither is known.
+        torque: (N, n), measured joint torques, N m; None where there are none.
+        link_inertia: (N, n, n), of the arm without payload in joint coordinates, kg m2; None where its masses are not known.
+        link_torque: (N, n), that the arm without payload asks of its joints, N m; None likewise.
         temperature: (N,), degC, None where not recorded.
         range, resolution: (6,), of the sensor, None where unknown.
+        step: period of the samples, s; the first two times tell where absent. A scene of one row must state it.
+        memory: of the rows before the first, for a run that is simulated in blocks; None for a run as a whole.
     """
 
     t: Array
@@ -42,22 +51,50 @@ class Scene:
     dq: Array | None = None
     jacobian: Array | None = None
     torque: Array | None = None
+    link_inertia: Array | None = None
+    link_torque: Array | None = None
     temperature: Array | None = None
     range: Array | None = None
     resolution: Array | None = None
+    step: float | None = None
+    memory: Memory | None = None
 
     def __len__(self) -> int:
         return len(self.t)
 
+    def __getitem__(self, rows: slice) -> Scene:
+        """Some rows of the run, which keep its period."""
+        cut: dict[str, Any] = {name: None if (x := getattr(self, name)) is None else x[rows] for name in PER_ROW}
+        return replace(self, step=self.period, **cut)
+
     @property
     def period(self) -> float:
         """s."""
-        return float(self.t[1] - self.t[0])
+        return float(self.t[1] - self.t[0]) if self.step is None else self.step
 
     @property
+    def elapsed(self) -> Array:
+        """(N,), since the run's first row, s."""
+        return np.asarray(self.t - self.past("start").first(self.t))
+
+    def past(self, name: str) -> Past:
+        """What the operator of this name remembers of the rows before the first."""
+        return Past() if self.memory is None else self.memory[name]
+
+    @cached_property
     def nominal(self) -> Array:
         """(N, 6), the wrench that the payload asks of the sensor, Eq. (1)."""
         return wrench(self.motion, self.phi)
+
+    @cached_property
+    def joint_inertia(self) -> Array:
+        """(N, n, n), of arm and payload in joint coordinates, kg m2; of the payload alone where the arm's masses are not known."""
+        if self.jacobian is None:
+            raise ValueError("inertia in joint coordinates needs a scene with joints (see Effect.lacking)")
+        size, axes = np.linalg.eigh(spatial_inertia(self.phi))
+        body = (axes * np.maximum(size, 0.0)) @ axes.T  # a trial payload of a fit may be no body, which would swing without end
+        payload = self.jacobian.transpose(0, 2, 1) @ (body @ self.jacobian)
+        return np.asarray(payload if self.link_inertia is None else payload + self.link_inertia)
 
     def carrying(self, phi: Array) -> Scene:
         """The same run with another payload."""

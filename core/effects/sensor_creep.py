@@ -26,7 +26,7 @@ class SensorCreep(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        return np.asarray(w + theta[:6] * low_passed(w, theta[6], scene.period))
+        return np.asarray(w + theta[:6] * low_passed(w, theta[6], scene.period, scene.past("creep")))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """See `Effect.starts`."""

@@ -19,7 +19,11 @@ ROW, COLUMN = np.nonzero(~np.eye(6, dtype=bool))
 
 
 class SensorCrosstalk(Effect):
-    """`W = (I + C) w` with 30 entries off the diagonal; torques from forces in N m/N, forces from torques in N/(N m)."""
+    """`W = w + C (w cos a + |w| sin a)`, C with 30 entries off the diagonal; torques from forces in N m/N, forces from torques in N/(N m).
+
+    The angle says which loads come through: 0 both directions with their signs (a calibration matrix), 45 deg pull only, -45 deg push only,
+    90 deg both with the same sign (a joint that gapes).
+    """
 
     id = "sensor_crosstalk"
     title = "cross-talk between the sensor's channels"
@@ -28,7 +32,8 @@ class SensorCrosstalk(Effect):
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
         full = np.repeat([1.0, ARM], 3) if scene.range is None else scene.range
-        return tuple(self._entry(i, j, PLAUSIBLE * float(full[i] / full[j])) for i, j in zip(ROW.tolist(), COLUMN.tolist(), strict=True))
+        entries = (self._entry(i, j, PLAUSIBLE * float(full[i] / full[j])) for i, j in zip(ROW.tolist(), COLUMN.tolist(), strict=True))
+        return (*entries, Parameter("rectification_rad", "rad", 0.0, -np.pi, np.pi, 1.0))
 
     def _entry(self, i: int, j: int, scale: float) -> Parameter:
         name = f"{CHANNELS[i]}_from_{CHANNELS[j]}_{SUFFIXES[i]}_per_{SUFFIXES[j]}"
@@ -39,16 +44,17 @@ class SensorCrosstalk(Effect):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
         C = np.zeros((6, 6))
-        C[ROW, COLUMN] = theta
-        return np.asarray(w + w @ C.T)
+        C[ROW, COLUMN] = theta[:30]
+        through = w * np.cos(theta[30]) + np.abs(w) * np.sin(theta[30])
+        return np.asarray(w + through @ C.T)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """See `Effect.starts`."""
-        return [np.zeros(len(ROW))]  # linear in its parameters: one step finds them
+        return [np.append(np.zeros(30), angle) for angle in (-0.25 * np.pi, 0.25 * np.pi)]  # the entries are linear: one step finds them
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
-        largest = int(np.abs(theta / [p.scale for p in self.parameters(scene)]).argmax())
+        largest = int(np.abs(theta[:30] / [p.scale for p in self.parameters(scene)[:30]]).argmax())
         i, j = ROW[largest], COLUMN[largest]
         return (
             f"Load the sensor's calibration matrix anew or have it recalibrated: each {UNITS[j]} of {CHANNELS[j]} "

@@ -38,9 +38,10 @@ class SensorDrift(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        W = w + np.outer(settling(scene.t - scene.t[0], theta[6]), theta[:6])
+        W = w + np.outer(settling(scene.elapsed, theta[6]), theta[:6])
         if scene.temperature is not None:
-            W += np.outer(scene.temperature - scene.temperature[0], theta[7:])
+            first = scene.past("temperature").first(scene.temperature)
+            W += np.outer(scene.temperature - first, theta[7:])
         return np.asarray(W)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:

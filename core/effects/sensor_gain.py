@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 
 class SensorGain(Effect):
-    """`W = diag(1 + e) w`."""
+    """`W = w + e w + a |w|`: a channel is off by `e + a` where it is pulled and by `e - a` where it is pushed."""
 
     id = "sensor_gain"
     title = "a gain error of the sensor's channels"
@@ -21,13 +21,24 @@ class SensorGain(Effect):
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
-        return shares("gain_error_share", lower=-0.5, upper=0.5, scale=0.03)
+        return (
+            *shares("gain_error_share", lower=-0.5, upper=0.5, scale=0.03),
+            *shares("asymmetry_share", lower=-0.25, upper=0.25, scale=0.01),
+        )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        return np.asarray(w * (1.0 + theta))
+        return np.asarray(w * (1.0 + theta[:6]) + np.abs(w) * theta[6:])
+
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """See `Effect.starts`."""
+        return [np.zeros(12)]  # linear in its parameters: one step finds them
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
-        k, channel = largest(theta)
-        return f"Have the sensor recalibrated with known weights: {channel} reads {100 * theta[k]:+.1f} % against the other channels."
+        pulled, pushed = theta[:6] + theta[6:], theta[:6] - theta[6:]
+        k, channel = largest(np.abs(pulled) + np.abs(pushed))
+        return (
+            f"Have the sensor recalibrated with known weights in both directions: against the other channels {channel} reads "
+            f"{100 * pulled[k]:+.1f} % where it is positive and {100 * pushed[k]:+.1f} % where it is negative."
+        )

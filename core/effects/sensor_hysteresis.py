@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import full_scale, largest, shares
+from core.effects.channels import CHANNELS, full_scale, largest, shares, without_range
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import play
 from core.effects.scene import Scene
@@ -15,13 +15,19 @@ from core.effects.scene import Scene
 Array = NDArray[np.float64]
 
 
-class SensorHysteresis(Effect):
-    """`W = w - exp(-s) (w - play_R(w))` with `R = h FS exp(s)`.
+TURNING = (0.001, 0.003, 0.01, 0.03)
+"""Shares of full scale over which a loop may turn, from which fits start."""
+SPREAD = np.array([-1.0, 0.0, 1.0])
+"""Of the three stops' turning loads, in logarithm and in units of the parameter."""
 
-    The reading is at most `h FS` behind the load: half the height of the loop. At `s = 0` this is the play operator; with `s > 0` the
-    loop turns more gently, over a change of load `exp(s)` times as long, as sensors (and the Bouc-Wen model) do. Starts without
-    hysteresis; the constant offset stands for what happened before. Source: Visintin, Differential Models of Hysteresis (1994), ch. III
-    (play and stop).
+
+class SensorHysteresis(Effect):
+    """`W = w - h FS z(w)`: what is lost, `z` between -1 and 1, is the mean of three stops `(w - play_R(w)) / R` of graded R.
+
+    `h` is half the height of the loop, positive where the reading stays behind the load and negative where it runs ahead (a creep
+    compensation that overdoes it). R is the load over which it turns; equal R of the size `h FS` are the play operator, R graded round a
+    larger one turn gently, as sensors do (Prandtl-Ishlinskii). Starts without hysteresis; the constant offset stands for what happened
+    before. Source: Visintin, Differential Models of Hysteresis (1994), ch. III.
     """
 
     id = "sensor_hysteresis"
@@ -30,19 +36,29 @@ class SensorHysteresis(Effect):
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
+        turning = (Parameter(f"{channel}_turning_load_log_ratio", "1", math.log(0.01), -9.0, 0.0, 1.0) for channel in CHANNELS)
         return (
-            *shares("half_width_share", lower=0.0, upper=0.1, scale=0.003),
-            Parameter("turning_log_ratio", "1", 0.0, 0.0, 5.0, 2.0),
+            *shares("half_width_share", lower=-0.1, upper=0.1, scale=0.003),
+            *turning,
+            Parameter("turning_spread_log_ratio", "1", 0.0, 0.0, 0.8, 0.4),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        stretch = math.exp(theta[6])
-        return np.asarray(w - (w - play(w, theta[:6] * full_scale(scene, w) * stretch)) / stretch)
+        full = full_scale(scene, w)
+        radius = np.exp(theta[6:12] + theta[12] * SPREAD[:, None]) * full
+        load = np.tile(w, len(SPREAD))
+        turned = (load - play(load, radius.ravel(), scene.past("play"))) / radius.ravel()
+        return np.asarray(w - theta[:6] * full * turned.reshape(len(w), len(SPREAD), 6).mean(axis=1))
+
+    def tied_to_run(self, scene: Scene) -> str | None:
+        """See `Effect.tied_to_run`."""
+        return without_range(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """See `Effect.starts`."""
-        return [np.append(np.full(6, width), s) for width, s in ((0.001, 0.5), (0.001, 2.0), (0.004, 1.0))]
+        # the heights are linear: one step finds them
+        return [np.concatenate([np.zeros(6), np.full(6, math.log(share)), [0.3]]) for share in TURNING]
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""

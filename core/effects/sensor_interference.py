@@ -25,6 +25,7 @@ class SensorInterference(Symptom):
     id = "sensor_interference"
     title = "electrical interference in the sensor's signal"
     stage = "sensor"
+    explains = ("sensor_noise",)
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""

@@ -36,9 +36,10 @@ class SensorLowpass(Effect):
         tau, kappa = theta
         root = cmath.sqrt(1 - 4 * kappa)
         slow, fast = tau * (1 + root) / 2, tau * (1 - root) / 2
-        if root.imag:
-            return np.ascontiguousarray(low_passed(low_passed(w, slow, scene.period), fast, scene.period).real)
-        return low_passed(low_passed(w, slow.real, scene.period), fast.real, scene.period)
+        if not root.imag:
+            slow, fast = slow.real, fast.real
+        once = low_passed(w, slow, scene.period, scene.past("slow pole"))
+        return np.ascontiguousarray(low_passed(once, fast, scene.period, scene.past("fast pole")).real)
 
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""

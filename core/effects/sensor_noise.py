@@ -55,7 +55,7 @@ class SensorNoise(Symptom):
         factor = np.sqrt(np.maximum(variance - step**2 / 12, 0.0)) / stated
         hidden = step > HIDDEN * stated
         factor, rho = np.where(hidden, 1.0, factor), np.where(hidden, 0.0, rho)
-        std = factor * np.sqrt(1 / (2 * effective) + spread**2)
+        std = np.maximum(factor, TOLERANCE) * np.sqrt(1 / (2 * effective) + spread**2)  # rounding may hide all noise of a channel
         common = float(np.median(rho))
         slow = factor * np.sqrt((1 + np.clip(rho, 0, 0.999)) / (1 - np.clip(rho, 0, 0.999)))
         rho_std = 1 / np.sqrt(6 * effective.mean())

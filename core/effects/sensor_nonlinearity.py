@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import full_scale, largest, shares
+from core.effects.channels import full_scale, largest, shares, without_range
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 
@@ -26,6 +26,10 @@ class SensorNonlinearity(Effect):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
         return np.asarray(w + theta / full_scale(scene, w) * w * np.abs(w))
+
+    def tied_to_run(self, scene: Scene) -> str | None:
+        """See `Effect.tied_to_run`."""
+        return without_range(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """See `Effect.starts`."""

@@ -28,7 +28,7 @@ class SensorOffsetStep(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        step = np.clip((scene.t - scene.t[0] - theta[6]) / scene.period, 0.0, 1.0)
+        step = np.clip((scene.elapsed - theta[6]) / scene.period, 0.0, 1.0)
         return np.asarray(w + np.outer(step, theta[:6]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:

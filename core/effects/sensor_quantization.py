@@ -27,6 +27,7 @@ class SensorQuantization(Symptom):
     id = "sensor_quantization"
     title = "coarse steps of the sensor's signal"
     stage = "sensor"
+    explains = ("sensor_noise",)
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""

@@ -8,18 +8,26 @@ from numpy.typing import NDArray
 from core.effects.channels import CHANNELS, SUFFIXES, UNITS, six
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
+from core.effects.window_search import ROWS, weights
+from core.inertia import regressor
 
 Array = NDArray[np.float64]
 
-CORNER = 0.01
-"""Half the width over which the limit sets in, as a share of the limit."""
+SHARES = np.linspace(0.08, 0.98, 16)
+"""Of the largest load of a channel, limits that are looked at before a fit."""
+SEEN = 25.0
+"""Chi-square that a limit has to explain to be one."""
+CORNER = 0.02
+"""Share of the limit over which it is rounded where nothing else is known."""
+FAINT = 0.01
+"""Share of what the first limit explains that each other one has to explain."""
 
 
 class SensorSaturation(Effect):
-    """`W = clip(w, -1/l, 1/u)` with a rounded corner, for each channel.
+    """`W = clip(w, -1/l, 1/u)` for each channel, with corners rounded over a share of the limit to either side of it.
 
     The reciprocals are fitted: zero is no limit. Upper and lower limits differ because the sensor clips load and offset together, and `w`
-    is without offset.
+    is without offset. A converter at its end has sharp corners, an amplifier near its end bends early.
     """
 
     id = "sensor_saturation"
@@ -27,8 +35,8 @@ class SensorSaturation(Effect):
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`: six upper limits, then six lower ones."""
-        return tuple(
+        """See `Effect.parameters`: six upper limits, then six lower ones, and the corner of all of them."""
+        limits = (
             Parameter(
                 f"{channel}_{side}_limit_per_{suffix}",
                 f"1/({unit})" if " " in unit else f"1/{unit}",
@@ -40,31 +48,34 @@ class SensorSaturation(Effect):
             for side in ("upper", "lower")
             for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, six(0.1, 2.0), strict=True)
         )
+        return (*limits, Parameter("corner_share", "1", CORNER, 0.005, 0.8, 0.2))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
         W = w.copy()
         for j in range(6):
             if theta[j] > 0:
-                W[:, j] = limited(W[:, j], 1 / theta[j])
+                W[:, j] = limited(W[:, j], 1 / theta[j], theta[12])
             if theta[6 + j] > 0:
-                W[:, j] = -limited(-W[:, j], 1 / theta[6 + j])
+                W[:, j] = -limited(-W[:, j], 1 / theta[6 + j], theta[12])
         return W
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`: for each channel and side the limit whose missing load looks most like the residual."""
-        w = scene.nominal
-        found = [_limit_seen(side * w[:, j], side * residual[:, j]) for side in (1, -1) for j in range(6)]
-        start = np.clip([limit for limit, _ in found], 0.0, [p.upper for p in self.parameters(scene)])
-        best = np.zeros(12)
-        k = int(np.argmax([seen for _, seen in found]))
-        best[k] = start[k]
-        return [start] if np.count_nonzero(start) < 2 else [start, best]
+        """See `Effect.starts`: the limits whose missing load looks most like the residual, the first of them and all of them."""
+        seen = _limits_seen(scene, residual)
+        first, every = np.zeros(12), np.zeros(12)
+        for number, (k, reciprocal) in enumerate(seen):
+            every[k] = reciprocal
+            if number == 0:
+                first[k] = reciprocal
+        upper = [p.upper for p in self.parameters(scene)[:12]]
+        limits = [first, every] if len(seen) > 1 else [first]
+        return [np.append(np.clip(limit, 0.0, upper), corner) for limit in limits for corner in (CORNER, 0.3)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
         reach = np.abs(scene.nominal).max(axis=0)
-        k = int((theta * np.tile(reach, 2)).argmax())
+        k = int((theta[:12] * np.tile(reach, 2)).argmax())
         side = "above" if k < 6 else "below"
         limit = (1 if k < 6 else -1) / max(float(theta[k]), 1e-6)
         return (
@@ -73,28 +84,51 @@ class SensorSaturation(Effect):
         )
 
 
-def limited(x: Array, limit: float) -> Array:
-    """`min(x, limit)` for a positive limit, rounded by a parabola near it."""
-    d = CORNER * limit
+def limited(x: Array, limit: float, corner: float) -> Array:
+    """`min(x, limit)` for a positive limit, rounded by a parabola from `(1 - corner) limit` to `(1 + corner) limit`."""
+    d = corner * limit
     inside = np.clip(x - limit + d, 0.0, 2 * d)
     return np.asarray(np.minimum(x, limit + d) - inside**2 / (4 * d))
 
 
-def _limit_seen(x: Array, residual: Array) -> tuple[float, float]:
-    """One over the upper limit at which the load that would be missing looks most like the residual, and the chi-square that it explains.
+def _limits_seen(scene: Scene, residual: Array) -> list[tuple[int, float]]:
+    """Parameters and reciprocal limits whose missing load looks most like the residual, one after the other (orthogonal matching pursuit).
 
-    Constant and gain are taken out of both, since offset and payload take them up. Zero limit where nothing is seen (below 5 sigma).
+    What payload and offsets take up does not count.
     """
-    top = float(x.max())
-    if top <= 0 or np.ptp(x) == 0:
-        return 0.0, 0.0
-    nuisance, _ = np.linalg.qr(np.column_stack([np.ones_like(x), x]))
-    r = residual - nuisance @ (nuisance.T @ residual)
-    best = (0.0, 25.0)
-    for limit in top * np.linspace(0.08, 0.98, 24):
-        missing = limited(x, limit) - x
-        missing -= nuisance @ (nuisance.T @ missing)
-        along, size = float(missing @ r), float(missing @ missing)
-        if along > 0 and size > 0 and along**2 / size > best[1]:
-            best = (1 / limit, along**2 / size)
-    return best if best[0] else (0.0, 0.0)
+    rows = slice(0, None, max(1, len(scene) // ROWS))
+    w, scale, r = scene.nominal[rows], weights(scene), residual[rows].T.ravel()
+    offsets = np.broadcast_to(np.eye(6), (len(w), 6, 6))
+    nuisance = np.concatenate([regressor(scene.motion[rows]), offsets], axis=2) * scale[:, None]
+    Q, _ = np.linalg.qr(nuisance.transpose(1, 0, 2).reshape(6 * len(w), 16))
+    sides = {k: (1.0 if k < 6 else -1.0) * w[:, k % 6] for k in range(12)}
+    columns = {k: scale[k % 6] * _missing(x) * (1.0 if k < 6 else -1.0) for k, x in sides.items() if x.max() > 0}
+    seen: list[tuple[int, float]] = []
+    least = SEEN
+    while columns:
+        gains = {k: _gains(c, Q, r, k % 6) for k, c in columns.items()}
+        k = max(gains, key=lambda k: float(gains[k].max()))
+        best = int(gains[k].argmax())
+        if gains[k][best] < least:
+            break
+        least = max(least, FAINT * float(gains[k][best]))
+        seen.append((k, 1.0 / (SHARES[best] * float(sides[k].max()))))
+        q = np.zeros((6, len(w)))
+        q[k % 6] = columns.pop(k)[:, best]
+        Q = np.linalg.qr(np.column_stack([Q, q.ravel()]))[0]
+        r = r - Q @ (Q.T @ r)
+    return seen
+
+
+def _missing(x: Array) -> Array:
+    """(n, levels), what each of the limits takes off a channel (n,)."""
+    return np.column_stack([limited(x, share * float(x.max()), CORNER) - x for share in SHARES])
+
+
+def _gains(columns: Array, Q: Array, r: Array, channel: int) -> Array:
+    """(levels,), chi-square of r (6n,) that each column (n, levels) of one channel explains beside the orthonormal Q (6n, m)."""
+    rows = slice(channel * len(columns), (channel + 1) * len(columns))
+    along = columns.T @ r[rows]
+    size = (columns**2).sum(axis=0)
+    free = size - ((Q[rows].T @ columns) ** 2).sum(axis=0)
+    return np.where((along > 0) & (free > 1e-6 * size), along**2 / np.maximum(free, np.finfo(float).tiny), 0.0)

@@ -26,7 +26,7 @@ class TimeDelay(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        return delayed(w, theta[0] / scene.period)
+        return delayed(w, theta[0] / scene.period, scene.past("wrench"))
 
     def missing(self, scene: Scene) -> str | None:
         """See `Effect.missing`."""

@@ -29,7 +29,9 @@ def weights(scene: Scene) -> Array:
     return np.array([1.0, 1.0, 1.0, *[1.0 / LEVER] * 3])
 
 
-def best_windows(scene: Scene, residual: Array, columns: Array, count: int, *, open_end: bool) -> list[tuple[float, float]]:
+def best_windows(
+    scene: Scene, residual: Array, columns: Array, count: int, *, open_end: bool, longest_s: float = np.inf
+) -> list[tuple[float, float]]:
     """Windows in which the columns are switched on, best first, no two of them close to each other.
 
     Payload and offsets are fitted along with the columns, so a change that they would take up does not count.
@@ -39,6 +41,7 @@ def best_windows(scene: Scene, residual: Array, columns: Array, count: int, *, o
         columns: (N, 6, k), N and N m.
         count: at most this many.
         open_end: windows last to the end of the recording (steps).
+        longest_s: of a window that ends before that.
 
     Returns:
         Beginnings and ends, s.
@@ -52,6 +55,8 @@ def best_windows(scene: Scene, residual: Array, columns: Array, count: int, *, o
         last = np.full(len(first), N)
     else:
         first, last = (index * N // COARSE for index in np.triu_indices(COARSE + 1, 1))
+        short = t[last] - t[first] <= longest_s
+        first, last = first[short], last[short]
     found = _distinct(first, last, gain(first, last), count, N // 20)
     if not open_end:
         found = [_refined(gain, begin, end, N // COARSE, N) for begin, end in found]
@@ -110,9 +115,15 @@ def _refined(gain: _Gain, begin: int, end: int, cell: int, N: int) -> tuple[int,
     return int(first[best]), int(last[best])
 
 
-def onset(t: Array, at: float, period: float) -> Array:
-    """(N,), 0 before and 1 after `at`, smooth over two samples so that a fit can move it."""
-    return np.asarray(0.5 + 0.5 * np.tanh((t - at) / (2.0 * period)))
+def ramp(t: Array, begin: float, over: float, period: float) -> Array:
+    """(N,), from 0 to 1 within `over` >= 0 seconds from `begin` on, smooth over two samples so that a fit can move it."""
+    width, over = 4.0 * period, over + 0.5 * period
+
+    def area(x: Array) -> Array:
+        """Below `(1 + tanh(2 x / width)) / 2` up to x."""
+        return np.asarray(0.5 * (x + np.abs(x) + width * np.log1p(np.exp(-4.0 * np.abs(x) / width)) / 2.0))
+
+    return (area(t - begin) - area(t - begin - over)) / over
 
 
 def onset_parameter_scale(scene: Scene) -> tuple[float, float, float, float]:

@@ -182,6 +182,7 @@ class Identification:
         segments: the motionless, rotating and other parts.
         series: for the report; None where the recording has no motion to show.
         bounds: what can be said all the same, in words, for recordings without a wrench.
+        accounted: identifiers of the twin's effects that were taken off the wrench.
     """
 
     paper: PaperEstimate
@@ -191,3 +192,4 @@ class Identification:
     segments: tuple[Segment, ...] = ()
     series: TimeSeries | None = None
     bounds: tuple[str, ...] = field(default=())
+    accounted: tuple[str, ...] = ()

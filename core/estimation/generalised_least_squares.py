@@ -16,12 +16,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import eigh
 
 from core.estimation.drift import drift_basis, improved_variance
 from core.estimation.noise import SensorNoise
-from core.estimation.weak_form import WeakForm, regressor_of, whiten
-from core.inertia import skew
+from core.estimation.weak_form import WeakForm, whiten
+from core.inertia import spatial_inertia
 
 Array = NDArray[np.float64]
 
@@ -87,19 +86,14 @@ def fit(form: WeakForm, wrench: Array, noise: SensorNoise) -> Fit:
     return result if (scale == 1.0).all() else replace(problem.solve(scale), scale=scale)
 
 
-def spatial_inertia(phi: Array) -> Array:
-    """M (6, 6): wrench per linear and angular acceleration, the derivative of Eq. (1)."""
-    return np.asarray(_UNIT_REGRESSORS @ phi).T
+def refitted(form: WeakForm, wrench: Array, found: Fit) -> Array:
+    """`x` (19,) for a wrench (N, 6) that differs little from the fitted one: one step from what was found, with its weights."""
+    _, x, _ = _Problem(form, wrench, found.noise).step(found.x, found.scale)
+    return np.asarray(x[: OFFSET.stop])
 
 
-def _unit_regressors() -> Array:
-    """(6, 6, 10): V for a unit of each linear and angular acceleration."""
-    b = np.vstack((np.eye(3), np.zeros((3, 3))))
-    B = np.concatenate((np.zeros((3, 3, 3)), skew(np.eye(3))))
-    return regressor_of(b, B)
-
-
-_UNIT_REGRESSORS = _unit_regressors()
+_UNIT_REGRESSORS = np.stack([spatial_inertia(unit).T for unit in np.eye(10)], axis=2)
+"""(6, 6, 10): V for a unit of each linear and angular acceleration."""
 
 
 class _Problem:
@@ -109,8 +103,8 @@ class _Problem:
         self.form = form
         self.noise = noise
         self.y = form.average(wrench)
-        self.wrench_gram, self.pose_gram = form.gram()
-        self.spectrum = _spectrum(form, self.wrench_gram, self.pose_gram)
+        self.wrench_gram, self.pose_gram = form.gram
+        self.spectrum = form.spectrum
         t = form.poses.t
         self.ramps = np.zeros((len(form), 0)) if form.static else drift_basis(form.centres, start=t[0], stop=t[-1])
         n = self.ramps.shape[1]
@@ -123,7 +117,7 @@ class _Problem:
         x = np.zeros(self.size)
         for _ in range(ITERATIONS):
             previous = x
-            normal, x, whitened = self._step(x, scale)
+            normal, x, whitened = self.step(x, scale)
             moved = np.abs(x[:SHARED] - previous[:SHARED])
             if (moved < 0.01 * np.sqrt(np.diag(normal))[:SHARED]).all():
                 break
@@ -141,7 +135,7 @@ class _Problem:
         ends = self.ramps[-1:] - self.ramps[:1]
         return float(np.sqrt(ends @ covariance[rows, rows] @ ends.T).item()) if self.ramps.shape[1] else 0.0
 
-    def _step(self, x: Array, scale: Array) -> tuple[Array, Array, Array]:
+    def step(self, x: Array, scale: Array) -> tuple[Array, Array, Array]:
         """One linearisation at x: covariance, new x, whitened residuals."""
         phi, tilt, delay = x[:10], x[TILT], float(x[DELAY])
         features, rate = self.form.features(delay)
@@ -204,24 +198,6 @@ def _without_bias(covariance: Array, bias: Array) -> Array:
     share, directions = np.linalg.eigh(root.T @ covariance[:10, :10] @ root)
     gain = covariance[:, :10] @ root @ directions
     return np.asarray(covariance + (gain / np.where(share < LARGEST_NOISE_SHARE, 1.0 - share, SMALLEST_SHARE)) @ gain.T)
-
-
-def _spectrum(form: WeakForm, wrench_gram: Array, pose_gram: Array) -> Array:
-    """Generalised eigenvalues of the two Grams for a stretch in the middle; every window stands for its share of them."""
-    n = len(form)
-    if n < 8 or not pose_gram.any():
-        return np.zeros(1)
-    length = min(n, 120)
-    part = slice((n - length) // 2, (n - length) // 2 + length)
-    return np.asarray(eigh(_dense(pose_gram[:, part]), _dense(wrench_gram[:, part]), eigvals_only=True))
-
-
-def _dense(bands: Array) -> Array:
-    n = bands.shape[1]
-    matrix = np.diag(bands[0])
-    for k in range(1, len(bands)):
-        matrix += np.diag(bands[k, : n - k], -k) + np.diag(bands[k, : n - k], k)
-    return matrix
 
 
 def _misfit(result: Fit, noise: SensorNoise) -> Array:

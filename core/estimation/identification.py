@@ -13,12 +13,14 @@ from core.estimation.kinematics import Poses, poses_of, smooth_motion
 from core.estimation.noise import SensorNoise, sensor_noise, unknown_noise
 from core.estimation.offset import offset_of_opposed_poses
 from core.estimation.regression import Thresholds, regression
-from core.estimation.segments import Segment, motionless, segments_of_motion, segments_of_phase
+from core.estimation.segments import Segment, motionless, parted, segments_of_motion, segments_of_phase
 from core.estimation.torque_only import torque_only
+from core.estimation.twin_effects import TwinEffects, effects_on, fit_with_effects
 from core.estimation.verdict import verdict_of, warnings_of
 from core.estimation.weak_form import WeakForm
 from core.inertia import Motion, is_consistent, regressor
 from core.recording import Recording
+from core.twin import NOMINAL, Twin
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -32,10 +34,14 @@ KNOWN_SHARE = 0.5
 """A tilt or delay whose uncertainty is above this share of its prior is not reported."""
 
 
-def identify_recording(recording: Recording) -> Identification:
+def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identification:
     """Identifies the payload of one recording.
 
     What the recording lacks limits what is said, and is said; it is no error.
+
+    Args:
+        recording: only read.
+        twin: of the cell; what its effects do to the wrench is accounted for.
     """
     poses = poses_of(recording)
     wrench = recording.wrench
@@ -52,12 +58,26 @@ def identify_recording(recording: Recording) -> Identification:
     form = WeakForm(poses, still_only=still if rows_only else None)
     if len(form) < FEWEST_ROWS:
         return _nothing(segments, f"{recording.t[-1] - recording.t[0]:.2f} s are too short to say anything")
-    found = fit(form, wrench, noise or unknown_noise())
+    effects = effects_on(recording, poses, segments, twin, static=static)
+    found, change = _fitted(form, wrench, noise or unknown_noise(), effects)
     estimate = _estimate(found, motion, static=rows_only)
-    paper = _paper(wrench, motion, speed, still, found.noise)
-    series = None if rows_only else _series(recording.t, wrench, motion, found)
-    warnings = warnings_of(recording, estimate, found, static=rows_only)
-    return Identification(paper, estimate, verdict_of(estimate, static=rows_only), warnings, segments, series)
+    paper = _paper(wrench - change, motion, speed, still, found.noise)
+    series = None if rows_only else _series(recording.t, wrench, motion, found, change)
+    warnings = (*warnings_of(recording, estimate, found, static=rows_only), *_not_accounted(effects))
+    verdict = verdict_of(estimate, static=rows_only)
+    return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids)
+
+
+def _fitted(form: WeakForm, wrench: Array, noise: SensorNoise, effects: TwinEffects) -> tuple[Fit, Array]:
+    """The fit, and what the twin's effects add to the wrench (N, 6)."""
+    if not effects.ids:
+        return fit(form, wrench, noise), np.zeros_like(wrench)
+    corrected = fit_with_effects(form, wrench, noise, effects)
+    return corrected.found, corrected.change
+
+
+def _not_accounted(effects: TwinEffects) -> list[str]:
+    return [f"the twin's effect could not be accounted for, {reason}" for reason in effects.lacking]
 
 
 def _motion(poses: Poses, static: bool) -> tuple[Motion, Array]:
@@ -68,7 +88,7 @@ def _motion(poses: Poses, static: bool) -> tuple[Motion, Array]:
 
 def _segments(recording: Recording, motion: Motion, speed: Array, static: bool) -> tuple[Segment, ...]:
     if recording.phase is not None:
-        return segments_of_phase(recording.phase)
+        return parted(segments_of_phase(recording.phase), recording.t)
     if static:
         return (Segment(0, len(recording), "hold:free"),)
     return segments_of_motion(recording.t, motion.omega, speed, motion.g, threshold=np.array([0.01, 0.005]))
@@ -128,12 +148,12 @@ def _paper(wrench: Array, motion: Motion, speed: Array, still: Bools, noise: Sen
     return PaperEstimate(phi, std, offset)
 
 
-def _series(t: Array, wrench: Array, motion: Motion, found: Fit) -> TimeSeries:
-    """Measured and reconstructed at the same times; the reconstruction is delayed like the measurement."""
+def _series(t: Array, wrench: Array, motion: Motion, found: Fit, change: Array) -> TimeSeries:
+    """Measured and reconstructed at the same times; the reconstruction is delayed like the measurement, and has the twin's effects."""
     drift = np.column_stack([np.interp(t, found.centres, found.drift[:, c]) for c in range(6)])
     predicted = regressor(motion) @ found.phi
     late = np.column_stack([np.interp(t - found.x[DELAY], t, predicted[:, c]) for c in range(6)])
-    return TimeSeries(t, motion, wrench - found.x[OFFSET] - drift, late)
+    return TimeSeries(t, motion, wrench - found.x[OFFSET] - drift, late + change)
 
 
 def _nothing(segments: tuple[Segment, ...], why: str) -> Identification:

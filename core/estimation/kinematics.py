@@ -109,6 +109,12 @@ def smooth_motion(poses: Poses, *, window_s: float) -> tuple[Motion, Array]:
     return Motion(poses.g, a, omega, alpha), np.linalg.norm(v, axis=1)
 
 
+def local_derivative(x: Array, order: int, period: float, *, window_s: float) -> Array:
+    """Derivative of some order (0, 1, 2) of samples (N, n) without lag, by centred local cubics over `window_s`."""
+    length = max(5, 2 * round(window_s / period / 2) + 1)
+    return _derivative(x, length, order, period) if length <= len(x) else np.zeros_like(x) if order else x
+
+
 def axial(matrix: Array) -> Array:
     """(..., 3), vector of the skew part."""
     return 0.5 * np.stack(

@@ -15,6 +15,8 @@ Bools = NDArray[np.bool_]
 SETTLING_S = 0.15
 """A hold's first moments, in which an arm still swings, are not called motionless."""
 SHORTEST_HOLD_S = 0.3
+GAP_S = 0.04
+"""Longer than what holds and lost samples leave open; what lies on both sides of a longer gap is not averaged together."""
 ALONG_AXIS = 0.995
 """Cosine from which a sensor axis counts as along gravity, or a rotation as about that axis (5.7 deg)."""
 
@@ -47,6 +49,21 @@ class Segment:
     def sign(self) -> int:
         """+1 where the axis points along gravity, -1 against it, 0 for anything but such a hold."""
         return {"+": 1, "-": -1}.get(self.phase[-1:], 0) if self.is_hold else 0
+
+
+def stretches(t: Array) -> tuple[slice, ...]:
+    """Rows without a gap in the times t (N,): runs in which no sample is later than the one before by 5 periods and `GAP_S`."""
+    step = np.diff(t)
+    late = step > max(GAP_S, 5.0 * float(np.median(step))) if len(step) else np.zeros(0, dtype=bool)
+    edges = [0, *(np.flatnonzero(late) + 1).tolist(), len(t)]
+    return tuple(slice(a, b) for a, b in pairwise(edges))
+
+
+def parted(segments: tuple[Segment, ...], t: Array) -> tuple[Segment, ...]:
+    """The segments of a recording with times t (N,), cut where it has a gap: no motion goes on across one."""
+    edges = [part.start for part in stretches(t)[1:]]
+    cuts = [sorted({part.start, part.stop, *(k for k in edges if part.start < k < part.stop)}) for part in segments]
+    return tuple(Segment(a, b, part.phase) for part, rows in zip(segments, cuts, strict=True) for a, b in pairwise(rows))
 
 
 def segments_of_phase(phase: NDArray[np.str_]) -> tuple[Segment, ...]:

@@ -12,11 +12,12 @@ where `alpha` is the axial vector of B and `omega omega^T - omega^2 1` its symme
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline
-from scipy.linalg import cholesky_banded
+from scipy.linalg import cholesky_banded, eigh
 from scipy.linalg.lapack import dtbtrs
 from scipy.sparse import csr_array, diags_array
 
@@ -178,6 +179,7 @@ class WeakForm:
         rate = np.asarray(dW @ self._samples) / total
         return _features(np.asarray(W @ self._samples) / total, gravity), _features(rate, gravity)
 
+    @cached_property
     def gram(self) -> tuple[Array, Array]:
         """Covariances of the windowed noise, as lower bands (4, K), for white noise of unit variance in the wrench, and in the pose."""
         if self.static:
@@ -185,6 +187,17 @@ class WeakForm:
         W = self._windows(0.0)
         W = csr_array(diags_array(1.0 / np.asarray(W.sum(axis=1))) @ W)
         return _bands(W @ W.T), _bands((W @ self._difference) @ (W @ self._difference).T)
+
+    @cached_property
+    def spectrum(self) -> Array:
+        """Generalised eigenvalues of the two Grams for a stretch in the middle; every window stands for its share of them."""
+        wrench_gram, pose_gram = self.gram
+        n = len(self)
+        if n < 8 or not pose_gram.any():
+            return np.zeros(1)
+        length = min(n, 120)
+        part = slice((n - length) // 2, (n - length) // 2 + length)
+        return np.asarray(eigh(_dense(pose_gram[:, part]), _dense(wrench_gram[:, part]), eigvals_only=True))
 
 
 def second_difference(t: Array) -> csr_array:
@@ -233,3 +246,11 @@ def _bands(matrix: csr_array) -> Array:
     for k in range(min(BAND, n)):
         bands[k, : n - k] = matrix.diagonal(-k)
     return bands
+
+
+def _dense(bands: Array) -> Array:
+    n = bands.shape[1]
+    matrix = np.diag(bands[0])
+    for k in range(1, len(bands)):
+        matrix += np.diag(bands[k, : n - k], -k) + np.diag(bands[k, : n - k], k)
+    return matrix

@@ -6,6 +6,8 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
+from core.gap.experiment import Stop
+
 Verdict = Literal["no_gap", "explained", "ambiguous", "unknown", "not_enough"]
 
 
@@ -45,6 +47,7 @@ class Pair(Part):
     probability: float
     gap_after: float
     closure: float
+    parameters: dict[str, dict[str, Value]] = {}
 
 
 class Minor(Part):
@@ -74,8 +77,18 @@ class Cell(Part):
     share: float
 
 
+class JointGap(Part):
+    """The joints' side: error of tracking while the joint moves, noise of one sample of it, and torque that arm and payload do not
+    account for. None where it was not recorded, or the arm's masses are not known."""
+
+    joint: str
+    tracking_rms_rad: float | None
+    tracking_noise_rad: float | None
+    torque_rms_n_m: float | None
+
+
 class Where(Part):
-    """Where the gap lies."""
+    """Where the gap lies; mean squares by direction and by pose (the sensor axis that points up or down) are against noise 1."""
 
     cells: list[Cell]
     channel: str
@@ -83,6 +96,8 @@ class Where(Part):
     stage: str
     by_time: list[float]
     by_direction: dict[str, float]
+    by_pose: dict[str, float] = {}
+    joints: list[JointGap] = []
     sentence: str
 
 
@@ -119,11 +134,26 @@ class PayloadPart(Part):
 
 
 class Experiment(Part):
-    """What to measure next."""
+    """What to measure next, and what it is going to tell.
 
+    Args:
+        id, motion: what to do, in one word and in a sentence.
+        stops: the same for planning; empty where it is no motion.
+        splits: what it tells apart, the worst tie first.
+        sigma_before, sigma_after: distance of that tie now, and as predicted for both recordings together.
+        seconds: of the robot, by kinematics alone, or as planned.
+        planned: whether a cell was at hand and the motion is planned in it; `refused` says why not.
+    """
+
+    id: str
     motion: str
+    stops: list[Stop]
     splits: list[tuple[str, str]]
+    sigma_before: float
+    sigma_after: float
     seconds: float
+    planned: bool = False
+    refused: str = "no cell was given to plan it in"
 
 
 class Diagnosis(Part):
@@ -144,3 +174,5 @@ class Diagnosis(Part):
     next_experiment: Experiment | None
     limits: list[str]
     seconds: float
+    twin: list[str] = []
+    """Effects of the cell's twin, which were on from the beginning."""

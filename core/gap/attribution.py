@@ -1,8 +1,8 @@
 """Which effect: probabilities over the effects, none and unknown, and what this recording cannot tell apart.
 
 Judged by predictions of motions that a fit did not see. No model is ever exactly right, so chi-square is counted in units of
-what the best model leaves over, thinned by the correlation of its residual (a quasi-likelihood): the thousands of sigmas of a
-large gap then do not decide for whichever model bends best.
+what the best model leaves over (a quasi-likelihood): the thousands of sigmas of a large gap then do not decide for whichever model
+bends best.
 """
 
 from __future__ import annotations
@@ -11,23 +11,30 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import expit, softmax
 
-from core.estimation.generalised_least_squares import correlation_time
 from core.gap.effect_fit import EffectFit
 from core.gap.windows import Windows
 
 Array = NDArray[np.float64]
 
 INSEPARABLE_SIGMA = 3.0
-PAIR_PRIOR = 0.02
-"""Of two effects at once, against one."""
 NONE_PRIOR = 3.0
 """Of no effect, against each single one."""
+PAIR_PRIOR = 0.001
+"""Of two effects at once, against one."""
+BEND = 0.5
+"""Of the logarithm of the rows that each parameter costs; 1/2 is Schwarz's criterion."""
+BLOCKS = 10.0
+"""Independent draws that a model's own error is worth: a run has about as many different motions."""
+CHANCE_SIGMA = 3.0
+"""Chi-square within this many standard deviations of its mean is chance."""
 BENDS = 3
 """A rival with this many parameters more than the first is its generalisation, not its rival."""
-UNEXPLAINED_HALF = 0.25
+UNEXPLAINED_HALF = 0.1
 """Share of the excess that the best model leaves over at which `unknown` is as probable as not."""
-UNEXPLAINED_WIDTH = 0.05
+UNEXPLAINED_WIDTH = 0.5
+"""Of that transition, in the logarithm of the share."""
 
 
 @dataclass(frozen=True)
@@ -65,26 +72,30 @@ class Attribution:
 def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> Attribution:
     """Weighs the fits against each other and against the nominal twin."""
     best = min(fits, key=lambda fit: fit.held_out.sum(), default=nominal)
-    spread = misfit(best)
-    weights = {fit.name: _log_weight(fit, spread) for fit in [nominal, *fits]}
-    largest = max(weights.values())
-    raw = {name: np.exp(weight - largest) for name, weight in weights.items()}
-    total = sum(raw.values())
-    share = {name: float(value / total) for name, value in raw.items()}
+    scale = misfit(best)
+    scores = np.array([_score(fit, best, scale) for fit in (nominal, *fits)])
+    none, *shares = softmax(scores).tolist()
     unexplained = leftover(nominal, best)
-    unknown = (1.0 - share["none"]) / (1.0 + np.exp(-(unexplained - UNEXPLAINED_HALF) / UNEXPLAINED_WIDTH))
+    unknown = (1.0 - none) * float(expit((np.log(max(unexplained, 1e-4)) - np.log(UNEXPLAINED_HALF)) / UNEXPLAINED_WIDTH))
     keep = 1.0 - unknown
-    explained = tuple(sorted(((fit, share[fit.name] * keep) for fit in fits), key=lambda pair: -pair[1]))
-    return Attribution(share["none"] * keep, float(unknown), explained, _ties(windows, nominal, explained), unexplained)
+    explained = tuple(sorted(((fit, share * keep) for fit, share in zip(fits, shares, strict=True)), key=lambda pair: -pair[1]))
+    return Attribution(none * keep, unknown, explained, _ties(windows, nominal, explained, best), unexplained)
+
+
+def _score(fit: EffectFit, best: EffectFit, scale: float) -> float:
+    """Log weight: how much worse than the best it predicts, less what each parameter may bend (Schwarz), so that of two that predict
+    alike the smaller one wins."""
+    worse = float((fit.held_out - best.held_out).sum()) / scale
+    prior = float(np.log(NONE_PRIOR)) if not fit.effects else (len(fit.effects) - 1) * float(np.log(PAIR_PRIOR))
+    return prior - 0.5 * worse - BEND * len(fit.theta) * float(np.log(fit.held_out.size / scale))
 
 
 def misfit(fit: EffectFit) -> float:
-    """Chi-square that counts as one: what the fit leaves over per row, times the correlation of its residual."""
-    excess = max(1.0, float(fit.held_out.mean()))
-    if excess < 1.1:
-        return excess
-    correlation = np.mean([correlation_time(channel) for channel in fit.residual])
-    return excess * max(1.0, float(correlation))
+    """Chi-square that counts as one. What the best model leaves over beyond chance is its own error, which repeats itself from sample to
+    sample: all of it is worth `BLOCKS` independent draws."""
+    rows = fit.held_out.size
+    beyond = float(fit.held_out.mean()) - 1.0 - CHANCE_SIGMA * float(np.sqrt(2.0 / rows))
+    return 1.0 + max(0.0, beyond) * rows / BLOCKS
 
 
 def leftover(nominal: EffectFit, fit: EffectFit) -> float:
@@ -93,21 +104,14 @@ def leftover(nominal: EffectFit, fit: EffectFit) -> float:
     return max(0.0, float(fit.held_out.mean()) - 1.0) / max(before, 1e-9)
 
 
-def _log_weight(fit: EffectFit, spread: float) -> float:
-    """Predictive fit, less what each parameter may bend (Schwarz), so that of two that predict alike the smaller one wins."""
-    prior = float(np.log(NONE_PRIOR)) if not fit.effects else (len(fit.effects) - 1) * float(np.log(PAIR_PRIOR))
-    bends = 0.5 * len(fit.theta) * float(np.log(fit.held_out.size / spread))
-    return -0.5 * float(fit.held_out.sum()) / spread - bends + prior
-
-
-def _ties(windows: Windows, nominal: EffectFit, explained: tuple[tuple[EffectFit, float], ...]) -> tuple[Tie, ...]:
-    """Rivals of the most probable single effect."""
+def _ties(windows: Windows, nominal: EffectFit, explained: tuple[tuple[EffectFit, float], ...], best: EffectFit) -> tuple[Tie, ...]:
+    """Rivals of the most probable single effect, their distance in units of what the best model gets wrong."""
     singles = [fit for fit, _ in explained if len(fit.effects) == 1]
     if not singles:
         return ()
-    first = singles[0]
+    first, unit = singles[0], max(1.0, float(np.sqrt(best.held_out.mean())))
     rivals = [fit for fit in singles[1:] if len(fit.theta) <= len(first.theta) + BENDS]
-    ties = [Tie(first, fit, distance_sigma(windows, nominal, first, fit)) for fit in rivals]
+    ties = [Tie(first, fit, distance_sigma(windows, nominal, first, fit) / unit) for fit in rivals]
     return tuple(sorted((tie for tie in ties if tie.distance_sigma < INSEPARABLE_SIGMA), key=lambda tie: tie.distance_sigma))
 
 

@@ -1,8 +1,6 @@
 """Fits effects, singly or together, with the payload and the offsets estimated anew each time.
 
-Minimised is `|y - X beta - D(theta, phi)|^2` over the whitened rows plus the priors, by Levenberg-Marquardt: beta holds payload,
-offsets and the small imperfections, theta the effects' parameters. The evidence is Laplace's; the held-out gap leaves whole
-motions out.
+The `Problem` is minimised by Levenberg-Marquardt. The evidence is Laplace's; the held-out gap leaves whole motions out.
 """
 
 from __future__ import annotations
@@ -13,22 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.gap.windows import BACKGROUND, PHI, Windows
+from core.gap.problem import Problem
+from core.gap.quadratic import bounded_minimum, inverse, solved
+from core.gap.windows import PHI, Windows
 
 Array = NDArray[np.float64]
 
-ITERATIONS = 12
-PRIOR_WIDTH = 2.0
-"""Standard deviation of the prior in plausible sizes."""
-STEP = 1e-3
-"""Of the finite differences, in plausible sizes."""
+ITERATIONS = 24
 CONVERGED = 0.02
-"""Fall of the cost below which the fit has ended, in units of chi-square."""
-SMALL = 2.5
-"""Small imperfections stay within this many of their standard deviations; beyond, they are effects and have to be named."""
-ACTIVE_SET_PASSES = 6
-STAGES = ("mounting", "kinematics", "actuation", "payload", "environment", "timing", "sensor")
-"""From the robot to the reading: the order in which effects act on the wrench."""
+"""Fall of the cost below which the fit has ended, in units of what it leaves over per row."""
 
 
 @dataclass(frozen=True)
@@ -79,96 +70,32 @@ class EffectFit:
         return np.sqrt(np.diag(self.covariance)[len(self.beta) :])
 
 
-class _Problem:
-    """Rows and derivatives for one set of effects."""
-
-    def __init__(self, windows: Windows, effects: tuple[Effect, ...]) -> None:
-        self.windows = windows
-        self.effects = tuple(sorted(effects, key=lambda effect: STAGES.index(effect.stage)))
-        scene = windows.basis.scene
-        self.counts = [len(effect.parameters(scene)) for effect in self.effects]
-        self.parameters = tuple(p for effect in self.effects for p in effect.parameters(scene))
-        self.absent = np.array([p.absent for p in self.parameters])
-        self.scale = np.array([p.scale for p in self.parameters])
-        self.lower = np.array([p.lower for p in self.parameters])
-        self.upper = np.array([p.upper for p in self.parameters])
-        self.X = windows.X.reshape(-1, windows.X.shape[2])
-        self.XX = self.X.T @ self.X
-        self.target = windows.target.ravel()
-        self.precision = np.concatenate((windows.prior_std, PRIOR_WIDTH * self.scale)) ** -2.0
-        free = np.full(BACKGROUND.start, np.inf)
-        small = SMALL * windows.prior_std[BACKGROUND]
-        self.bounds = np.array([np.concatenate((-free, -small, self.lower)), np.concatenate((free, small, self.upper))])
-
-    def change(self, theta: Array, phi: Array) -> Array:
-        """(N, 6) on the scene's grid."""
-        scene = self.windows.basis.scene.carrying(phi)
-        nominal = w = scene.nominal
-        start = 0
-        for effect, count in zip(self.effects, self.counts, strict=True):
-            w = effect.wrench(scene, w, theta[start : start + count])
-            start += count
-        return w - nominal
-
-    def linearised(self, theta: Array, phi: Array) -> tuple[Array, Array]:
-        """Rows of the change (6K,), and their derivatives by theta (6K, n)."""
-        here = self.change(theta, phi)
-        steps = np.where(theta + STEP * self.scale <= self.upper, 1.0, -1.0) * STEP * self.scale
-        moved = [self.change(theta + np.eye(len(theta))[k] * steps[k], phi) - here for k in range(len(theta))]
-        rows = self.windows.rows_of(np.stack([here, *moved], axis=2))
-        flat = rows.reshape(-1, rows.shape[2])
-        return flat[:, 0], flat[:, 1:] / steps
-
-    def cost(self, beta: Array, theta: Array) -> float:
-        """Chi-square plus priors."""
-        rows = self.windows.rows_of(self.change(theta, beta[PHI])[..., None]).ravel() if len(theta) else 0.0
-        r = self.target - self.X @ beta - rows
-        away = np.concatenate((beta, theta - self.absent))
-        return float(r @ r + away @ (self.precision * away))
-
-    def normal(self, J: Array) -> Array:
-        """Normal matrix of beta and theta, with priors."""
-        XJ = self.X.T @ J
-        return np.block([[self.XX, XJ], [XJ.T, J.T @ J]]) + np.diag(self.precision)
-
-    def step(self, beta: Array, theta: Array, damping: float) -> tuple[Array, Array]:
-        """One damped step."""
-        rows, J = self.linearised(theta, beta[PHI])
-        r = self.target - self.X @ beta - rows
-        right = np.concatenate(
-            (self.X.T @ r - self.precision[: len(beta)] * beta, J.T @ r - self.precision[len(beta) :] * (theta - self.absent))
-        )
-        normal = self.normal(J)
-        normal[np.diag_indices_from(normal)] *= 1.0 + damping
-        here = np.concatenate((beta, theta))
-        found = here + _bounded(normal, right, self.bounds - here)
-        return found[: len(beta)], np.clip(found[len(beta) :], self.lower, self.upper)
-
-
 def fit_nominal(windows: Windows) -> EffectFit:
     """The nominal twin with its small imperfections."""
-    problem = _Problem(windows, ())
-    beta = _bounded(problem.XX + np.diag(problem.precision), problem.X.T @ problem.target, problem.bounds)
+    problem = Problem(windows, ())
+    beta = bounded_minimum(problem.XX + np.diag(problem.precision), problem.X.T @ problem.target, problem.bounds)
+    if problem.held:  # they depend on the payload
+        _, beta, _ = _descended(problem, beta, np.zeros(0), iterations=ITERATIONS)
     return _finished(problem, beta, np.zeros(0))
 
 
 def fit_effects(windows: Windows, effects: tuple[Effect, ...], start: EffectFit, thetas: list[Array]) -> EffectFit:
     """The best fit from several starting values of theta, payload and offsets starting from another fit."""
-    problem = _Problem(windows, effects)
+    problem = Problem(windows, effects)
     candidates = [_descended(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
     _, beta, theta = min(candidates, key=lambda found: found[0])
     _, beta, theta = _descended(problem, beta, theta, iterations=ITERATIONS)
     return _finished(problem, beta, theta)
 
 
-def _descended(problem: _Problem, beta: Array, theta: Array, *, iterations: int) -> tuple[float, Array, Array]:
+def _descended(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> tuple[float, Array, Array]:
     cost, damping = problem.cost(beta, theta), 1e-6
     for _ in range(iterations):
         new_beta, new_theta = problem.step(beta, theta, damping)
         new_cost = problem.cost(new_beta, new_theta)
         if new_cost < cost:
             fell, cost, beta, theta, damping = cost - new_cost, new_cost, new_beta, new_theta, damping * 0.1
-            if fell < CONVERGED:
+            if fell < CONVERGED * max(1.0, cost / len(problem.target)):
                 break
         elif damping > 1e3:
             break
@@ -177,8 +104,10 @@ def _descended(problem: _Problem, beta: Array, theta: Array, *, iterations: int)
     return cost, beta, theta
 
 
-def _finished(problem: _Problem, beta: Array, theta: Array) -> EffectFit:
-    rows, J = problem.linearised(theta, beta[PHI]) if len(theta) else (np.zeros(len(problem.target)), np.zeros((len(problem.target), 0)))
+def _finished(problem: Problem, beta: Array, theta: Array) -> EffectFit:
+    rows, J = np.zeros(len(problem.target)), np.zeros((len(problem.target), 0))
+    if problem.effects or problem.held:
+        rows, J = problem.linearised(theta, beta[PHI])
     r = problem.target - problem.X @ beta - rows
     normal = problem.normal(J)
     columns = np.column_stack((problem.X, J))
@@ -194,7 +123,7 @@ def _finished(problem: _Problem, beta: Array, theta: Array) -> EffectFit:
         problem.parameters,
         theta,
         beta,
-        _inverse(normal),
+        inverse(normal),
         r.reshape(shape),
         cost,
         log_evidence,
@@ -213,35 +142,11 @@ def _held_out(windows: Windows, columns: Array, r: Array, normal: Array, pull: A
     Args:
         pull: gradient of the priors at the fit.
     """
-    r = r - columns @ _solve(normal, columns.T @ r - pull)
+    r = r - columns @ solved(normal, columns.T @ r - pull)
     group = np.tile(windows.group, 6)
     result = np.empty_like(r)
     for g in np.unique(group):
         rows = group == g
         Z = columns[rows]
-        result[rows] = r[rows] * (r[rows] + Z @ _solve(normal - Z.T @ Z, Z.T @ r[rows]))
+        result[rows] = r[rows] * (r[rows] + Z @ solved(normal - Z.T @ Z, Z.T @ r[rows]))
     return result.reshape(windows.target.shape)
-
-
-def _bounded(normal: Array, right: Array, bounds: Array) -> Array:
-    """Minimum of the quadratic within bounds (2, n): what leaves them is held there, and the rest solved again."""
-    d = np.zeros(len(right))
-    free = np.ones(len(right), dtype=bool)
-    for _ in range(ACTIVE_SET_PASSES):
-        d[free] = _solve(normal[np.ix_(free, free)], right[free] - normal[np.ix_(free, ~free)] @ d[~free])
-        outside = free & ((d < bounds[0]) | (d > bounds[1]))
-        if not outside.any():
-            break
-        d = np.clip(d, bounds[0], bounds[1])
-        free &= ~outside
-    return np.clip(d, bounds[0], bounds[1])
-
-
-def _solve(matrix: Array, right: Array) -> Array:
-    scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
-    return np.asarray(np.linalg.solve(matrix * np.outer(scale, scale), right * scale) * scale)
-
-
-def _inverse(matrix: Array) -> Array:
-    scale = 1.0 / np.sqrt(np.diag(matrix))
-    return np.asarray(np.linalg.inv(matrix * np.outer(scale, scale)) * np.outer(scale, scale))

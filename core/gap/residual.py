@@ -83,6 +83,14 @@ class Residual:
         kinds = {"positive": largest > 0.05, "negative": largest < -0.05, "still": np.abs(largest) <= 0.05}
         return {name: float(np.mean(self._rows[:, rows] ** 2)) for name, rows in kinds.items() if rows.any()}
 
+    def by_pose(self) -> dict[str, float]:
+        """Mean square (noise is 1) by the sensor axis that is nearest to gravity, `+` along it and `-` against it."""
+        scene = self._windows.basis.scene
+        g = np.column_stack([np.interp(self._windows.centres, scene.t, axis) for axis in scene.motion.g.T])
+        nearest = np.abs(g).argmax(axis=1)
+        names = np.array([f"{'xyz'[k]}{'+' if g[row, k] > 0 else '-'}" for row, k in enumerate(nearest)])
+        return {str(name): float(np.mean(self._rows[:, names == name] ** 2)) for name in np.unique(names)}
+
     def sentence(self) -> str:
         """One sentence for a person."""
         top = self.patches[0]

@@ -39,4 +39,5 @@ def observed(recording: Recording, windows: Windows, fit: EffectFit) -> list[Obs
             for p, v, s in zip(symptom.parameters(recording), finding.theta, finding.std, strict=True)
         }
         found.append(Observed(symptom, finding, values))
-    return sorted(found, key=lambda seen: -seen.finding.sigma)
+    behind = {name for seen in found for name in seen.symptom.explains}
+    return sorted((seen for seen in found if seen.symptom.id not in behind), key=lambda seen: -seen.finding.sigma)

@@ -6,8 +6,10 @@ are windows times channels, whitened with the covariance of sensor and kinematic
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,13 +18,14 @@ from scipy.linalg import cholesky_banded
 from scipy.linalg.lapack import dtbtrs
 from scipy.sparse import csr_array
 
+from core.effects.composition import Term
 from core.effects.scene import Scene
-from core.estimation.generalised_least_squares import spatial_inertia
 from core.estimation.kinematics import Poses
 from core.estimation.noise import SensorNoise
-from core.estimation.segments import Segment
+from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import STEP_S, tilt_axes
-from core.inertia import Motion, wrench
+from core.inertia import Motion, spatial_inertia, wrench
+from core.recording import PAUSE_S
 
 Array = NDArray[np.float64]
 
@@ -35,6 +38,10 @@ PHI_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0)))
 OFFSET_STD = np.full(6, 1e3)
 BACKGROUND_STD = np.concatenate((np.full(2, 4e-4), [3e-4, 2e-6], np.full(6, 5e-4)))
 """0.02 deg, 0.3 ms, a blur of 2 ms (interpolation between samples, jitter), 0.05 %."""
+PART_OFFSET_STD = np.repeat([1.0, 0.05], 3)
+"""N and N m, of the offsets of what was recorded after a pause against those before it: a sensor drifts between two runs."""
+FORGOTTEN_S = 0.5
+"""Time after which delays and filters have forgotten what was before."""
 
 
 @dataclass(frozen=True)
@@ -69,13 +76,15 @@ class Windows:
 
     Args:
         basis: of the recording.
+        held: effects of the cell's twin, always on with parameters that are known.
     """
 
-    def __init__(self, basis: Basis) -> None:
+    def __init__(self, basis: Basis, held: tuple[Term, ...] = ()) -> None:
         self.basis = basis
+        self.held = held
         t = basis.scene.t
         self.step = step_of(basis.poses)
-        self.centres = np.arange(t[0] + 2.0 * self.step, t[-1] - 2.0 * self.step, self.step)
+        self.centres = window_centres(t, self.step)
         self._to_windows = window_matrix(self.centres, self.step, t)
         self.y = y = self._windowed(basis.wrench)
         """(K, 6), measured, N and N m."""
@@ -86,12 +95,13 @@ class Windows:
         rate = np.gradient(nominal, t, axis=0)
         late = self._windowed(np.stack((-rate, 0.5 * np.gradient(rate, t, axis=0)), axis=2))
         gain = np.einsum("kc,cd->kcd", V @ phi, np.eye(6))
-        constant = np.broadcast_to(np.eye(6), (len(self.centres), 6, 6))
-        self.X = self.whiten(np.concatenate((V, constant, self._windowed(self._tilt(phi)), late, gain), axis=2))
-        """(6, K, 26): columns of the nominal twin with its small imperfections."""
+        constant, later = np.split(self._offsets(), [6], axis=2)
+        self.X = self.whiten(np.concatenate((V, constant, self._windowed(self._tilt(phi)), late, gain, later), axis=2))
+        """(6, K, 26 + 6 p): columns of the nominal twin with its small imperfections, and what p pauses changed in its offsets."""
         self.target = self.whiten(y[..., None])[..., 0]
         """(6, K)."""
-        self.prior_std = np.concatenate((PHI_STD, OFFSET_STD, BACKGROUND_STD))
+        pauses = later.shape[2] // 6
+        self.prior_std = np.concatenate((PHI_STD, OFFSET_STD, BACKGROUND_STD, np.tile(PART_OFFSET_STD, pauses)))
         self.group = self._groups()
 
     def __len__(self) -> int:
@@ -100,6 +110,12 @@ class Windows:
     def _windowed(self, x: Array) -> Array:
         """(K, ...) windowed means of rows (N, ...)."""
         return np.asarray(self._to_windows @ x.reshape(len(x), -1)).reshape(len(self.centres), *x.shape[1:])
+
+    def _offsets(self) -> Array:
+        """(K, 6, 6 + 6 p), of all rows, and of those between each of the p pauses and the next."""
+        part = np.cumsum(np.diff(self.centres, prepend=self.centres[0]) > PAUSE_S)
+        rows = [np.ones(len(part)), *(part == k for k in range(1, part[-1] + 1))]
+        return np.concatenate([np.multiply.outer(row, np.eye(6)) for row in rows], axis=2)
 
     def _tilt(self, phi: Array) -> Array:
         """(N, 6, 2), change of the wrench per radian of tilt about two axes across gravity."""
@@ -114,10 +130,11 @@ class Windows:
     def _first_phi(self, y: Array, V: Array) -> Array:
         """Payload by least squares with offsets, channels weighed by their noise."""
         sigma = self.basis.noise.std
-        rows = np.concatenate((V, np.broadcast_to(np.eye(6), (len(y), 6, 6))), axis=2) / sigma[:, None]
-        prior = np.diag(np.concatenate((PHI_STD, OFFSET_STD)) ** -1.0)
-        right = np.concatenate(((y / sigma).ravel(), np.zeros(16)))
-        return np.asarray(np.linalg.lstsq(np.vstack((rows.reshape(-1, 16), prior)), right, rcond=None)[0][:10])
+        offsets = self._offsets()
+        rows = (np.concatenate((V, offsets), axis=2) / sigma[:, None]).reshape(y.size, -1)
+        prior = np.diag(np.concatenate((PHI_STD, np.resize(OFFSET_STD, offsets.shape[2]))) ** -1.0)
+        right = np.concatenate(((y / sigma).ravel(), np.zeros(len(prior))))
+        return np.asarray(np.linalg.lstsq(np.vstack((rows, prior)), right, rcond=None)[0][:10])
 
     def _whiteners(self, phi: Array) -> list[Array]:
         """Cholesky factors, banded, of the covariance of each channel's windows."""
@@ -125,7 +142,7 @@ class Windows:
         D = csr_array(W @ self.basis.difference)
         M = spatial_inertia(phi)
         kinematic = np.diag(M @ self.basis.poses.noise @ M.T)
-        sensor, pose = _bands(csr_array(W @ W.T)), _bands(csr_array(D @ D.T))
+        sensor, pose = _as_wide(_bands(csr_array(W @ W.T)), _bands(csr_array(D @ D.T)))
         return [cholesky_banded(self.basis.noise.variance[c] * sensor + kinematic[c] * pose, lower=True) for c in range(6)]
 
     def whiten(self, x: Array) -> Array:
@@ -140,15 +157,18 @@ class Windows:
                 result[k:, c] += (band * rows[c])[: rows.shape[1] - k]
         return result
 
+    def on_grid(self, rows: Array) -> Array:
+        """(N, 6), rows (6, K) on the scene's grid, in standard deviations of the noise."""
+        return np.column_stack([np.interp(self.basis.scene.t, self.centres, channel) for channel in rows])
+
     @property
     def noise_std(self) -> Array:
         """(6,), of one windowed wrench, N and N m."""
         return np.array([np.sqrt(np.median((factor**2).sum(axis=0))) for factor in self._factors])
 
-    def rows_of(self, change: Array) -> Array:
-        """Rows (6, K, n) of changes of the wrench on the scene's grid, (N, 6, n)."""
-        n, _, count = change.shape
-        return self.whiten((self._to_windows @ change.reshape(n, -1)).reshape(len(self), 6, count))
+    def rows_of(self, changes: Sequence[Array]) -> Array:
+        """Rows (6, K, n) of n changes of the wrench on the scene's grid, (N, 6) each."""
+        return self.whiten(np.stack([self._to_windows @ change for change in changes], axis=2))
 
     def _groups(self) -> NDArray[np.int64]:
         """(K,), number of the motion that each window belongs to: what is left out together."""
@@ -170,6 +190,18 @@ class Windows:
 def step_of(poses: Poses) -> float:
     """Spacing of the windows, s."""
     return max(STEP_S, 8.0 * poses.period)
+
+
+def window_centres(t: Array, step: float) -> Array:
+    """(K,), centres of the windows over times t (N,) that hold no gap.
+
+    What an effect remembers is not known after a gap: as long as the gap was, at most `FORGOTTEN_S`, is left out.
+    """
+    gap, centres = 0.0, []
+    for part, after in pairwise((*stretches(t), slice(len(t), len(t)))):
+        centres.append(np.arange(t[part.start] + 2.0 * step + min(gap, FORGOTTEN_S), t[part.stop - 1] - 2.0 * step, step))
+        gap = t[after.start] - t[part.stop - 1] if after.start < len(t) else 0.0
+    return np.concatenate(centres)
 
 
 def window_matrix(centres: Array, step: float, t: Array) -> csr_array:
@@ -196,3 +228,9 @@ def _bands(matrix: csr_array) -> Array:
     for k in range(count):
         bands[k, : matrix.shape[0] - k] = matrix.diagonal(-k)
     return bands
+
+
+def _as_wide(a: Array, b: Array) -> tuple[Array, Array]:
+    """Both with as many bands: those of second differences can reach one window further."""
+    width = max(len(a), len(b))
+    return np.pad(a, ((0, width - len(a)), (0, 0))), np.pad(b, ((0, width - len(b)), (0, 0)))

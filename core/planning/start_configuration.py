@@ -59,7 +59,7 @@ class StartConfiguration:
     """Where a rotation starts, or where the robot holds still.
 
     Args:
-        axis: sensor axis with its sign; "x+" lies along gravity, "x-" against it.
+        axis: sensor axis with its sign; "x+" lies along gravity, "x-" against it; "free" where none does.
         q: (n,), rad.
         objective: Eq. (6).
         clearance_m: to obstacles and zones at the start.
@@ -68,6 +68,7 @@ class StartConfiguration:
         manipulability: smallest over largest singular value of the Jacobian at the start.
         throw: the flight of a released load that comes nearest to a protected zone; None when the cell has no zones.
         candidates: how many configurations were tried.
+        about: sensor axis of the rotation; that of `axis` where empty.
     """
 
     axis: str
@@ -79,6 +80,7 @@ class StartConfiguration:
     manipulability: float
     throw: Throw | None
     candidates: int
+    about: str = ""
 
 
 @dataclass(frozen=True)
@@ -165,13 +167,45 @@ def find_start_configuration(
     Raises:
         NoStartConfiguration: there is none, with what rejected how many candidates.
     """
+    unit = np.eye(3)["xyz".index(axis[0])]
+    attitude = Attitude(axis, unit if axis[1] == "+" else -unit, unit, rotation)
+    return find_attitude(cell, robot, collision, attitude, seed=seed, near=near, grid=grid, weights=weights)
+
+
+@dataclass(frozen=True)
+class Attitude:
+    """What is sought: a direction of the sensor along gravity, and what is done there.
+
+    Args:
+        name: for messages.
+        down: (3,), unit vector in the sensor frame that is to lie along gravity.
+        about: (3,), unit vector in the sensor frame that `rotation` turns about; None for a pose that is only held.
+    """
+
+    name: str
+    down: Array
+    about: Array
+    rotation: AngularProfile | None
+
+
+def find_attitude(
+    cell: Cell,
+    robot: RobotModel,
+    collision: CollisionModel,
+    attitude: Attitude,
+    *,
+    seed: int,
+    near: Array | None = None,
+    grid: Grid | None = None,
+    weights: Weights | None = None,
+) -> StartConfiguration:
+    """The same for any direction of the sensor along gravity, and a rotation about any other. Arguments and errors as there."""
     grid, weights = grid or Grid(), weights or Weights()
     rng = np.random.default_rng(seed)
-    unit = np.eye(3)["xyz".index(axis[0])]
-    direction = unit if axis[1] == "+" else -unit
+    axis, direction = attitude.name, attitude.down
     down = cell.gravity / np.linalg.norm(cell.gravity)
     limits = (robot.lower + LIMIT_MARGIN_RAD, robot.upper - LIMIT_MARGIN_RAD)
-    checks = Checks(cell, robot, collision, unit, rotation, limits)
+    checks = Checks(cell, robot, collision, attitude.about, attitude.rotation, limits)
     search = CandidateSearch(cell, robot, collision, limits=limits, near=near, diameter=2.0 * float(collision.reach[0]), weights=weights)
     everything: list[Candidates] = []
     for k in range(grid.rounds):

@@ -66,18 +66,31 @@ def loads_of(box: Box, axis: Array, profile: AngularProfile | None) -> Loads:
 
     `None` is a hold: one moment, no velocity. Moments are the extremes of rate and angle and evenly spaced ones.
     """
-    centre = box.pose.translation
-    points = np.vstack((centre[None], box.corners))
-    radius = np.zeros(len(points))
-    radius[0] = np.linalg.norm(box.corners[0] - centre)
+    points, radius = _flying(box)
     if profile is None:
-        return Loads(np.zeros(1), points[None], np.zeros((1, *points.shape)), radius + PAD_M)
+        return Loads(np.zeros(1), points[None], np.zeros((1, *points.shape)), radius)
     extremes = [f(values) for f in (np.argmin, np.argmax) for values in (profile.rate, profile.angle)]
     rows = np.unique(np.concatenate((np.linspace(0, len(profile.angle) - 1, _MOMENTS).astype(int), extremes)))
     turned = Rotation.from_rotvec(profile.angle[rows, None] * axis).as_matrix()
     position = np.einsum("mij,kj->mki", turned, points)
     velocity = np.cross(profile.rate[rows, None, None] * axis, position)
-    return Loads(profile.period * rows, position, velocity, radius + PAD_M)
+    return Loads(profile.period * rows, position, velocity, radius)
+
+
+def loads_along(box: Box, rotation: Array, position: Array, period: float) -> Loads:
+    """The same for any motion of the sensor, (N, 3, 3) and (N, 3), and in the axes in which that is given; every moment counts."""
+    points, radius = _flying(box)
+    there = position[:, None] + points @ np.swapaxes(rotation, 1, 2)
+    return Loads(np.arange(len(there), dtype=np.float64) * period, there, np.gradient(there, period, axis=0), radius)
+
+
+def _flying(box: Box) -> tuple[Array, Array]:
+    """Points of a box (K, 3), its centre first, in the frame it is given in, and the radius that flies with each."""
+    centre = box.pose.translation
+    points = np.vstack((centre[None], box.corners))
+    radius = np.full(len(points), PAD_M)
+    radius[0] += np.linalg.norm(box.corners[0] - centre)
+    return points, radius
 
 
 @njit(cache=True)

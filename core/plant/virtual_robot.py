@@ -41,7 +41,7 @@ class Sample:
 
 @dataclass(frozen=True)
 class Truth:
-    """What really was at the instant of the last sample. For tests only.
+    """What really was at the instant of the last sample: for tests, and for effects that a twin adds to the reading.
 
     Args:
         q, dq, ddq: (n,), joints on the side of the links, counted from the zeros of their encoders.

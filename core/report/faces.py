@@ -107,16 +107,27 @@ def shape_faces(shape: Shape) -> Faces:
 
 def arm_faces(cell: Cell, robot: RobotModel, q: Array) -> Faces:
     """The robot at q (n,) as its URDF pictures it, or its collision shapes where it has no picture."""
+    poses = joint_poses(robot, q)
+    return [face for joint, faces in arm_parts(cell, robot) for face in placed(faces, *poses[joint])]
+
+
+def arm_parts(cell: Cell, robot: RobotModel) -> list[tuple[int, Faces]]:
+    """The robot's bodies, each with the number of the joint that carries it (0 for the base) and its faces in that joint's frame."""
     for kind in (pin.GeometryType.VISUAL, pin.GeometryType.COLLISION):
         model = pin.buildGeomFromUrdfString(robot.model, cell.urdf, kind, None, str(cell.folder))
         if len(model.geometryObjects):
             break
-    data = model.createData()
-    pin.updateGeometryPlacements(robot.model, robot.model.createData(), model, data, q)
-    faces: Faces = []
-    for body, placement in zip(model.geometryObjects, data.oMg, strict=True):
-        faces += placed(_coal_faces(body.geometry), placement.rotation, placement.translation)
-    return faces
+    return [
+        (body.parentJoint, placed(_coal_faces(body.geometry), body.placement.rotation, body.placement.translation))
+        for body in model.geometryObjects
+    ]
+
+
+def joint_poses(robot: RobotModel, q: Array) -> list[tuple[Array, Array]]:
+    """Rotation (3, 3) and position (3,) of every joint's frame in the world at q (n,); the first is the world itself."""
+    data = robot.model.createData()
+    pin.forwardKinematics(robot.model, data, q)
+    return [(np.array(pose.rotation), np.array(pose.translation)) for pose in data.oMi]
 
 
 def _coal_faces(geometry: Any) -> Faces:

@@ -140,7 +140,8 @@ def facts(identification: Identification, run: RunSummary | None) -> list[Fact]:
     """What one wants to know first."""
     estimate = identification.estimate
     found = [] if estimate is None else [*_payload_facts(estimate), *_mounting_facts(estimate)]
-    return [*found, *([] if run is None else _safety_facts(run))]
+    accounted = Fact("Effects accounted for", ", ".join(identification.accounted), "as the cell's twin has them")
+    return [*found, *([accounted] if identification.accounted else []), *([] if run is None else _safety_facts(run))]
 
 
 def _payload_facts(estimate: Estimate) -> list[Fact]:

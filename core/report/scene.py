@@ -212,9 +212,10 @@ def _sensor_axes(sensor: SensorPose, view: View) -> list[str]:
 
 def _throw(start: StartConfiguration, box: Box, sensor: SensorPose, view: View) -> list[str]:
     """Where the load's centre would fly if it came off at the start, for either sense of the rotation."""
-    if start.throw is None:
+    about = start.about or start.axis[0]
+    if start.throw is None or about not in "xyz":
         return []
-    axis = sensor.rotation[:, "xyz".index(start.axis[0])]
+    axis = sensor.rotation[:, "xyz".index(about)]
     velocity = np.cross(axis, sensor.rotation @ box.pose.translation)
     speed = float(np.linalg.norm(velocity))
     if speed < 1e-6:  # the box is centred on the axis

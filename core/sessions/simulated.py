@@ -19,6 +19,8 @@ from core.plant.mechanics import PERIOD, Drives
 from core.plant.virtual_robot import VirtualRobot
 from core.sessions.pace import AsFastAsPossible, Pace
 from core.sessions.session import RobotSession, RobotState
+from core.sessions.twin_wrench import TwinWrench
+from core.twin import NOMINAL, Twin
 
 Array = NDArray[np.float64]
 
@@ -41,6 +43,7 @@ class SimulatedSession(RobotSession):
         pace: as fast as possible, or real time for a person who watches.
         imperfections, faults: what is planted; nothing where absent.
         drives: friction and rotor inertia of the joints; those of a usual arm where absent.
+        twin: effects that the simulation shows beyond the nominal ones.
 
     Raises:
         BadRobot, BadPayload: the simulation cannot be built.
@@ -58,10 +61,12 @@ class SimulatedSession(RobotSession):
         imperfections: Imperfections | None = None,
         faults: tuple[Fault, ...] = (),
         drives: Drives | None = None,
+        twin: Twin = NOMINAL,
     ) -> None:
         rng = np.random.default_rng(seed)
         self.plant = VirtualRobot(cell, payload, rng, imperfections=imperfections, faults=faults, drives=drives)
-        """The virtual robot; its `truth` is for tests only."""
+        """The virtual robot; its `truth` is for tests and for the twin only."""
+        self._twin = TwinWrench(cell, twin, payload.phi, PERIOD) if twin.effects else None
         self._pace = pace or AsFastAsPossible()
         self._acceleration = np.array(cell.robot.acceleration_rad_s2)
         self._names = tuple(joint.name for joint in self.plant.arm.joints)
@@ -90,7 +95,8 @@ class SimulatedSession(RobotSession):
         sample = self.plant.step(target)
         self._q_last, self._q_now, self._q_next = self._q_now, target, target
         self._pace.wait_until(sample.t)
-        return RobotState(sample.t, sample.q, sample.dq, sample.q_cmd, sample.wrench, sample.tau)
+        wrench = sample.wrench if self._twin is None else sample.wrench + self._twin.change(self.plant.truth)
+        return RobotState(sample.t, sample.q, sample.dq, sample.q_cmd, wrench, sample.tau)
 
     def command(self, q: Array) -> None:
         """See `RobotSession.command`.

@@ -77,9 +77,4 @@ def poses_only(run: Scene) -> Scene:
 
 def first_rows(run: Scene, rows: int) -> Scene:
     """The beginning of a run."""
-    cut = {
-        name: getattr(run, name)[:rows]
-        for name in ("t", "phase", "motion", "rotation", "position", "q", "dq", "jacobian", "torque", "temperature")
-        if getattr(run, name) is not None
-    }
-    return replace(run, **cut)
+    return run[:rows]

@@ -14,6 +14,7 @@ from scipy.signal import lsim
 from synthetic_scene import NOISE, scene
 
 from core.effects.change_points import change_points
+from core.effects.channels import CHANNELS
 from core.effects.effect import Effect
 from core.effects.filters import delayed, derivative, low_passed, play
 from core.effects.kinematic_lag import KinematicLag
@@ -106,6 +107,18 @@ CASES = [
         {"fx_from_fy_n_per_n": 0.02, "fz_from_fx_n_per_n": -0.015, "tx_from_fy_nm_per_n": 0.002, "ty_from_fx_nm_per_n": -0.001},
     ),
     Case(
+        "another gain for pull than for push",
+        SensorGain(),
+        np.column_stack([np.where(W[:, 0] > 0, 1.03, 0.99) * W[:, 0], *W[:, 1:].T]),
+        {"fx_gain_error_share": 0.01, "fx_asymmetry_share": 0.02},
+    ),
+    Case(
+        "cross-talk of pull alone",
+        SensorCrosstalk(),
+        np.column_stack([W[:, 0] + 0.03 * np.maximum(W[:, 1], 0), *W[:, 1:].T]),
+        {"fx_from_fy_n_per_n": 0.03 / np.sqrt(2), "rectification_rad": np.pi / 4},
+    ),
+    Case(
         "non-linearity",
         SensorNonlinearity(),
         W + np.outer(np.sign(W[:, 1]) * W[:, 1] ** 2 * 0.04 / 145.0, [0, 1, 0, 0, 0, 0]),
@@ -115,7 +128,13 @@ CASES = [
         "play",
         SensorHysteresis(),
         np.column_stack([naive_play(W[:, j], 0.004 * full) for j, full in enumerate([145, 145, 290, 5, 5, 5])]),
-        {f"{c}_half_width_share": 0.004 for c in ("fx", "fy", "fz", "tx", "ty", "tz")},
+        {f"{c}_half_width_share": 0.004 for c in CHANNELS} | {f"{c}_turning_load_log_ratio": np.log(0.004) for c in CHANNELS},
+    ),
+    Case(
+        "hysteresis that runs ahead",
+        SensorHysteresis(),
+        np.column_stack([W[:, 0], 2 * W[:, 1] - naive_play(W[:, 1], 0.435), *W[:, 2:].T]),
+        {"fy_half_width_share": -0.003, "fy_turning_load_log_ratio": np.log(0.003)},
     ),
     Case(
         "creep",
@@ -128,8 +147,8 @@ CASES = [
         "clipping of two channels",
         SensorSaturation(),
         np.column_stack([np.minimum(W[:, 0], 8.0), np.maximum(W[:, 1], -10.0), *W[:, 2:].T]),
-        {"fx_upper_limit_per_n": 1 / 8.0, "fy_lower_limit_per_n": 1 / 10.0},
-        0.03,
+        {"fx_upper_limit_per_n": 1 / 8.0, "fy_lower_limit_per_n": 1 / 10.0, "corner_share": 0.005},
+        0.015,
     ),
     Case(
         "warming up",
@@ -219,7 +238,9 @@ def seen(case: Case) -> Array:
     names = [p.name for p in case.effect.parameters(RUN)]
     if isinstance(case.effect, SensorSaturation):
         return np.array([name in case.theta for name in names])
-    return np.array([name != "turning_log_ratio" for name in names])
+    if case.name == "hysteresis that runs ahead":
+        return np.array([name in case.theta for name in names])
+    return np.array([name != "turning_spread_log_ratio" for name in names])
 
 
 def test_a_lagging_motion_is_led_back_to_the_true_wrench() -> None:
@@ -341,11 +362,11 @@ def test_where_the_range_is_unknown_the_largest_load_is_full_scale(effect: Effec
         (TimeDelay(), [0.0123], "12.3 ms"),
         (KinematicLag(), [0.0123], "12.3 ms"),
         (SensorLowpass(), [1 / (10 * np.pi), 0.0], "5 Hz"),
-        (SensorGain(), [0, 0.031, 0, 0, 0, 0], "fy reads +3.1 %"),
+        (SensorGain(), [0, 0.031, 0, 0, 0, 0, 0, 0.01, 0, 0, 0, 0], "fy reads +4.1 % where it is positive and +2.1 %"),
         (SensorCreep(), [0, 0, 0.004, 0, 0, 0, 20.0], "60 s"),
-        (SensorHysteresis(), [0.002, 0, 0, 0, 0, 0, 0], "0.40 %"),
+        (SensorHysteresis(), [0.002, *[0] * 12], "0.40 %"),
         (SensorOffsetStep(), [1.5, 0, 0, 0, 0, 0.02, 7.1], "7.1 s"),
-        (SensorSaturation(), [0.125, *[0] * 11], "+8 N"),
+        (SensorSaturation(), [0.125, *[0] * 11, 0.02], "+8 N"),
     ],
     ids=lambda value: getattr(value, "id", None),
 )

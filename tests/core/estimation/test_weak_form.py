@@ -60,7 +60,7 @@ def test_the_covariance_of_the_windowed_noise_is_what_the_gram_says() -> None:
     t = 1e-3 * np.arange(n)
     poses = Poses(t, np.tile(np.eye(3), (n, 1, 1)), np.zeros((n, 3)), GRAVITY, np.zeros((6, 6)))
     form = WeakForm(poses)
-    white, _ = form.gram()
+    white, _ = form.gram
     means = form.average(rng.normal(size=(n, 200)))
     k = len(form) // 2
     assert np.mean(means[5:-5] ** 2) == pytest.approx(white[0, k], rel=0.02)

@@ -12,7 +12,8 @@ import pytest
 from core.effects.library import library
 from core.gap.attribution import attribute, distance_sigma, leftover
 from core.gap.basis import basis_of
-from core.gap.diagnosis import diagnose, gap_of
+from core.gap.closure import gap_of
+from core.gap.diagnosis import diagnose
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.residual import Residual
 from core.gap.windows import Windows

@@ -108,7 +108,15 @@ def overlay() -> Overlay:
 
 AMBIGUOUS = {
     "indistinguishable": [Tied(ids=("time_delay", "kinematic_lag"), distance_sigma=2.14, why="both are late", splits="a wide-band motion")],
-    "next_experiment": Experiment(motion="rotate about a horizontal axis", splits=[("time_delay", "kinematic_lag")], seconds=12.3),
+    "next_experiment": Experiment(
+        id="swings_about_horizontal_x",
+        stops=[],
+        sigma_before=2.0,
+        sigma_after=9.0,
+        motion="rotate about a horizontal axis",
+        splits=[("time_delay", "kinematic_lag")],
+        seconds=12.3,
+    ),
 }
 NOTHING: dict[str, Any] = {
     "effects": [], "pairs": [], "minor": [], "where": None, "gap": None, "payload": None, "consequence": "",

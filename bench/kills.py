@@ -1,0 +1,104 @@
+"""kill -9 of the server at random moments: nothing that was acknowledged is lost, no state is illegal, and it is soon back.
+
+`python -m bench.kills --count 200`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+import threading
+import time
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import httpx2
+import numpy as np
+
+from server.packml import State
+from tests.server.real_service import Console, real_service
+
+SETTLED = {State.RESETTING, State.IDLE, State.STOPPED, State.COMPLETE, State.ABORTED}
+
+
+class Worker:
+    """Queues, releases, commands and clears until the server is gone; keeps what was acknowledged."""
+
+    def __init__(self, console: Console, known: dict[str, dict[str, Any]], seed: int) -> None:
+        self._console, self._known, self._seed = console, known, seed
+        self.thread = threading.Thread(target=self._work, daemon=True)
+        self.thread.start()
+
+    def _work(self) -> None:
+        with suppress(httpx2.HTTPError, OSError):
+            console = self._console
+            console.take_control()
+            for old in console.http.get("/api/runs?limit=500").json():
+                if old["state"] == State.ABORTED:
+                    self._keep(console.command(old["run"], "clear"))
+            for k in range(100):
+                order = {"cell": console.cell, "payload": "steel_block", "seed": self._seed + k, "pace": "as_fast_as_possible"}
+                self._keep(console.http.post("/api/runs", json=order, headers={"Idempotency-Key": f"{self._seed}-{k}"}))
+                for run, found in list(self._known.items()):
+                    if found["state"] in (State.RESETTING, State.IDLE):
+                        self._move(run)
+
+    def _move(self, run: str) -> None:
+        now = self._console.run(run)
+        if now["state"] == State.IDLE:
+            self._keep(self._console.release(run))
+        elif now["state"] == State.EXECUTE:
+            self._keep(self._console.command(run, "stop"))
+
+    def _keep(self, answer: httpx2.Response) -> None:
+        if answer.is_success:
+            self._known[answer.json()["run"]] = answer.json()
+
+
+def check(console: Console, known: dict[str, dict[str, Any]]) -> list[str]:
+    """What an acknowledged run has lost."""
+    lost = []
+    for run, before in known.items():
+        now = console.run(run)
+        if now.get("run") != run:
+            lost.append(f"{run} is gone")
+        elif now["sequence"] < before["sequence"] or before["released"] > now["released"]:
+            lost.append(f"{run} went back from {before['sequence']} to {now['sequence']}")
+        elif now["state"] not in SETTLED:
+            lost.append(f"{run} is in {now['state']} after a crash")
+        events = console.http.get(f"/api/runs/{run}/events?kind=event").json()
+        if [event["sequence"] for event in events] != list(range(1, now["sequence"] + 1)):
+            lost.append(f"{run} has gaps in its events")
+    return lost
+
+
+def main() -> None:
+    """Prints what was lost and how long the service needed to answer again."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=20)
+    count = parser.parse_args().count
+    rng = np.random.default_rng(0)
+    known: dict[str, dict[str, Any]] = {}
+    lost: list[str] = []
+    back: list[float] = []
+    with tempfile.TemporaryDirectory() as folder, real_service(Path(folder)) as service:
+        for k in range(count):
+            console = Console(service)
+            worker = Worker(console, known, 1000 * k)
+            time.sleep(float(rng.exponential(4.0)))
+            service.kill()
+            worker.thread.join()
+            console.leave()
+            began = time.monotonic()
+            service.start()
+            back.append(time.monotonic() - began)
+            console = Console(service)
+            lost += check(console, known)
+            console.leave()
+    print(f"{count} kills, {len(known)} acknowledged runs, lost: {len(lost)} {lost[:5]}")
+    print(f"back after {np.median(back):.1f} s in the median, {max(back):.1f} s at most")
+
+
+if __name__ == "__main__":
+    main()

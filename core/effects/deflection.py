@@ -1,0 +1,117 @@
+"""How joints on springs deflect: `M e'' + D e' + K e = -tau`, all joints coupled by the inertia of the links. Compiled.
+
+e is what the link is ahead of its motor, tau what the rigid arm along the motors' motion asks of the joints. Solved for
+`z = C^-1/2 e`, C = 1/K: rigid joints (C = 0) need no case of their own, and each mode of `C^1/2 M C^1/2` is one over the square of its
+angular frequency.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from core.effects.memory import Past
+
+Array = NDArray[np.float64]
+
+GAMMA = 0.55
+BETA = 0.25 * (0.5 + GAMMA) ** 2
+"""Newmark's parameters: stable for joints of any stiffness, and what is too fast for the rows dies out. At 200 Hz a mode of 8 Hz is
+0.5 % too slow and seems damped by another 0.6 % of the critical damping."""
+
+
+def deflection(
+    inertia: Array, load: Array, compliance: Array, damping: float, period: float, past: Past | None = None
+) -> tuple[Array, Array]:
+    """Deflection (N, n), rad, and its second derivative, rad/s2, of joints that follow their load when the run begins.
+
+    Newmark, A method of computation for structural dynamics, 1959.
+
+    Args:
+        inertia: (N, n, n), of the links in joint coordinates, kg m2.
+        load: (N, n), N m.
+        compliance: (n,), rad/(N m).
+        damping: of each joint alone on its spring, a share of the critical one.
+        period: of the rows, s.
+        past: of a run that comes in blocks.
+    """
+    past = past or Past()
+    soft = np.flatnonzero(compliance > 0.0)
+    root = np.sqrt(compliance[soft])
+    pull = -load[:, soft] * root
+    start = np.stack([pull[0], np.full_like(root, np.nan), np.zeros_like(root), pull[0]]) if past.rows is None else past.rows
+    z, acceleration, end = _swung(inertia, soft, root, pull, start, damping, period, past.rows is None)
+    past.rows = end
+    error, second = np.zeros_like(load), np.zeros_like(load)
+    error[:, soft], second[:, soft] = root * z, root * acceleration
+    return error, second
+
+
+@njit(cache=True)
+def _swung(
+    inertia: Array,
+    soft: NDArray[np.intp],
+    root: Array,
+    pull: Array,
+    start: Array,
+    damping: float,
+    h: float,
+    at_rest: bool,
+) -> tuple[Array, Array, Array]:
+    """z, z'' (N, k) and the end (4, k): z, z', z'' and the pull on it; `start` likewise, its z' NaN until the second row of the run."""
+    N, k = pull.shape
+    out, second = np.empty((N, k)), np.empty((N, k))
+    end = start.copy()
+    z, v, a, before = end[0], end[1], end[2], end[3]
+    A, one_over, d, x = np.empty((k, k)), np.empty(k), np.empty(k), np.empty(k)
+    for t in range(N):
+        if t > 0 or not at_rest:
+            for i in range(k):
+                if np.isnan(v[i]):
+                    v[i] = (pull[t, i] - before[i]) / h
+                for j in range(i + 1):
+                    A[i, j] = root[i] * root[j] * inertia[t, soft[i], soft[j]]
+                d[i] = 2.0 * damping * np.sqrt(max(A[i, i], 0.0))
+                A[i, i] += GAMMA * h * d[i] + BETA * h * h
+            _factorise(A, one_over, 0.01 * h * h)
+            for i in range(k):
+                z[i] += h * v[i] + (0.5 - BETA) * h * h * a[i]
+                v[i] += (1.0 - GAMMA) * h * a[i]
+                x[i] = pull[t, i] - d[i] * v[i] - z[i]
+            _solve(A, one_over, x)
+            for i in range(k):
+                a[i] = x[i]
+                v[i] += GAMMA * h * a[i]
+                z[i] += BETA * h * h * a[i]
+        for i in range(k):
+            out[t, i], second[t, i], before[i] = z[i], a[i], pull[t, i]
+    return out, second, end
+
+
+@njit(cache=True)
+def _factorise(A: Array, one_over: Array, least: float) -> None:
+    """Cholesky's factor below the diagonal of A, in place, and one over its diagonal; a trial payload that is no body is held off."""
+    for i in range(len(A)):
+        for j in range(i):
+            x = A[i, j]
+            for m in range(j):
+                x -= A[i, m] * A[j, m]
+            A[i, j] = x * one_over[j]
+        x = A[i, i]
+        for m in range(i):
+            x -= A[i, m] * A[i, m]
+        one_over[i] = 1.0 / np.sqrt(max(x, least))
+
+
+@njit(cache=True)
+def _solve(A: Array, one_over: Array, x: Array) -> None:
+    k = len(x)
+    for i in range(k):
+        for m in range(i):
+            x[i] -= A[i, m] * x[m]
+        x[i] *= one_over[i]
+    for i in range(k - 1, -1, -1):
+        for m in range(i + 1, k):
+            x[i] -= A[m, i] * x[m]
+        x[i] *= one_over[i]

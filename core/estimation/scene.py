@@ -1,0 +1,57 @@
+"""The nominal run of a recording, to which effects are applied."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.dynamics import LinkDynamics, has_masses
+from core.effects.scene import Scene
+from core.estimation.kinematics import Poses, local_derivative
+from core.estimation.segments import Segment
+from core.inertia import Motion
+from core.recording import Recording
+from core.robot import RobotModel
+
+Array = NDArray[np.float64]
+
+SMOOTHING_S = 0.036
+"""Of the joints' accelerations."""
+
+
+def scene_of(recording: Recording, poses: Poses, motion: Motion, segments: tuple[Segment, ...], t: Array) -> Scene:
+    """The nominal run on a grid t (N,), uniform but for the gaps of the recording."""
+    rows = np.clip(np.searchsorted(poses.t, t - 0.5 * poses.period), 0, len(poses.t) - 1)
+    phase = np.concatenate([np.full(part.stop - part.start, part.phase) for part in segments])
+    robot = None if recording.robot is None else RobotModel(recording.robot)
+    q = None if recording.q is None else recording.q[rows]
+    dq = None if q is None else np.gradient(q, t, axis=0)
+    link_inertia, link_torque = (None, None) if robot is None else link_dynamics(recording, robot, rows)
+    return Scene(
+        t=t,
+        phase=phase[rows],
+        motion=motion,
+        rotation=poses.rotation[rows],
+        position=None if poses.position is None else poses.position[rows],
+        gravity=poses.gravity,
+        phi=np.zeros(10),
+        q=q,
+        dq=dq,
+        jacobian=None if q is None or robot is None else np.stack([robot.sensor_jacobian(row) for row in q]),
+        torque=None if recording.tau is None else recording.tau[rows],
+        link_inertia=link_inertia,
+        link_torque=link_torque,
+        temperature=None if recording.temperature is None else recording.temperature[rows],
+        range=recording.sensor.range,
+        resolution=recording.sensor.resolution,
+    )
+
+
+def link_dynamics(recording: Recording, robot: RobotModel, rows: NDArray[np.intp]) -> tuple[Array, Array] | tuple[None, None]:
+    """Inertia (N, n, n) and torque (N, n) of the arm without payload in some rows; None where its masses are not known."""
+    if recording.q is None or not has_masses(robot):
+        return None, None
+    period = float(np.median(np.diff(recording.t)))
+    q, dq, ddq = (local_derivative(recording.q, order, period, window_s=SMOOTHING_S)[rows] for order in range(3))
+    links = LinkDynamics(robot, recording.gravity)
+    return links.inertia(q), links.torque(q, dq, ddq)

@@ -1,0 +1,124 @@
+"""Identification with a twin: what its effects do to the wrench is taken off before the payload is estimated.
+
+The effects depend on the payload, and the payload is what is sought: both are found in turns until the payload stands still.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.scene import Scene
+from core.estimation.generalised_least_squares import Fit, fit, refitted
+from core.estimation.kinematics import Poses, smooth_motion
+from core.estimation.noise import SensorNoise
+from core.estimation.scene import scene_of
+from core.estimation.segments import Segment, stretches
+from core.estimation.weak_form import WeakForm
+from core.inertia import Motion
+from core.recording import Recording
+from core.twin import Twin
+
+Array = NDArray[np.float64]
+
+GRID_S = 0.005
+"""Period of the scene that effects are applied to, as in the diagnosis that fits them."""
+SMOOTHING_S = 0.02
+"""Of the motion that effects act on: a longer window rounds the corners off and biases the inertia, a shorter one lets noise in."""
+ROUNDS = 8
+STANDS_STILL = 0.02
+"""Change of a parameter from round to round, in its standard uncertainty, below which the payload stands still."""
+
+
+class TwinEffects:
+    """A twin's effects on the wrench of one recording.
+
+    Args:
+        twin: whose effects; those that cannot be evaluated in this recording are in `lacking` with the reasons.
+        scene: nominal run on a grid.
+        t: (N,), times of the samples, s.
+        static: each row is a pose by itself, at which the robot has been standing for long; nothing carries over between rows.
+    """
+
+    def __init__(self, twin: Twin, scene: Scene, t: Array, *, static: bool) -> None:
+        self.twin, self._t = twin, t
+        self.lacking = twin.lacking(scene)
+        self.ids = tuple(entry.effect for entry in twin.in_scene(scene))
+        self._scene = scene
+        self._blocks = [slice(k, k + 1) for k in range(len(scene))] if static else [slice(None)]
+
+    def change(self, phi: Array, twin: Twin | None = None) -> Array:
+        """(N, 6), what the effects add to the wrench of the samples, N and N m.
+
+        Args:
+            phi: (10,), payload.
+            twin: the same effects with other parameters; those of the twin itself where absent.
+        """
+        scene = self._scene.carrying(phi)
+        twin = twin or self.twin
+        rows = np.concatenate([twin.composed(scene).change(scene[block]) for block in self._blocks])
+        return np.column_stack([np.interp(self._t, scene.t, channel) for channel in rows.T])
+
+
+def effects_on(recording: Recording, poses: Poses, segments: tuple[Segment, ...], twin: Twin, *, static: bool) -> TwinEffects:
+    """A twin's effects along a recording.
+
+    Args:
+        static: the samples are poses, not motion.
+    """
+    t = recording.t
+    if static:
+        scene = scene_of(recording, poses, Motion.still(poses.g), segments, t)
+        standing = None if scene.dq is None else np.zeros_like(scene.dq)
+        return TwinEffects(twin, replace(scene, dq=standing), t, static=True)
+    motion, _ = smooth_motion(poses, window_s=SMOOTHING_S)
+    period = max(GRID_S, poses.period)
+    grid = np.concatenate([np.arange(t[part][0], t[part][-1], period) for part in stretches(t)])
+    channels = [np.column_stack([np.interp(grid, t, x) for x in channel.T]) for channel in (motion.g, motion.a, motion.omega, motion.alpha)]
+    return TwinEffects(twin, scene_of(recording, poses, Motion(*channels), segments, grid), t, static=False)
+
+
+@dataclass(frozen=True)
+class Corrected:
+    """A fit to the wrench without the twin's effects.
+
+    Args:
+        found: the fit; its covariance includes the uncertainty of the effects' parameters.
+        change: (N, 6), what the effects add to the wrench.
+    """
+
+    found: Fit
+    change: Array
+
+
+def fit_with_effects(form: WeakForm, wrench: Array, noise: SensorNoise, effects: TwinEffects) -> Corrected:
+    """Fits payload and offsets to a wrench (N, 6) in which a twin's effects show.
+
+    The effects' parameters are taken as independent of the recording: identifying the very recording that they were fitted to counts its
+    noise twice, on the safe side.
+    """
+    found = fit(form, wrench, noise)
+    change = effects.change(found.phi)
+    for _ in range(ROUNDS):
+        x = refitted(form, wrench - change, found)
+        moved = np.abs(x[:10] - found.phi) / np.sqrt(np.diag(found.covariance)[:10])
+        found = replace(found, x=x)
+        change = effects.change(found.phi)
+        if (moved < STANDS_STILL).all():
+            break
+    found = fit(form, wrench - change, noise)
+    return Corrected(replace(found, covariance=found.covariance + _of_parameters(form, wrench, found, effects)), change)
+
+
+def _of_parameters(form: WeakForm, wrench: Array, found: Fit, effects: TwinEffects) -> Array:
+    """(19, 19), covariance that the uncertainty of the effects' parameters brings, by finite differences."""
+    here = refitted(form, wrench - effects.change(found.phi), found)
+    total = np.zeros_like(found.covariance)
+    for entry in effects.twin.effects:
+        for direction in entry.directions if entry.effect in effects.ids else ():
+            moved = effects.change(found.phi, effects.twin.having(entry.moved(direction)))
+            away = refitted(form, wrench - moved, found) - here
+            total += np.outer(away, away)
+    return total

@@ -1,0 +1,107 @@
+"""What was fitted to one recording, and what it comes to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from core.effects.effect import Effect
+from core.gap.answer import Verdict
+from core.gap.attribution import Attribution, Tie, attribute, distance_sigma, leftover
+from core.gap.effect_fit import EffectFit, fit_nominal
+from core.gap.fit_all import FitAll, Task, on_all_cores
+from core.gap.materiality import is_material
+from core.gap.partners import partners
+from core.gap.proposal import Proposal
+from core.gap.windows import Windows
+
+EXPLAINED = 0.5
+"""Probability from which one name is given."""
+FIRSTS, SECONDS = 2, 3
+"""A second effect is sought for the best single ones, and the most promising ones are fitted."""
+ONE_IS_ENOUGH = 0.01
+"""Share of the excess left over by one effect below which a second one is not sought: it would only pick up what a model gets wrong."""
+SECOND_EXPLAINS = 1.0 / 3.0
+"""A second effect has to explain most of what the first leaves over, or it is none."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Everything that was fitted to one recording.
+
+    Args:
+        windows: of the recording.
+        nominal: the twin as it is.
+        singles, pairs: one effect added, or two.
+        attribution: their probabilities.
+        limits: which effects the recording cannot show, and why.
+        proposals: what to measure next, best first.
+    """
+
+    windows: Windows
+    nominal: EffectFit
+    singles: tuple[EffectFit, ...]
+    pairs: tuple[EffectFit, ...]
+    attribution: Attribution
+    limits: tuple[str, ...]
+    proposals: tuple[Proposal, ...] = ()
+
+    @property
+    def best(self) -> EffectFit:
+        """The most probable explanation, the nominal twin where nothing is more probable than any."""
+        explained = self.attribution.explained
+        return explained[0][0] if explained and self.attribution.none < EXPLAINED else self.nominal
+
+    @cached_property
+    def material(self) -> bool:
+        """Whether there is anything that matters."""
+        return is_material(self.windows, self.nominal, self.best)
+
+    @property
+    def verdict(self) -> Verdict:
+        """What the wrench comes to."""
+        attribution = self.attribution
+        if not self.material:
+            return "no_gap"
+        if attribution.unknown > EXPLAINED or not attribution.explained:
+            return "unknown"
+        if attribution.ties or attribution.explained[0][1] < EXPLAINED:
+            return "ambiguous"
+        return "explained"
+
+    @property
+    def rivals(self) -> tuple[Tie, ...]:
+        """What is to be told apart next: the ties, or the two most probable effects where none is tied."""
+        singles = [fit for fit, _ in self.attribution.explained if len(fit.effects) == 1]
+        if self.attribution.ties or len(singles) < 2:
+            return self.attribution.ties
+        first, second = singles[:2]
+        return (Tie(first, second, distance_sigma(self.windows, self.nominal, first, second)),)
+
+
+def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all_cores) -> Evidence:
+    """Fits all effects singly, and the most promising pairs."""
+    nominal = fit_nominal(windows)
+    scene = windows.basis.scene.carrying(nominal.phi)
+    missing = {effect.id: reason for effect in effects if (reason := effect.missing(scene)) is not None}
+    shown = [effect for effect in effects if effect.id not in missing]
+    residual = windows.on_grid(nominal.residual)
+    known = {term.effect.id: [term.theta] for term in windows.held}
+    tasks: list[Task] = [((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in shown]
+    singles = fit_all(windows, tasks)
+    pairs = _pairs(windows, nominal, singles, shown, fit_all)
+    limits = tuple(f"{name}: {reason}" for name, reason in missing.items())
+    return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribute(windows, nominal, [*singles, *pairs]), limits)
+
+
+def _pairs(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
+    """Two effects at once, where one leaves something to explain; each pair once, as well as it was fitted from either side."""
+    ranked = sorted(singles, key=lambda fit: float(fit.held_out.sum()))
+    if not ranked or leftover(nominal, ranked[0]) < ONE_IS_ENOUGH or attribute(windows, nominal, singles).none > EXPLAINED:
+        return []
+    tasks = [task for first in ranked[:FIRSTS] for task in partners(windows, first, effects, SECONDS)]
+    enough = SECOND_EXPLAINS * leftover(nominal, ranked[0])
+    found = sorted(fit_all(windows, tasks), key=lambda fit: fit.cost)
+    once = {fit.name: fit for fit in reversed(found)}
+    return [fit for fit in once.values() if leftover(nominal, fit) < enough]

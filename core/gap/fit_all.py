@@ -1,0 +1,55 @@
+"""Many fits to one recording: on all cores, or one by one where others keep the cores busy already."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from core.effects.effect import STAGES, Effect
+from core.gap.effect_fit import EffectFit, fit_effects
+from core.gap.windows import Windows
+
+Task: TypeAlias = tuple[tuple[Effect, ...], EffectFit, list[NDArray[np.float64]]]
+"""Effects to fit together, the fit to start from, and starting values of their parameters."""
+FitAll: TypeAlias = Callable[[Windows, list[Task]], list[EffectFit]]
+"""Fits each task on its own; the results are in the order of the tasks."""
+
+
+def on_all_cores(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
+    """In processes of their own, which inherit the windows."""
+    if not tasks:
+        return []
+    with ProcessPoolExecutor(mp_context=get_context("fork"), initializer=_share, initargs=(windows,)) as pool:
+        return list(pool.map(_fit, tasks))
+
+
+def one_by_one(windows: Windows, tasks: list[Task]) -> list[EffectFit]:
+    """In this process."""
+    return [fit_effects(windows, *task) for task in tasks]
+
+
+def pair_of(a: EffectFit, b: EffectFit) -> Task:
+    """Two effects at once, each from where it ended alone."""
+    first, second = sorted((a, b), key=lambda fit: STAGES.index(fit.effects[0].stage))
+    start = min(a, b, key=lambda fit: fit.cost)
+    return (*first.effects, *second.effects), start, [np.concatenate((first.theta, second.theta))]
+
+
+_shared: Windows
+"""The windows in a worker process: inherited, never sent."""
+
+
+def _share(windows: Windows) -> None:
+    global _shared  # noqa: PLW0603  set once for each worker
+    _shared = windows
+    threadpool_limits(1)
+
+
+def _fit(task: Task) -> EffectFit:
+    return fit_effects(_shared, *task)

@@ -1,0 +1,98 @@
+"""How far another motion would put two explanations apart, before it is made.
+
+If one of them is true, the other would be fitted to both recordings: its parameters, the payload, the new recording's offsets and the
+small imperfections go as far as the present recording lets them. What cannot be made up for is the distance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.scene import Scene
+from core.estimation.kinematics import poses_of
+from core.gap.basis import unchecked_basis
+from core.gap.effect_fit import EffectFit
+from core.gap.problem import STEP, Problem
+from core.gap.quadratic import bounded_minimum, inverse
+from core.gap.windows import BACKGROUND, OFFSET, PART_OFFSET_STD, Windows
+from core.inertia import Motion
+from core.recording import BETWEEN_RUNS_S, Recording
+
+Array = NDArray[np.float64]
+
+ROWS = ("phase", "rotation", "position", "q", "dq", "jacobian", "torque", "temperature")
+
+
+class Prediction:
+    """A motion that has not been made, with the nominal twin along it.
+
+    Args:
+        present: windows of the recording at hand.
+        motion: the motion ahead, without a wrench.
+        fit: whose payload is carried.
+    """
+
+    def __init__(self, present: Windows, motion: Recording, fit: EffectFit) -> None:
+        poses = poses_of(motion)
+        if poses is None or motion.wrench is None:
+            raise ValueError("a motion ahead needs poses and a wrench of zeros")
+        basis = unchecked_basis(motion, replace(poses, noise=present.basis.poses.noise), motion.wrench)
+        ahead = replace(basis, noise=present.basis.noise, wrench=basis.V @ fit.phi)
+        self._present = present
+        self._windows = Windows(ahead)
+        self._scene = followed(present.basis.scene, ahead.scene)
+        self.seconds = float(motion.t[-1] - motion.t[0])
+
+    def distance_sigma(self, a: EffectFit, b: EffectFit) -> float:
+        """Standard deviations that this motion alone puts between two fits, whichever of them is true."""
+        (rows_a, columns_a), (rows_b, columns_b) = self._rows(a), self._rows(b)
+        d = rows_b - rows_a
+        return min(self._left(d, a, columns_a), self._left(-d, b, columns_b))
+
+    def _left(self, d: Array, fit: EffectFit, columns: Array) -> float:
+        """What a fit cannot follow of rows d (6K,): the root of the least `|d - Z x|^2 + x^T S^-1 x` within the bounds of its parameters.
+
+        S is their covariance, beside unit variances of the new offsets in the last columns Z.
+        """
+        here = np.concatenate((fit.beta, fit.theta))
+        bounds = np.full((2, columns.shape[1]), np.inf) * [[-1.0], [1.0]]
+        bounds[:, : len(here)] = Problem(self._present, fit.effects).bounds - here
+        bounds = np.stack((np.minimum(bounds[0], 0.0), np.maximum(bounds[1], 0.0)))
+        normal = columns.T @ columns
+        normal[: len(here), : len(here)] += inverse(fit.covariance)
+        normal[range(len(here), len(normal)), range(len(here), len(normal))] += 1.0
+        seen = columns.T @ d
+        x = bounded_minimum(normal, seen, bounds)
+        return float(np.sqrt(max(0.0, float(d @ d - 2.0 * seen @ x + x @ normal @ x))))
+
+    def _rows(self, fit: EffectFit) -> tuple[Array, Array]:
+        """What a fit predicts (6K,), and how that depends on all its parameters and on new offsets (6K, n)."""
+        X, ahead = self._windows.X, len(self._windows.basis.scene)
+        problem = Problem(self._present, fit.effects)
+        scene = self._scene.carrying(fit.phi)
+        steps = np.where(fit.theta + STEP * problem.scale <= problem.upper, 1.0, -1.0) * STEP * problem.scale
+        changes = [problem.change(theta, scene)[-ahead:] for theta in (fit.theta, *(fit.theta + np.diag(steps)))]
+        rows = self._windows.rows_of(changes)
+        J = (rows[..., 1:] - rows[..., :1]) / steps
+        earlier = np.zeros((*X.shape[:2], len(fit.beta) - X.shape[2]))  # offsets of the parts of the present recording
+        columns = np.concatenate((X, earlier, J, PART_OFFSET_STD * X[..., OFFSET]), axis=2)
+        predicted = X @ fit.beta[: BACKGROUND.stop] + rows[..., 0]
+        return predicted.ravel(), columns.reshape(-1, columns.shape[2])
+
+
+def followed(scene: Scene, ahead: Scene) -> Scene:
+    """Both one after the other; what only the first one knows stays at its mean."""
+    rows: dict[str, Any] = {name: _rows_of(getattr(scene, name), getattr(ahead, name), len(ahead)) for name in ROWS}
+    motion = Motion(*[np.concatenate((getattr(scene.motion, k), getattr(ahead.motion, k))) for k in ("g", "a", "omega", "alpha")])
+    t = np.concatenate((scene.t, scene.t[-1] + BETWEEN_RUNS_S + ahead.t - ahead.t[0]))
+    return replace(scene, t=t, motion=motion, **rows)
+
+
+def _rows_of(first: Array | None, then: Array | None, count: int) -> Array | None:
+    if first is None:
+        return None
+    return np.concatenate((first, np.repeat(first.mean(axis=0)[None], count, axis=0) if then is None else then))

@@ -1,0 +1,117 @@
+"""One set of effects on one recording as a least-squares problem: `|y - X beta - D(theta, phi)|^2` over whitened rows, plus priors.
+
+beta holds payload, offsets and the small imperfections, theta the effects' parameters. What the cell's twin has is always on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.effects.effect import STAGES, Effect, Parameter
+from core.effects.scene import Scene
+from core.gap.quadratic import bounded_minimum
+from core.gap.windows import BACKGROUND, PHI, Windows
+
+Array = NDArray[np.float64]
+
+PRIOR_WIDTH = 2.0
+"""Standard deviation of the prior in plausible sizes."""
+STEP = 1e-3
+"""Of the finite differences, in plausible sizes."""
+SMALL = 2.5
+"""Small imperfections stay within this many of their standard deviations; beyond, they are effects and have to be named."""
+
+
+class Problem:
+    """Rows and derivatives for one set of effects."""
+
+    def __init__(self, windows: Windows, effects: tuple[Effect, ...]) -> None:
+        self.windows = windows
+        self.effects = tuple(sorted(effects, key=lambda effect: STAGES.index(effect.stage)))
+        parameters = [parameters_of(windows, effect) for effect in self.effects]
+        self.counts = [len(of_effect) for of_effect in parameters]
+        self.parameters = tuple(p for of_effect in parameters for p in of_effect)
+        free = {effect.id for effect in self.effects}
+        self.held = tuple(term for term in windows.held if term.effect.id not in free)
+        chain: list[tuple[Effect, int, Array | None]] = [(effect, n, None) for effect, n in zip(self.effects, self.counts, strict=True)]
+        chain += [(term.effect, 0, term.theta) for term in self.held]
+        self._chain = sorted(chain, key=lambda link: STAGES.index(link[0].stage))
+        self.absent = np.array([p.absent for p in self.parameters])
+        self.scale = np.array([p.scale for p in self.parameters])
+        self.lower = np.array([p.lower for p in self.parameters])
+        self.upper = np.array([p.upper for p in self.parameters])
+        self.X = windows.X.reshape(-1, windows.X.shape[2])
+        self.XX = self.X.T @ self.X
+        self.target = windows.target.ravel()
+        self.precision = np.concatenate((windows.prior_std, PRIOR_WIDTH * self.scale)) ** -2.0
+        small = np.full(len(windows.prior_std), np.inf)
+        small[BACKGROUND] = SMALL * windows.prior_std[BACKGROUND]
+        self.bounds = np.array([np.concatenate((-small, self.lower)), np.concatenate((small, self.upper))])
+
+    def change(self, theta: Array, scene: Scene, known: dict[bytes, Array] | None = None) -> Array:
+        """(N, 6) on the scene's grid.
+
+        Args:
+            known: wrenches behind the first effects, by their parameters, for calls in which the rest moves; filled here.
+        """
+        w = scene.nominal
+        end = 0
+        for effect, free, fixed in self._chain:
+            end += free
+            values = theta[end - free : end] if fixed is None else fixed
+            key = effect.id.encode() + theta[:end].tobytes()
+            if known is None or key not in known:
+                w = effect.wrench(scene, w, values)
+                if known is not None:
+                    known[key] = w
+            else:
+                w = known[key]
+        return w - scene.nominal
+
+    def linearised(self, theta: Array, phi: Array) -> tuple[Array, Array]:
+        """Rows of the change (6K,), and their derivatives by theta (6K, n)."""
+        scene = self.windows.basis.scene.carrying(phi)
+        known: dict[bytes, Array] = {}
+        steps = np.where(theta + STEP * self.scale <= self.upper, 1.0, -1.0) * STEP * self.scale
+        moved = (self.change(theta + step, scene, dict(known)) for step in np.diag(steps))
+        rows = self.windows.rows_of([self.change(theta, scene, known), *moved])
+        flat = rows.reshape(-1, rows.shape[2])
+        return flat[:, 0], (flat[:, 1:] - flat[:, :1]) / steps
+
+    def cost(self, beta: Array, theta: Array) -> float:
+        """Chi-square plus priors."""
+        scene = self.windows.basis.scene.carrying(beta[PHI])
+        rows = self.windows.rows_of([self.change(theta, scene)]).ravel() if self.effects or self.held else 0.0
+        r = self.target - self.X @ beta - rows
+        away = np.concatenate((beta, theta - self.absent))
+        return float(r @ r + away @ (self.precision * away))
+
+    def normal(self, J: Array) -> Array:
+        """Normal matrix of beta and theta, with priors."""
+        XJ = self.X.T @ J
+        return np.block([[self.XX, XJ], [XJ.T, J.T @ J]]) + np.diag(self.precision)
+
+    def step(self, beta: Array, theta: Array, damping: float) -> tuple[Array, Array]:
+        """One damped step."""
+        rows, J = self.linearised(theta, beta[PHI])
+        r = self.target - self.X @ beta - rows
+        right = np.concatenate(
+            (self.X.T @ r - self.precision[: len(beta)] * beta, J.T @ r - self.precision[len(beta) :] * (theta - self.absent))
+        )
+        normal = self.normal(J)
+        normal[np.diag_indices_from(normal)] *= 1.0 + damping
+        here = np.concatenate((beta, theta))
+        found = here + bounded_minimum(normal, right, self.bounds - here)
+        return found[: len(beta)], np.clip(found[len(beta) :], self.lower, self.upper)
+
+
+def parameters_of(windows: Windows, effect: Effect) -> tuple[Parameter, ...]:
+    """The effect's parameters in this recording; those of an effect that the twin has are absent at what the twin has of it."""
+    known = {term.effect.id: term.theta for term in windows.held}
+    parameters = effect.parameters(windows.basis.scene)
+    if effect.id not in known:
+        return parameters
+    return tuple(replace(p, absent=float(value)) for p, value in zip(parameters, known[effect.id], strict=True))

@@ -1,0 +1,81 @@
+"""A wide-band motion of all joints round one configuration: as large as limits and room allow, checked at every tick."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell import Cell
+from core.collision import CollisionModel
+from core.errors import NoPath
+from core.planning.certificate import is_clear
+from core.planning.pair_margins import PairMargins
+from core.planning.rotation_room import SHARE
+from core.planning.start_configuration import LIMIT_MARGIN_RAD, ROOM_M
+from core.planning.throw import ThrowCheck, loads_along
+from core.planning.timing import MotionLimits, limit_usage
+from core.robot import RobotModel
+from core.trajectory import JointTrajectory
+
+Array = NDArray[np.float64]
+
+ACCELERATION_SHARE = 0.6
+"""Of the joints' acceleration limits: such a motion shakes the arm for many seconds."""
+SHRINK = 0.8
+_TRIES = 12
+_MOMENTS = 200
+
+
+def fit_wave(cell: Cell, robot: RobotModel, collision: CollisionModel, q: Array, shape: Array, period: float) -> JointTrajectory:
+    """The trajectory `q + s shape` with the largest s that keeps every limit.
+
+    Args:
+        q: (n,), where it begins and ends, rad.
+        shape: (N, n), rad per unit of s, zero and at rest at both ends.
+
+    Raises:
+        NoPath: a thousandth of the first try would still leave the limits or the room.
+    """
+    limits = MotionLimits.of_cell(cell, robot, collision)
+    limits = replace(
+        limits,
+        velocity=SHARE * limits.velocity,
+        acceleration=ACCELERATION_SHARE * limits.acceleration,
+        cartesian_speed_m_s=SHARE * limits.cartesian_speed_m_s,
+    )
+    small = 1e-3
+    s = small / limit_usage(JointTrajectory(period, q + small * shape), robot, replace(limits, acceleration=np.full(robot.n, np.inf)))
+    s = min(s, float((limits.acceleration / np.abs(np.diff(shape, 2, axis=0)).max(axis=0)).min()) * period**2)
+    margins, throw = PairMargins(collision), ThrowCheck(cell)
+    for _ in range(_TRIES):
+        trajectory = JointTrajectory(period, q + s * shape)
+        if _is_allowed(trajectory, robot, collision, limits, margins, throw):
+            return trajectory
+        s *= SHRINK
+    raise NoPath(
+        f"no room for a wide-band motion: even joint swings of {1e3 * s * np.abs(shape).max():.1f} mrad leave the limits, come too "
+        "close to something, or could throw a load into a zone. Choose another motion, or give the robot more room."
+    )
+
+
+def _is_allowed(
+    trajectory: JointTrajectory, robot: RobotModel, collision: CollisionModel, limits: MotionLimits, margins: PairMargins, throw: ThrowCheck
+) -> bool:
+    """Joint limits, speeds, accelerations, distances and the flight of a load that comes off."""
+    q = trajectory.q
+    if ((q < robot.lower + LIMIT_MARGIN_RAD) | (q > robot.upper - LIMIT_MARGIN_RAD)).any():
+        return False
+    within = limit_usage(trajectory, robot, limits) <= 1.0
+    return within and is_clear(margins, q, ROOM_M) and _throws_nothing(trajectory, robot, collision, throw)
+
+
+def _throws_nothing(trajectory: JointTrajectory, robot: RobotModel, collision: CollisionModel, throw: ThrowCheck) -> bool:
+    """Whether a load that comes off, at whatever moment, stays out of the zones."""
+    poses = robot.sensor_poses(trajectory.q)
+    loads = loads_along(collision.payload_box, poses.rotation, poses.position, trajectory.period)
+    every = max(1, len(trajectory) // _MOMENTS)
+    some = replace(loads, time=loads.time[::every], position=loads.position[::every], velocity=loads.velocity[::every])
+    nearest = throw.nearest(some, np.eye(3), np.zeros(3))
+    return nearest is None or nearest.distance_m >= 0.0

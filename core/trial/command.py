@@ -1,0 +1,107 @@
+"""`heft trial`: the blind check on a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from concurrent.futures import Executor
+from contextlib import AbstractContextManager, closing, nullcontext
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
+
+from core.errors import BadInput
+from core.trial.batch import cores, on_cluster, on_cores, outcomes
+from core.trial.draw import Drawn, draw
+from core.trial.folder import append, check_seals, finished, open_folder
+from core.trial.judgement import mark
+from core.trial.outcome import Outcome
+from core.trial.sheet import score_sheet, write_sheet
+
+answers = Console()
+messages = Console(stderr=True)
+
+
+def trial(
+    count: Annotated[int, typer.Option(min=1, help="How many trials, from the first seed on.")] = 1,
+    seed: Annotated[int, typer.Option(min=0, help="The first seed.")] = 0,
+    seeds: Annotated[str | None, typer.Option(metavar="LIST", help="These seeds instead, as in `300,305,400-420`.")] = None,
+    report: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder for outcomes and score sheet; a run there goes on.")] = None,
+    keep: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder for the recordings, one per seed.")] = None,
+    processes: Annotated[int | None, typer.Option(min=1, help="Trials at the same time. [default: one per core]")] = None,
+    dask: Annotated[str | None, typer.Option(metavar="ADDRESS", help="Scheduler of a Dask cluster that is to run them.")] = None,
+) -> None:
+    """The blind check: plant faults in the virtual robot, seal the answer, diagnose, open the seal, score."""
+    wanted = seeds_of(seeds) if seeds else list(range(seed, seed + count))
+    done = {} if report is None else finished(report)
+    where = on_cluster(dask) if dask else on_cores(min(processes or cores(), len(wanted)))
+    with messages.status("planning") if messages.is_terminal else nullcontext():
+        drawn = [draw(k) for k in wanted]
+    check_seals(drawn, done)
+    missing = [one for one in drawn if one.sealed.seed not in done]
+    if keep is not None:
+        _make_room(keep, missing)
+    for one in missing:
+        answers.print(f"trial {one.sealed.seed}: sealed {one.sealed.hash}", highlight=False, soft_wrap=True)
+    if report is not None:
+        open_folder(report, drawn, done)
+    try:
+        with closing(_watched(missing, where, keep)) as coming:
+            for outcome in coming:
+                done[outcome.sealed.seed] = outcome
+                if report is not None:
+                    append(report, outcome)
+                _show(outcome)
+    finally:
+        if done:
+            _finish(list(done.values()), report)
+
+
+def _finish(found: list[Outcome], report: Path | None) -> None:
+    """The sheet over all that is there, however the run ended."""
+    found = sorted(found, key=lambda outcome: outcome.sealed.seed)
+    answers.print(score_sheet(found), highlight=False, markup=False, soft_wrap=True)
+    if report is not None:
+        write_sheet(report, found)
+
+
+def seeds_of(text: str) -> list[int]:
+    """Seeds of a list like `300,305,400-420`, each once.
+
+    Raises:
+        BadInput: not such a list.
+    """
+    found: dict[int, None] = {}
+    for part in text.split(","):
+        first, dash, last = part.strip().partition("-")
+        if not first.isdecimal() or (dash and not last.isdecimal()):
+            raise BadInput("--seeds", repr(part), "seeds like 300,305,400-420")
+        found.update(dict.fromkeys(range(int(first), int(last or first) + 1)))
+    return list(found)
+
+
+def _make_room(keep: Path, missing: Sequence[Drawn]) -> None:
+    """Before anything long begins: no recording is there already."""
+    for one in missing:
+        if (keep / str(one.sealed.seed)).exists():
+            raise BadInput(str(keep / str(one.sealed.seed)), "something that exists already", "a new folder for --keep")
+    keep.mkdir(parents=True, exist_ok=True)
+
+
+def _watched(drawn: Sequence[Drawn], where: AbstractContextManager[Executor], keep: Path | None) -> Generator[Outcome, None, None]:
+    """The outcomes with a bar that tells how long the rest will take."""
+    columns = (SpinnerColumn(), TextColumn("trials"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with where as executor, Progress(*columns, console=messages, transient=True, disable=not messages.is_terminal) as progress:
+        yield from progress.track(outcomes(drawn, executor, keep), total=len(drawn))
+
+
+def _show(outcome: Outcome) -> None:
+    sealed = outcome.sealed
+    answer = outcome.stopped or f"{outcome.verdict} {outcome.first or ''}".strip()
+    answers.print(
+        f"trial {sealed.seed}: planted {sealed.in_words}, size {sealed.size:.2f}; answered {answer}: {mark(outcome)}",
+        highlight=False,
+        soft_wrap=True,
+    )

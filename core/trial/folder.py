@@ -1,0 +1,72 @@
+"""The folder of a run of trials: seals first, then each outcome as it comes, so that a run that was cut short can go on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from pydantic import ValidationError
+
+from core.errors import BadInput
+from core.trial.draw import Drawn
+from core.trial.outcome import Outcome
+
+OUTCOMES = "trials.jsonl"
+SEALS = "seals.txt"
+
+
+def finished(folder: Path) -> dict[int, Outcome]:
+    """The outcomes in a folder by seed; none where it does not exist yet. A last line that was cut off while it was written is dropped.
+
+    Raises:
+        BadInput: something else stands there, or a line that is no outcome.
+    """
+    file = folder / OUTCOMES
+    if not file.exists():
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise BadInput(str(folder), "something that is not a run of trials", "a new name, or the folder of an earlier run")
+        return {}
+    lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
+    found = [_outcome(f"{file}, line {n}", line) for n, line in enumerate(lines, 1) if line.endswith("\n")]
+    return {outcome.sealed.seed: outcome for outcome in found}
+
+
+def _outcome(where: str, line: str) -> Outcome:
+    try:
+        return Outcome.model_validate_json(line)
+    except ValidationError as error:
+        raise BadInput(where, f"no outcome of this version ({error.error_count()} problems)", "a new folder") from None
+
+
+def check_seals(drawn: Iterable[Drawn], done: dict[int, Outcome]) -> None:
+    """What is drawn now is what was drawn when the folder was begun.
+
+    Raises:
+        BadInput: a seal differs, so that the outcomes would not belong together.
+    """
+    for one in drawn:
+        seed = one.sealed.seed
+        if seed not in done or done[seed].sealed.hash == one.sealed.hash:
+            continue
+        raise BadInput(f"seed {seed}", f"the seal {done[seed].sealed.hash[:12]} in the folder", f"{one.sealed.hash[:12]}; take a new one")
+
+
+def open_folder(folder: Path, drawn: Iterable[Drawn], done: dict[int, Outcome]) -> None:
+    """Makes the folder with the seals of what is to come, and leaves only whole outcomes in it."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / SEALS).open("a", encoding="utf-8") as seals:
+        seals.writelines(f"{one.sealed.seed} {one.sealed.hash}\n" for one in drawn if one.sealed.seed not in done)
+    replace(folder / OUTCOMES, "".join(outcome.model_dump_json() + "\n" for outcome in done.values()))
+
+
+def append(folder: Path, outcome: Outcome) -> None:
+    """Adds a finished trial; what is written is written."""
+    with (folder / OUTCOMES).open("a", encoding="utf-8") as file:
+        file.write(outcome.model_dump_json() + "\n")
+
+
+def replace(file: Path, text: str) -> None:
+    """Writes a file that appears only when it is whole."""
+    part = file.with_name(file.name + ".part")
+    part.write_text(text, encoding="utf-8")
+    part.replace(file)

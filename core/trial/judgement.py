@@ -1,0 +1,130 @@
+"""What counts as right, and what can be asked of a diagnosis at all.
+
+A trial counts where any method could answer it. One fault is to be named from twice the size at which it can be told from nothing, and when
+it is material; below that "no gap" is the right answer. A fault that the library does not have counts when it is material and no effect of
+the library describes it. Two faults count when the weaker one shows beside the other, and matters. Faults that are read off the recording
+directly have no distance in the wrench: they count when they are material by the effect's own measure, as far as the seal tells it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from core.gap.materiality import SHARE, sizes
+from core.trial.outcome import Outcome
+from core.trial.truth import Parameters
+
+SHARES = SHARE[[0, 1, 1, 1, 2, 2, 2, 2, 2, 2]]
+"""Material shares of the ten payload parameters."""
+
+DETECTABLE_SIGMA = 3.0
+"""Distance from "nothing" below which nothing can find a fault."""
+NAMED_SIGMA = 2.0 * DETECTABLE_SIGMA
+"""From here on a fault, a second fault and a kind that the library does not have are to be named."""
+SIZED_SIGMA = 5.0 * DETECTABLE_SIGMA
+"""From here on parameters are to be right."""
+TIE_SIGMA, CLEAR_SIGMA = 3.0, 6.0
+"""Distance to the nearest rival below which the tie is to be declared, and above which there is to be one name."""
+NAMED = ("explained", "ambiguous")
+NO_GAP, UNKNOWN = "no_gap", "unknown"
+
+
+def material(outcome: Outcome) -> bool:
+    """Whether what was planted matters; faults without a measure in the wrench are taken to."""
+    share = own_measure(outcome) if outcome.bound.materiality is None else outcome.bound.materiality
+    return bool(outcome.sealed.ids) and share >= 1.0
+
+
+def own_measure(outcome: Outcome) -> float:
+    """Materiality, 1 where it begins, of a fault that is read off the recording directly; 1 where the seal does not tell it."""
+    return max((_MEASURES[name](truth, outcome) for name, truth in outcome.truth.items() if name in _MEASURES), default=1.0)
+
+
+def _mismatch(truth: Parameters, outcome: Outcome) -> float:
+    if outcome.payload is None:
+        return 1.0
+    return float((np.abs(list(truth.values())) / (SHARES * sizes(np.array(outcome.payload.true)))).max())
+
+
+_MEASURES: dict[str, Callable[[Parameters, Outcome], float]] = {
+    "sensor_noise": lambda truth, _: max(truth.values()) / 1.3,
+    "sample_dropout": lambda truth, _: truth["held_share"] / 0.05,
+    "payload_mismatch": _mismatch,
+}
+"""As the effects' docstrings say."""
+
+
+def counts(outcome: Outcome) -> bool:
+    """Whether any method could give the right answer."""
+    bound, kind = outcome.bound, outcome.sealed.kind
+    if outcome.stopped is not None:
+        return False
+    if kind == "none":
+        return True
+    if kind == "double":
+        return (bound.second_sigma or 0.0) >= NAMED_SIGMA and bool(bound.second_material)
+    shows = bound.fault_sigma is None or bound.fault_sigma >= NAMED_SIGMA
+    if kind == "unknown":
+        return material(outcome) and shows and (bound.undescribed_sigma or 0.0) >= NAMED_SIGMA
+    return material(outcome) and shows
+
+
+def named(outcome: Outcome) -> frozenset[str]:
+    """The most probable explanation: one effect or two."""
+    if outcome.verdict not in NAMED or outcome.first is None:
+        return frozenset()
+    pair = max(outcome.pairs, key=lambda pair: pair[1], default=((), 0.0))
+    return frozenset(pair[0]) if pair[1] > outcome.effects[0].probability else frozenset({outcome.first})
+
+
+def right(outcome: Outcome) -> bool:
+    """Whether the answer is right, counted or not.
+
+    None: no gap. One fault: its name first, or a declared tie that holds it; "no gap" where it is immaterial. Unknown: "unknown"; "no gap"
+    where it is immaterial. Two: exactly those, one of which may stand among what was read off beside the verdict; where the weaker one does
+    not count, either of them.
+    """
+    kind, ids = outcome.sealed.kind, set(outcome.sealed.ids)
+    silent = outcome.verdict == NO_GAP
+    if outcome.stopped is not None:
+        return False
+    if kind == "none":
+        return silent
+    if silent and not material(outcome):
+        return True
+    if kind == "unknown":
+        return outcome.verdict == UNKNOWN
+    if kind == "double" and counts(outcome):
+        return exact_pair(outcome)
+    return bool(named(outcome) & ids) or (outcome.verdict in NAMED and bool(outcome.tied & ids))
+
+
+def exact_pair(outcome: Outcome) -> bool:
+    """Both names and no other; what was read off the recording beside the verdict is named as well."""
+    ids, names = set(outcome.sealed.ids), named(outcome)
+    return bool(names) and names <= ids <= names | set(outcome.minor)
+
+
+def mark(outcome: Outcome) -> str:
+    """In words."""
+    beside = "" if counts(outcome) or outcome.stopped is not None else " (does not count: too small, or another effect describes it)"
+    return ("right" if right(outcome) else "not right") + beside
+
+
+def truth_class(outcome: Outcome) -> str:
+    """What the probabilities are about: none, unknown, an effect, or two joined by a plus sign; the verdict is about what matters."""
+    kind, ids = outcome.sealed.kind, outcome.sealed.ids
+    if kind == "none" or not material(outcome):
+        return "none"
+    if kind != "double" or outcome.bound.second_material is None or outcome.bound.second_material:
+        return "+".join(sorted(ids))
+    return max(ids, key=lambda name: next((e.closure for e in outcome.effects if e.id == name), 0.0))
+
+
+def forecast(outcome: Outcome) -> dict[str, float]:
+    """Probability of every class that the answer gives one to."""
+    singles = {effect.id: effect.probability for effect in outcome.effects}
+    pairs = {"+".join(sorted(ids)): probability for ids, probability in outcome.pairs}
+    return {"none": outcome.none_probability, "unknown": outcome.unknown_probability, **singles, **pairs}

@@ -1,0 +1,88 @@
+"""One trial from the sealed draw to the opened answer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from core.errors import Stopped
+from core.gap.diagnosis import examine
+from core.gap.evidence import Evidence
+from core.gap.fit_all import one_by_one
+from core.plant.faults import Fault, Setting
+from core.plant.mechanics import Drives
+from core.procedure import Run
+from core.recording import Recording
+from core.recording_folder import write_recording
+from core.sample_log import SampleLog
+from core.sessions.session import RobotState
+from core.sessions.simulated import SimulatedSession
+from core.trial.bound import Bound, bound_of
+from core.trial.draw import Drawn, returned
+from core.trial.outcome import Outcome, answered, unanswered
+from core.trial.truth import Parameters, difference_of, parameters_of, payload_of
+
+SMOOTH = Drives(damping_s=0.0, friction=0.0)
+"""Friction is one of the faults: where it is not planted, there is none."""
+
+
+def run_trial(drawn: Drawn, keep: Path | None = None) -> Outcome:
+    """Runs the procedure with the faults, diagnoses without them, and opens the seal. On one core.
+
+    Args:
+        keep: folder in which the recording is left, under the trial's seed.
+    """
+    sealed = drawn.sealed
+    try:
+        recording = recorded(drawn, (drawn.background, *drawn.faults))
+    except Stopped as error:
+        return unanswered(sealed, str(error))
+    if keep is not None:
+        write_recording(recording, keep / str(sealed.seed))
+    diagnosis, evidence = examine(recording, fit_all=one_by_one)
+    nominal = drawn.cell.payloads[sealed.payload].parameters
+    payload = payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
+    bound = Bound() if evidence is None or not sealed.ids else _bound(drawn, evidence)
+    return answered(sealed, diagnosis, _truth(drawn), payload, bound)
+
+
+def recorded(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
+    """The procedure on the virtual robot.
+
+    Raises:
+        Stopped: the guard has given up.
+    """
+    cell, name = drawn.cell, drawn.sealed.payload
+    carried = cell.payloads[name]
+    session = SimulatedSession(cell, carried.parameters, seed=drawn.sealed.seed, faults=faults, drives=SMOOTH)
+    run = _Recorder(cell, session, carried.box, drawn.plan.timing, 1.0, "rrt_connect", 0)
+    log = SampleLog(cell, run.robot, payload=name, reference=carried)
+    with session:
+        returned(run.moved(drawn.plan, log))
+    return log.recording()
+
+
+class _Recorder(Run):
+    """The procedure's motions without an estimate along the way, which nobody would see."""
+
+    def learned(self, states: Sequence[RobotState]) -> tuple[float | None, ...]:
+        """Nothing."""
+        del states
+        return (None,) * 10
+
+
+def _bound(drawn: Drawn, evidence: Evidence) -> Bound:
+    nominal = drawn.cell.payloads[drawn.sealed.payload].parameters
+    payload = payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
+    return bound_of(drawn.sealed.ids, evidence, recorded(drawn, (drawn.background,)), nominal.phi, payload)
+
+
+def _truth(drawn: Drawn) -> dict[str, Parameters]:
+    """Parameters of what was planted, in the effects' words; empty ones are left out."""
+    nominal = drawn.cell.payloads[drawn.sealed.payload].parameters
+    setting = Setting(drawn.cell, nominal, drawn.plan.robot_s)
+    told = {name: parameters_of(name, variant, truth, setting) for name, variant, truth in drawn.sealed.planted}
+    if "payload_mismatch" in told:
+        payload = payload_of(drawn.cell, nominal, drawn.faults)
+        told["payload_mismatch"] = difference_of(payload.phi, nominal.phi)
+    return {name: parameters for name, parameters in told.items() if parameters}

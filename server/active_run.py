@@ -1,0 +1,234 @@
+"""A run that has its cell: what its control process tells becomes states in the store and messages for who watches."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import time
+from collections.abc import Callable, Iterable
+from datetime import datetime
+from pathlib import Path
+
+from sqlalchemy.exc import SQLAlchemyError
+from sqlalchemy.orm import Session
+
+from core.cell import Cell
+from core.events import Event, PhaseStarted, Progress, RobotStopped
+from core.plan import Timing
+from core.sessions.leased import Renewal
+from server import run_ledger
+from server.broadcast import Broadcast
+from server.packml import Command, State
+from server.run_ledger import Step
+from server.run_schemas import EventMessage, PlanShown, RunOrder, RunPlan
+from server.run_tables import RunRow
+from server.runner.messages import (
+    Done,
+    End,
+    Failed,
+    FromChild,
+    Happened,
+    Hold,
+    MotionEnded,
+    Order,
+    Ready,
+    Release,
+    Resume,
+    Sampled,
+    ZoneMoved,
+)
+from server.runner.process import ControlProcess
+from server.store import Store
+
+log = logging.getLogger("heft.runs")
+
+STORE_LATE_S = 0.15
+"""A write of the run's state that takes longer withholds the lease: the robot does not go on while its state cannot be kept."""
+GRACE_S = 15.0
+"""What a control process may take to end when it is told to: braking, and writing the recording."""
+DONE: Step = None
+
+
+class ActiveRun:
+    """One run from its planning to its end.
+
+    Args:
+        row: of the run, in Resetting.
+        cell: with its zones where they are now.
+        folder: of the run; made here.
+        broadcast: to who watches it.
+    """
+
+    def __init__(self, store: Store, row: RunRow, cell: Cell, folder: Path, broadcast: Broadcast, now: Callable[[], datetime]) -> None:
+        self.id, self.cell, self.folder = row.id, cell.name, folder
+        self.state, self.broadcast = State(row.state), broadcast
+        self.newest: Sampled | None = None
+        self.plan: RunPlan | None = None
+        self._store, self._now = store, now
+        self._steps = asyncio.Lock()
+        self._writing_since: float | None = None
+        folder.mkdir(parents=True, exist_ok=True)
+        order = order_of(row, cell, folder)
+        self.payload_box = order.payload_box
+        self._process = ControlProcess(order)
+
+    async def carry(self) -> None:
+        """Until the run is over."""
+        try:
+            async for message in self._process.messages():
+                await self._hear(message)
+        except SQLAlchemyError as error:
+            self._process.tell(End(f"the run's state could not be written ({type(error).__name__}); the robot was stopped."))
+            async for _ in self._process.messages():
+                pass
+            raise
+
+    @property
+    def in_charge(self) -> bool:
+        """Whether what happens can be written down."""
+        return self._writing_since is None or time.monotonic() - self._writing_since < STORE_LATE_S
+
+    def renew(self, renewal: Renewal) -> None:
+        """Hands a sign of life on."""
+        if self.in_charge:
+            self._process.tell(renewal)
+
+    def zone_moved(self, moved: ZoneMoved) -> None:
+        """Hands a zone's new place on."""
+        self._process.tell(moved)
+
+    async def release(self, plan_sha256: str, who: str, also: Callable[[Session], object]) -> None:
+        """Lets the plan begin; `also` is written in the same transaction.
+
+        Raises:
+            IllegalCommandError: there is no plan that waits.
+        """
+
+        def change(row: RunRow) -> None:
+            row.released, row.released_by, row.released_at = True, who, self._now()
+
+        await self._step(lambda _: [Command.START], change=change, also=also)
+        self._process.tell(Release(plan_sha256))
+
+    async def command(self, command: Command, reason: str, also: Callable[[Session], object]) -> None:
+        """Holds, resumes, stops or aborts; the robot hears of an end before the store does.
+
+        Raises:
+            IllegalCommandError: not in this state.
+        """
+        if command in (Command.STOP, Command.ABORT):
+            self._process.tell(End(reason))
+            asyncio.get_running_loop().call_later(GRACE_S, self._process.kill)
+        elif command is Command.HOLD and self.state is State.EXECUTE:
+            self._process.tell(Hold())
+
+        def change(row: RunRow) -> None:
+            row.reason = None if command is Command.UNHOLD else reason
+
+        await self._step(lambda _: [command], change=change, also=also)
+        if command is Command.UNHOLD:
+            self._process.tell(Resume())
+
+    async def _hear(self, message: FromChild) -> None:
+        match message:
+            case Sampled():
+                self.newest = message
+                self.broadcast.samples(message.batch.model_dump_json())
+            case Happened(event=Progress()):
+                pass  # stands in the samples
+            case Happened(event=event):
+                await self._step(lambda state: after(event, state), [event])
+            case Ready(plan=plan):
+                self.plan = plan
+                shown = PlanShown(sha256=plan.sha256, robot_s=plan.summary.robot_s)
+                await self._step(_from(State.RESETTING), [shown], lambda row: setattr(row, "plan", plan.model_dump_json()))
+            case MotionEnded():
+                await self._step(_from(State.EXECUTE))
+            case Done(result=result):
+                text = result.model_dump_json()
+                path = _from(State.COMPLETING, State.STOPPING, State.ABORTING)
+                await self._step(path, change=lambda row: setattr(row, "result", text))
+            case Failed():
+                await self._fail(message)
+
+    async def _fail(self, failed: Failed) -> None:
+        """The end of a run that did not come through: where it was told to end, as told; before any motion Stopped; else Aborted."""
+
+        def change(row: RunRow) -> None:
+            if row.state == State.STOPPING:
+                row.reason = row.reason or failed.message
+            else:
+                row.aborted, row.reason, row.in_the_way = True, failed.message, failed.in_the_way
+
+        await self._step(after_failure, change=change)
+
+    async def _step(
+        self,
+        path: Callable[[State], Iterable[Step]],
+        events: Iterable[Event] = (),
+        change: Callable[[RunRow], object] = lambda _: None,
+        also: Callable[[Session], object] = lambda _: None,
+    ) -> None:
+        """One transaction: the change, the states on the path, the events, whatever else; then the watchers are told."""
+
+        def write() -> tuple[str, list[EventMessage]]:
+            with self._store.write() as db:
+                row = run_ledger.load(db, self.id)
+                change(row)
+                told = run_ledger.tell(db, row, list(events), self._now()) + run_ledger.steps(db, row, path(State(row.state)), self._now())
+                also(db)
+                return row.state, told
+
+        async with self._steps:
+            self._writing_since = time.monotonic()
+            state, messages = await asyncio.to_thread(write)
+            self._writing_since = None
+            self.state = State(state)
+            for message in messages:
+                self.broadcast.event(message.sequence, message.model_dump_json())
+
+
+def _from(*states: State) -> Callable[[State], list[Step]]:
+    """These states are completed; no other is left."""
+    return lambda state: [DONE] if state in states else []
+
+
+def after(event: Event, state: State) -> list[Step]:
+    """Where an event of the procedure leads."""
+    match event:
+        case PhaseStarted():
+            return {State.STARTING: [DONE], State.UNHOLDING: [DONE], State.SUSPENDED: [Command.UNSUSPEND, DONE]}.get(state, [])
+        case RobotStopped(final=True):
+            return [] if state in (State.STOPPING, State.ABORTING) else [Command.ABORT]
+        case RobotStopped():
+            suspended: list[Step] = [Command.SUSPEND, DONE]
+            begun: list[Step] = [DONE, *suspended]
+            return {
+                State.HOLDING: [DONE], State.EXECUTE: suspended, State.STARTING: begun, State.UNHOLDING: begun,
+            }.get(state, [])  # fmt: skip
+    return []
+
+
+def after_failure(state: State) -> list[Step]:
+    """Where a run ends that did not come through: as it was told to; Stopped before any motion; else Aborted."""
+    if state in (State.STOPPING, State.ABORTING):
+        return [DONE]
+    return [Command.STOP if state in (State.RESETTING, State.IDLE) else Command.ABORT, DONE]
+
+
+def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
+    """What the control process is told."""
+    asked = RunOrder.model_validate_json(row.order)
+    payload = asked.payload or next(iter(cell.payloads))
+    return Order(
+        run=row.id,
+        cell=cell,
+        payload=payload,
+        payload_box=asked.payload_box or cell.payloads[payload].box,
+        timing=Timing(hold_s=asked.hold_s, settle_s=asked.settle_s, robot_s=asked.robot_s, inertia_std=asked.inertia_std),
+        planner=asked.planner,
+        seed=asked.seed,
+        mass_guess_kg=asked.mass_guess_kg,
+        pace=asked.pace,
+        folder=folder,
+    )

@@ -1,0 +1,85 @@
+"""Puts the service together: opens what it needs, mounts the routes behind the one door, ends in order."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from datetime import datetime
+
+from fastapi import Depends, FastAPI
+from fastapi.routing import APIRoute
+
+from server import __version__
+from server.cell_folder import CellFolder
+from server.cell_uploads import CellChecker
+from server.dependencies import let_in
+from server.metrics import Metrics
+from server.middleware import BodyLimit, Requests
+from server.openapi import describe
+from server.problem_answers import answer_with_problems
+from server.routes import ROUTERS
+from server.service import Service, utc_now
+from server.settings import Settings
+from server.store import Store
+
+log = logging.getLogger("heft")
+
+DESCRIPTION = (
+    "Identifies what a robot carries, safely, with people around. Not a safety function. SI units; the unit stands in each field's name. "
+    "Every error is application/problem+json (RFC 9457)."
+)
+
+
+def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, checker: CellChecker | None = None) -> FastAPI:
+    """The service on the given settings; nothing is opened before it starts."""
+    service = Service(settings, Store(settings.store_url), CellFolder(settings.cells_folder), Metrics(), checker or CellChecker(), now)
+
+    @asynccontextmanager
+    async def running(_app: FastAPI) -> AsyncIterator[None]:
+        start(service)
+        work = (service.conductor, service.diagnoser, service.deliverer, service.gallery)
+        for each in work:
+            await each.start()
+        try:
+            yield
+        finally:
+            for each in work:
+                await each.close()
+            if checker is None:  # one that was handed in serves others too
+                service.checker.close()
+            service.store.close()
+            log.info("stopped")
+
+    app = FastAPI(
+        title="Heft",
+        version=__version__,
+        description=DESCRIPTION,
+        lifespan=running,
+        dependencies=[Depends(let_in)],
+        openapi_url=None,  # served by a route that stands in the table of authority, like every other
+        docs_url=None,
+        redoc_url=None,
+        generate_unique_id_function=operation_id,
+    )
+    app.openapi = lambda: describe(app)  # type: ignore[method-assign]
+    app.state.service = service
+    answer_with_problems(app)
+    for router in ROUTERS:
+        app.include_router(router)
+    app.add_middleware(BodyLimit, settings=settings)
+    app.add_middleware(Requests, metrics=service.metrics)
+    return app
+
+
+def start(service: Service) -> None:
+    """Makes the folders, migrates the store, makes the cells ready."""
+    service.settings.data.mkdir(parents=True, exist_ok=True)
+    service.settings.recordings_folder.mkdir(exist_ok=True)
+    service.store.migrate()
+    service.cells.prepare()
+
+
+def operation_id(route: APIRoute) -> str:
+    """The function's name: what a generated client calls."""
+    return route.name

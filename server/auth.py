@@ -1,0 +1,125 @@
+"""Who is asking, and whether they may: a browser by its cookie, a machine by its key; deny by default.
+
+A browser's cookie travels with requests that other pages make, so a request that changes something also has to carry the session's
+CSRF token, and come from one of our own pages as far as the browser says where from. A websocket of a browser must say so.
+"""
+
+from __future__ import annotations
+
+import secrets
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+from urllib.parse import urlsplit
+
+from sqlalchemy.orm import Session
+from starlette.requests import HTTPConnection
+
+from server.accounts import KEY_PREFIX, Account, ApiKey, SignIn, sha256
+from server.authority import AUTHORITY
+from server.errors import NotAllowed, NotSignedIn
+from server.roles import Role
+from server.settings import Settings
+
+COOKIE = "heft_session"
+CSRF_HEADER = "X-CSRF-Token"
+SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
+TOUCH = timedelta(minutes=1)  # how exactly the last use of a session is known
+
+
+@dataclass(frozen=True)
+class Caller:
+    """Who is asking.
+
+    Args:
+        who: as the audit log names them, "account:anna", "key:line-3" or "nobody".
+        csrf_token: of a browser's session; None for a machine.
+        stale: the session's last use ought to be written down.
+    """
+
+    who: str
+    roles: frozenset[Role]
+    csrf_token: str | None = None
+    session: str | None = None
+    stale: bool = False
+
+    @property
+    def name(self) -> str:
+        """Of the account or key."""
+        return self.who.partition(":")[2]
+
+
+NOBODY = Caller("nobody", frozenset())
+
+
+def identify(db: Session, connection: HTTPConnection, settings: Settings, now: datetime) -> Caller:
+    """The caller, by key or by cookie; NOBODY where neither is shown.
+
+    Raises:
+        NotSignedIn: what is shown is unknown, expired or revoked.
+    """
+    scheme, _, key = connection.headers.get("authorization", "").partition(" ")
+    if scheme.lower() == "bearer":
+        return _by_key(db, key.strip(), now)
+    token = connection.cookies.get(COOKIE)
+    return NOBODY if token is None else _by_cookie(db, token, settings, now)
+
+
+def _by_key(db: Session, key: str, now: datetime) -> Caller:
+    row = db.get(ApiKey, key[:KEY_PREFIX])
+    if row is None or not secrets.compare_digest(row.key_hash, sha256(key)) or (row.expires_at is not None and row.expires_at <= now):
+        raise NotSignedIn("key: unknown, expired or revoked; ask whoever keeps the accounts for a new one")
+    return Caller(f"key:{row.name}", frozenset({Role(row.role)}))
+
+
+def _by_cookie(db: Session, token: str, settings: Settings, now: datetime) -> Caller:
+    row = db.get(SignIn, sha256(token))
+    account = None if row is None else db.get(Account, row.account)
+    if (
+        row is None
+        or account is None
+        or account.disabled
+        or row.created_at + timedelta(hours=settings.session_hours) <= now
+        or row.used_at + timedelta(minutes=settings.idle_minutes) <= now
+    ):
+        raise NotSignedIn("session: ended or expired; sign in again")
+    return Caller(f"account:{account.name}", account.roles, row.csrf_token, row.token_hash, stale=now - row.used_at > TOUCH)
+
+
+def check_origin(connection: HTTPConnection, settings: Settings, caller: Caller) -> None:
+    """The request comes from a page of ours, where a browser could have sent it from another.
+
+    Raises:
+        NotAllowed: it does not, or it lacks the session's CSRF token.
+    """
+    websocket = connection.scope["type"] == "websocket"
+    if not websocket and connection.scope["method"] in SAFE_METHODS:
+        return
+    origin, site = connection.headers.get("origin"), connection.headers.get("sec-fetch-site")
+    ours = origin is not None and (urlsplit(origin).netloc == connection.headers.get("host") or origin in settings.origins)
+    if (origin is not None and not ours) or (site not in (None, "same-origin", "none") and not ours):
+        raise NotAllowed(f"origin: {(origin or site or '')[:80]!r} is no page of this service; set HEFT_ORIGINS if it is to be one")
+    if caller.csrf_token is None:
+        return
+    if websocket and origin is None:
+        raise NotAllowed("origin: a browser's websocket has to say which page it belongs to")
+    if not websocket and not secrets.compare_digest(connection.headers.get(CSRF_HEADER, "").encode(), caller.csrf_token.encode()):
+        raise NotAllowed(f"{CSRF_HEADER}: not the session's; GET /api/session tells it")
+
+
+def check_authority(endpoint: str, caller: Caller) -> None:
+    """The table of authority lets the caller in.
+
+    Raises:
+        NotSignedIn: somebody has to be signed in.
+        NotAllowed: none of the caller's roles may do it, or the endpoint stands in no table.
+    """
+    if endpoint not in AUTHORITY:
+        raise NotAllowed(f"{endpoint}: not in the table of authority, so nobody may call it")
+    allowed = AUTHORITY[endpoint]
+    if allowed is None:
+        return
+    if caller == NOBODY:
+        raise NotSignedIn(f"{endpoint}: sign in with POST /api/session, or send a key as `Authorization: Bearer`")
+    if not caller.roles & allowed:
+        has, needs = ", ".join(sorted(caller.roles)) or "no role", ", ".join(sorted(allowed))
+        raise NotAllowed(f"{endpoint}: {caller.who} is {has}; it takes one of {needs}")

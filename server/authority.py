@@ -1,0 +1,63 @@
+"""Who may call what: every endpoint of the service stands here, and what does not stand here is refused.
+
+docs/service.md shows this table; a test holds them together, another calls each endpoint as each role.
+"""
+
+from __future__ import annotations
+
+from server.roles import Role
+
+viewer, operator, engineer, mes, admin = Role.viewer, Role.operator, Role.engineer, Role.mes, Role.admin
+
+ANYBODY: frozenset[Role] | None = None
+"""Also who is not signed in."""
+SIGNED_IN = frozenset(Role)
+AT_THE_CELL = frozenset({operator, engineer})
+
+AUTHORITY: dict[str, frozenset[Role] | None] = {
+    "GET /health": ANYBODY,
+    "GET /openapi.json": ANYBODY,
+    "GET /problems/{kind}": ANYBODY,
+    "GET /metrics": frozenset({viewer, engineer, admin}),
+    "POST /api/session": ANYBODY,
+    "GET /api/session": SIGNED_IN,
+    "DELETE /api/session": SIGNED_IN,
+    "PUT /api/session/password": SIGNED_IN,
+    "GET /api/accounts": frozenset({admin}),
+    "POST /api/accounts": frozenset({admin}),
+    "PATCH /api/accounts/{account}": frozenset({admin}),
+    "GET /api/keys": frozenset({admin}),
+    "POST /api/keys": frozenset({admin}),
+    "DELETE /api/keys/{key}": frozenset({admin}),
+    "GET /api/audit": frozenset({engineer, admin}),
+    "GET /api/cells": SIGNED_IN,
+    "POST /api/cells": frozenset({engineer}),
+    "POST /api/cells/validate": frozenset({engineer}),
+    "GET /api/cells/{cell}": SIGNED_IN,
+    "PUT /api/cells/{cell}": frozenset({engineer}),
+    "PUT /api/cells/{cell}/zones/{zone}": AT_THE_CELL,
+    "POST /api/control": frozenset({operator}),
+    "GET /api/control/{cell}": SIGNED_IN,
+    "WS /api/control/{cell}/lease": frozenset({operator}),
+    "POST /api/runs": frozenset({operator, mes}),
+    "GET /api/runs": SIGNED_IN,
+    "GET /api/runs/{run}": SIGNED_IN,
+    "DELETE /api/runs/{run}": frozenset({operator, mes}),
+    "GET /api/runs/{run}/plan": SIGNED_IN,
+    "POST /api/runs/{run}/release": frozenset({operator}),
+    "POST /api/runs/{run}/commands": AT_THE_CELL,
+    "GET /api/runs/{run}/result": SIGNED_IN,
+    "GET /api/runs/{run}/events": SIGNED_IN,
+    "WS /api/runs/{run}/live": SIGNED_IN,
+    "GET /viewer/{cell}": SIGNED_IN,
+    "GET /viewer/{cell}/{path:path}": SIGNED_IN,
+    "WS /viewer/{cell}": SIGNED_IN,
+    "POST /api/diagnoses": AT_THE_CELL,
+    "POST /api/diagnoses/uploads": AT_THE_CELL,
+    "GET /api/diagnoses": SIGNED_IN,
+    "GET /api/diagnoses/{diagnosis}": SIGNED_IN,
+    "POST /api/webhooks": frozenset({admin}),
+    "GET /api/webhooks": frozenset({admin}),
+    "DELETE /api/webhooks/{webhook}": frozenset({admin}),
+    "GET /api/webhooks/{webhook}/deliveries": frozenset({admin}),
+}

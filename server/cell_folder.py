@@ -1,0 +1,114 @@
+"""The cells of this service: a folder each in one folder; read anew when a file changed, replaced as a whole or not at all."""
+
+from __future__ import annotations
+
+import hashlib
+import shutil
+from pathlib import Path
+from threading import Lock
+
+from core.cell import CELL_FILE, Cell, list_cells, load_cell
+from core.errors import BadCell, HeftError
+from server.errors import Conflict, NotFound
+
+OLD, NEW = ".old-", ".new-"
+"""What stands before the name of a folder while it is being replaced; no cell's name begins so."""
+
+Stamp = tuple[tuple[str, int, int], ...]
+
+
+class CellFolder:
+    """The folder that holds the cells.
+
+    Args:
+        folder: made, with copies of the cells at hand, where it does not exist.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._read: dict[str, tuple[Stamp, Cell]] = {}
+        self._replacing = Lock()
+
+    def prepare(self) -> None:
+        """Makes the folder where there is none; ends a replacement that a crash cut off."""
+        if not self.folder.exists():
+            self.folder.mkdir(parents=True)
+            for cell in list_cells():
+                shutil.copytree(cell, self.folder / cell.name)
+        for old in self.folder.glob(f"{OLD}*"):
+            place = self.folder / old.name.removeprefix(OLD)
+            if place.exists():
+                shutil.rmtree(old)
+            else:
+                old.replace(place)
+        for new in self.folder.glob(f"{NEW}*"):
+            shutil.rmtree(new)
+
+    def names(self) -> list[str]:
+        """Of all cells, readable or not."""
+        return sorted(file.parent.name for file in self.folder.glob(f"[!.]*/{CELL_FILE}"))
+
+    def load(self, name: str) -> Cell:
+        """A cell, checked.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell, BadRobot: it cannot be used.
+        """
+        if name not in self.names():
+            raise NotFound("cell", name)
+        stamp = _stamp(self.folder / name)
+        known = self._read.get(name)
+        if known is None or known[0] != stamp:
+            self._read[name] = known = (stamp, self._loaded(name))
+        return known[1]
+
+    def _loaded(self, name: str) -> Cell:
+        cell = load_cell(self.folder / name)
+        if cell.name != name:
+            raise BadCell(f"{name}/{CELL_FILE}: name", repr(cell.name), f"the name of its folder, {name!r}")
+        return cell
+
+    def flaw(self, name: str) -> str | None:
+        """Why a cell cannot be used; None where it can."""
+        try:
+            self.load(name)
+        except HeftError as error:
+            return str(error)
+        return None
+
+    def digest(self, name: str) -> str:
+        """SHA-256 over the names and contents of a cell's files, hex."""
+        if name not in self.names():
+            raise NotFound("cell", name)
+        whole = hashlib.sha256()
+        folder = self.folder / name
+        for file in sorted(each for each in folder.rglob("*") if each.is_file()):
+            content = hashlib.sha256(file.read_bytes()).hexdigest()
+            whole.update(f"{file.relative_to(folder).as_posix()}\0{content}\n".encode())
+        return whole.hexdigest()
+
+    def install(self, unpacked: Path, name: str, *, replace: bool) -> None:
+        """Puts a checked folder into its place: all of it or nothing.
+
+        Args:
+            unpacked: on the same file system; it is moved.
+
+        Raises:
+            Conflict: there is such a cell and it is not to be replaced.
+        """
+        place, old = self.folder / name, self.folder / f"{OLD}{name}"
+        with self._replacing:
+            if place.exists() and not replace:
+                raise Conflict(f"cell {name!r} exists already; PUT /api/cells/{name} replaces it")
+            if place.exists():
+                place.replace(old)
+            unpacked.replace(place)
+            if old.exists():
+                shutil.rmtree(old)
+
+
+def _stamp(folder: Path) -> Stamp:
+    """Names, sizes and times of a cell's files."""
+    found = sorted(each for each in folder.rglob("*") if each.is_file())
+    return tuple((str(each), (stat := each.stat()).st_size, stat.st_mtime_ns) for each in found)

@@ -1,0 +1,233 @@
+"""Which run has which cell: one after the other in each, and what is asked of a run goes to whoever has it."""
+
+from __future__ import annotations
+
+import asyncio
+import fcntl
+import logging
+from collections.abc import Callable, Coroutine
+from contextlib import suppress
+from datetime import datetime
+from pathlib import Path
+
+from sqlalchemy.exc import SQLAlchemyError
+from sqlalchemy.orm import Session
+
+from core.cell import Cell
+from core.errors import HeftError
+from core.robot import RobotModel
+from core.sample_log import SampleLog
+from core.sessions.leased import Renewal
+from core.shapes import Pose
+from server import run_ledger
+from server.active_run import ActiveRun
+from server.broadcast import Broadcast
+from server.cell_folder import CellFolder
+from server.errors import Conflict
+from server.packml import Command, IllegalCommandError, State
+from server.request_context import run_id
+from server.run_tables import RunRow
+from server.runner.context import warm_up
+from server.runner.control import LOCK, RECORDING
+from server.runner.messages import ZoneMoved
+from server.runner.sample_stream import recover
+from server.store import Store
+from server.zones import positions, with_zones_where_they_are
+
+log = logging.getLogger("heft.runs")
+
+RETRY_S = 1.0
+
+
+class Conductor:
+    """All runs of the service.
+
+    Args:
+        folder: of the runs' recordings.
+    """
+
+    def __init__(self, store: Store, cells: CellFolder, folder: Path, now: Callable[[], datetime]) -> None:
+        self.store, self.cells, self.folder, self.now = store, cells, folder, now
+        self.active: dict[str, ActiveRun] = {}
+        """By cell."""
+        self._broadcasts: dict[str, Broadcast] = {}
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._wake = asyncio.Event()
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._closing = False
+
+    async def start(self) -> None:
+        """Closes what a crash left open, then carries the runs that wait."""
+        self._loop = asyncio.get_running_loop()
+        warm_up()
+        with self.store.write() as db:
+            crashed = run_ledger.close_crashed(db, self.now())
+        for run in crashed:
+            self._spawn(asyncio.to_thread(self._recover, run))
+        self._spawn(self._queue())
+
+    async def close(self) -> None:
+        """Stops every robot and waits until it stands."""
+        self._closing = True
+        self._wake.set()
+        for active in list(self.active.values()):
+            with suppress(IllegalCommandError):
+                await active.command(Command.ABORT, "the service was shut down; the robot was stopped.", lambda _: None)
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+
+    def wake(self) -> None:
+        """There may be a run to begin. From any thread."""
+        if self._loop is not None:
+            self._loop.call_soon_threadsafe(self._wake.set)
+
+    def zone_moved(self, cell: str, zone: str, pose: Pose) -> None:
+        """Tells the cell's run. From any thread."""
+
+        def tell() -> None:
+            if cell in self.active:
+                self.active[cell].zone_moved(ZoneMoved(zone, pose))
+
+        if self._loop is not None:
+            self._loop.call_soon_threadsafe(tell)
+
+    def renew(self, cell: str, renewal: Renewal) -> None:
+        """A sign of life of who is in control of a cell."""
+        if cell in self.active:
+            self.active[cell].renew(renewal)
+
+    def broadcast(self, run: str) -> Broadcast:
+        """To who watches a run that is not over."""
+        return self._broadcasts.setdefault(run, Broadcast())
+
+    def _over(self, run: str) -> None:
+        self._broadcasts.pop(run, Broadcast()).end()
+        self._wake.set()
+
+    def of_run(self, run: str) -> ActiveRun | None:
+        """The run, if it has its cell."""
+        return next((active for active in self.active.values() if active.id == run), None)
+
+    def cell_now(self, db: Session, name: str) -> Cell:
+        """A cell with its zones where they are."""
+        cell = self.cells.load(name)
+        return with_zones_where_they_are(cell, positions(db, name))
+
+    async def command(self, run: str, command: Command, reason: str, also: Callable[[Session], object]) -> None:
+        """Passes a command on; a run that has no process is changed in the store alone.
+
+        Raises:
+            NotFound: there is no such run.
+            Conflict: not in its state, or its robot has not been let go of yet.
+        """
+        active = self.of_run(run)
+        try:
+            if active is not None:
+                await active.command(command, reason, also)
+            else:
+                await asyncio.to_thread(self._command_stored, run, command, reason, also)
+                self._over(run)
+        except IllegalCommandError:
+            with self.store.read() as db:
+                raise run_ledger.refusal(run_ledger.load(db, run), run_ledger.OFFERED.get(command, command)) from None
+
+    def _command_stored(self, run: str, command: Command, reason: str, also: Callable[[Session], object]) -> None:
+        if command is Command.CLEAR and not free(self.folder / run):
+            raise Conflict(f"run {run}: its control process still closes the recording; ask again in some seconds", ["clear"])
+        with self.store.write() as db:
+            row = run_ledger.load(db, run)
+            row.reason = row.reason or reason
+            run_ledger.steps(db, row, [command, None], self.now())
+            also(db)
+
+    async def _queue(self) -> None:
+        while not self._closing:
+            self._wake.clear()
+            try:
+                await self._begin_waiting()
+            except SQLAlchemyError:
+                log.exception("the runs that wait could not be read")
+                asyncio.get_running_loop().call_later(RETRY_S, self._wake.set)
+            await self._wake.wait()
+
+    async def _begin_waiting(self) -> None:
+        def read() -> list[RunRow]:
+            with self.store.read() as db:
+                return run_ledger.waiting(db)
+
+        for row in await asyncio.to_thread(read):
+            if row.state == State.RESETTING and row.cell not in self.active and not self._closing:
+                await self._begin(row)
+
+    async def _begin(self, row: RunRow) -> None:
+        try:
+            with self.store.read() as db:
+                cell = self.cell_now(db, row.cell)
+            active = ActiveRun(self.store, row, cell, self.folder / row.id, self.broadcast(row.id), self.now)
+        except (HeftError, OSError) as error:
+            await asyncio.to_thread(self._end_stored, row.id, str(error))
+            self._over(row.id)
+            return
+        self.active[row.cell] = active
+        self._spawn(self._carry(active))
+
+    async def _carry(self, active: ActiveRun) -> None:
+        run_id.set(active.id)
+        try:
+            await active.carry()
+        except SQLAlchemyError:
+            log.exception("the state of run %s could not be written", active.id)
+            await self._bury(active.id)
+        finally:
+            del self.active[active.cell]
+            self._over(active.id)
+
+    async def _bury(self, run: str) -> None:
+        """Tries to write the end of a run until the store can be written again."""
+        while not self._closing:
+            try:
+                await asyncio.to_thread(self._end_stored, run, "the run's state could not be written; the robot was stopped.")
+            except SQLAlchemyError:
+                await asyncio.sleep(RETRY_S)
+            else:
+                return
+
+    def _end_stored(self, run: str, reason: str) -> None:
+        with self.store.write() as db:
+            row = run_ledger.load(db, run)
+            row.aborted, row.reason = True, reason
+            state = State(row.state)
+            if state in (State.STOPPING, State.ABORTING):
+                run_ledger.steps(db, row, [None], self.now())
+            else:
+                end = Command.STOP if state in (State.RESETTING, State.IDLE) else Command.ABORT
+                run_ledger.steps(db, row, [end, None], self.now())
+
+    def _recover(self, run: str) -> None:
+        """The samples of a run whose control process died with its server, as a recording."""
+        folder = self.folder / run
+        with (folder / LOCK).open("a") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)  # the control process closes it itself if it lives
+        if (folder / RECORDING).exists():
+            return
+        with self.store.read() as db:
+            row = run_ledger.load(db, run)
+            cell = self.cell_now(db, row.cell)
+        count = recover(folder, SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None), folder / RECORDING)
+        log.info("recovered %d samples of run %s", count, run)
+
+    def _spawn(self, work: Coroutine[None, None, None]) -> None:
+        task = asyncio.create_task(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+
+def free(folder: Path) -> bool:
+    """Whether no control process has the run any more."""
+    try:
+        with (folder / LOCK).open("r") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except FileNotFoundError:
+        return True
+    except BlockingIOError:
+        return False
+    return True

@@ -1,0 +1,90 @@
+"""The release: an operator at the cell lets exactly that plan begin that they were shown."""
+
+from __future__ import annotations
+
+import hmac
+import secrets
+import time
+from collections.abc import Callable
+from datetime import datetime
+from hashlib import sha256
+
+from core.sessions.leased import Renewal
+from server import audit, run_ledger
+from server.active_run import order_of
+from server.conductor import Conductor
+from server.control_lease import Control
+from server.errors import Conflict
+from server.packml import Command, IllegalCommandError, State
+from server.run_schemas import RunPlan
+from server.runner.shown_plan import release_sha256
+
+OFFER_S = 60.0
+
+
+class Offers:
+    """Says when a plan was shown, so that a release is never older than what its giver saw. A new service knows none of the old ones.
+
+    Args:
+        length_s: how long an offer is good.
+        clock: monotonic, s.
+    """
+
+    def __init__(self, length_s: float = OFFER_S, clock: Callable[[], float] = time.monotonic) -> None:
+        self.length_s = length_s
+        self._clock = clock
+        self._secret = secrets.token_bytes(32)
+
+    def make(self, run: str, plan_sha256: str) -> str:
+        """For a plan that is shown now."""
+        shown_s = f"{self._clock():.3f}"
+        return f"{shown_s}.{self._signed(run, plan_sha256, shown_s)}"
+
+    def check(self, run: str, plan_sha256: str, offer: str) -> None:
+        """It was made for this plan, and not too long ago.
+
+        Raises:
+            Conflict: look at the plan again.
+        """
+        shown_s, _, signature = offer.rpartition(".")
+        if not hmac.compare_digest(signature.encode(), self._signed(run, plan_sha256, shown_s).encode()):
+            raise Conflict("offer: not made for this plan by this service; look at the plan again (GET plan) and release what it shows")
+        age = self._clock() - float(shown_s)
+        if age > self.length_s:
+            raise Conflict(f"offer: {age:.0f} s old (limit {self.length_s:.0f} s); look at the plan again and release what it shows")
+
+    def _signed(self, run: str, plan_sha256: str, shown_s: str) -> str:
+        return hmac.new(self._secret, f"{run} {plan_sha256} {shown_s}".encode(), sha256).hexdigest()
+
+
+class Releases:
+    """Checks everything that a release is bound to, then lets the run begin."""
+
+    def __init__(self, conductor: Conductor, control: Control, offers: Offers, now: Callable[[], datetime]) -> None:
+        self._conductor, self._control, self._offers, self._now = conductor, control, offers, now
+
+    async def release(self, run: str, who: str, plan_sha256: str, offer: str, sent: Renewal) -> None:
+        """Lets the plan begin.
+
+        Raises:
+            NotFound: no such run.
+            Conflict: the run is in no state to begin; the plan is not the one that waits; the cell, a zone or a limit has changed since;
+                the offer is too old; whoever asks is not in control.
+        """
+        active = self._conductor.of_run(run)
+        with self._conductor.store.read() as db:
+            row = run_ledger.load(db, run)
+            cell = self._conductor.cell_now(db, row.cell)
+        if active is None or row.plan is None or row.state != State.IDLE:
+            raise run_ledger.refusal(row, "release")
+        waiting = RunPlan.model_validate_json(row.plan)
+        now_sha256 = release_sha256(waiting.plan_digest, cell, order_of(row, cell, active.folder).payload_box)
+        if plan_sha256 != waiting.sha256 or now_sha256 != waiting.sha256:
+            raise Conflict(f"plan {plan_sha256[:12]}: void, the plan or the cell has changed since; look at the plan again (GET plan)")
+        self._offers.check(run, plan_sha256, offer)
+        self._control.command(row.cell, who, sent)
+        detail: dict[str, str | int | float | bool | None] = {"run": run, "plan_sha256": plan_sha256, "fence": sent.fence}
+        try:
+            await active.release(plan_sha256, who, lambda db: audit.record(db, who, "run.release", detail, now=self._now()))
+        except IllegalCommandError:
+            raise run_ledger.refusal(row, Command.START) from None

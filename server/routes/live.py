@@ -1,0 +1,78 @@
+"""A run as it goes on: events and samples over a websocket, resumed by sequence number."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import suppress
+from typing import Annotated
+
+from fastapi import APIRouter, Query, WebSocket
+from starlette.websockets import WebSocketDisconnect
+
+from server import run_ledger
+from server.broadcast import PATIENCE_S, TooSlowError, drain
+from server.dependencies import Here
+from server.errors import NotFound
+from server.packml import FINAL, State
+from server.run_schemas import EventMessage
+from server.service import Service
+
+router = APIRouter(tags=["runs"])
+
+NORMAL, POLICY_VIOLATION, TRY_AGAIN = 1000, 1008, 1013
+
+
+@router.websocket("/api/runs/{run}/live")
+async def watch_run(websocket: WebSocket, run: str, here: Here, after: Annotated[int, Query(ge=0)] = 0) -> None:
+    """Events behind `after`, then everything as it happens; closed with 1013 when it is not read, with 1000 at the end."""
+    await websocket.accept()
+    try:
+        sending = asyncio.create_task(_send(websocket, run, here, after))
+        gone = asyncio.create_task(_until_gone(websocket))
+        await asyncio.wait((sending, gone), return_when=asyncio.FIRST_COMPLETED)
+        gone.cancel()
+        if not sending.done():
+            sending.cancel()
+            return
+        await sending
+        await websocket.close(NORMAL)
+    except NotFound as error:
+        await websocket.close(POLICY_VIOLATION, str(error)[:120])
+    except TooSlowError as error:
+        with suppress(RuntimeError):
+            await asyncio.wait_for(websocket.close(TRY_AGAIN, str(error)[:120]), 1.0)
+    except (WebSocketDisconnect, TimeoutError):
+        return
+
+
+async def _send(websocket: WebSocket, run: str, here: Service, after: int) -> None:
+    """What the store knows, then what comes; an event that is in both is sent once."""
+    broadcast = here.conductor.broadcast(run)
+    subscription = broadcast.subscribe()
+    try:
+        over, texts = await asyncio.to_thread(_told, here, run, after)
+        for text in texts:
+            async with asyncio.timeout(PATIENCE_S):
+                await websocket.send_text(text)
+            after = EventMessage.model_validate_json(text).sequence
+        if not over:
+            await drain(subscription, websocket.send_text, after=after)
+    except TimeoutError:
+        raise TooSlowError(f"a message did not leave within {PATIENCE_S:g} s") from None
+    finally:
+        broadcast.unsubscribe(subscription)
+
+
+def _told(here: Service, run: str, after: int) -> tuple[bool, list[str]]:
+    """Whether nothing more can come, and what has come."""
+    with here.store.read() as db:
+        row = run_ledger.load(db, run)
+        over = here.conductor.of_run(run) is None and State(row.state) in (*FINAL, State.ABORTED)
+        return over, run_ledger.told(db, run, after)
+
+
+async def _until_gone(websocket: WebSocket) -> None:
+    """Nobody commands here; what comes is not looked at."""
+    with suppress(WebSocketDisconnect):
+        while True:
+            await websocket.receive_text()

@@ -1,0 +1,131 @@
+"""The control process: plans, waits for its release, moves the robot, estimates. It outlives its server only until the robot stands."""
+
+from __future__ import annotations
+
+import fcntl
+import gc
+import os
+import signal
+from collections.abc import Generator
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import TextIO, cast
+
+import numpy as np
+
+from core.errors import HeftError
+from core.events import Event, Finished, RecordingWritten, RobotStopped
+from core.outcome import Outcome
+from core.plan import Plan
+from core.procedure import carried_out
+from core.sessions.leased import Lease, LeasedSession
+from core.sessions.pace import AsFastAsPossible, RealTime
+from core.sessions.simulated import SimulatedSession
+from core.twin_file import read_twin
+from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnded, Order, Ready, Sampled
+from server.runner.pipe import Listener, Speaker
+from server.runner.planning import PlanningProcess, PlanRefused
+from server.runner.served_run import ServedRun
+from server.runner.shown_plan import shown
+
+Told = Speaker[FromChild]
+LOCK = "control.lock"
+RECORDING = "recording"
+
+
+def main(order: Order, connection: Connection) -> None:
+    """Entry point of the process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
+    speaker: Told = Speaker(connection, Sampled)
+    planning = PlanningProcess()
+    _lock = locked(order.folder)
+    try:
+        _carry_out(order, connection, planning, speaker)
+    except HeftError as error:
+        speaker.tell(error.failed if isinstance(error, PlanRefused) else Failed(type(error).__name__, str(error)))
+    except OSError as error:
+        speaker.tell(Failed("NoRoom", f"the run's folder could not be written ({error.strerror}); the robot was stopped. Make room."))
+    finally:
+        speaker.close()
+        planning.close()
+        os._exit(0)  # libraries take their time to tidy up, and OMPL prints what it leaks; everything of ours is closed
+
+
+def locked(folder: Path) -> TextIO:
+    """Held as long as the process lives: who recovers the run's samples waits for it."""
+    lock = (folder / LOCK).open("w")
+    fcntl.flock(lock, fcntl.LOCK_EX)
+    return lock
+
+
+def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, speaker: Told) -> None:
+    lease = Lease()
+    listener = Listener(connection, lease)
+    carried = order.cell.payloads[order.payload]
+    pace = RealTime() if order.pace == "real_time" else AsFastAsPossible()
+    twin = read_twin(order.cell)
+    robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin)
+    run = ServedRun(order, LeasedSession(robot, lease), planning, listener, speaker)
+    run.twin = twin
+    plan = _released(run, order, listener, speaker)
+    procedure = carried_out(run, plan, order.payload, carried, order.folder / RECORDING)
+    outcome = _pumped(procedure, run, listener, speaker)
+    speaker.tell(Done(outcome.result(order.folder / RECORDING)))
+
+
+def _planned(run: ServedRun, order: Order, speaker: Told) -> Plan:
+    planning = run.planned(np.array(order.cell.robot.home_rad))
+    while True:
+        try:
+            speaker.tell(Happened(next(planning)))
+        except StopIteration as end:
+            return cast("Plan", end.value)
+
+
+def _released(run: ServedRun, order: Order, listener: Listener, speaker: Told) -> Plan:
+    """Plans, shows the plan and waits until exactly that is released; a zone that moves meanwhile makes it plan anew.
+
+    Raises:
+        Commanded: the run was ended instead.
+    """
+    while True:
+        plan = _planned(run, order, speaker)
+        ready = shown(run.cell, order.payload_box, plan)
+        speaker.tell(Ready(ready))
+        while not listener.zones:
+            if listener.released == ready.sha256:
+                _quiet()
+                return plan
+            if listener.ended.wait(0.01):
+                raise run.ending()
+
+
+def _quiet() -> None:
+    """One sample is one object: a collection of them all would make the control loop late."""
+    gc.collect()
+    gc.freeze()
+    gc.disable()
+
+
+def _pumped(procedure: Generator[Event, None, Outcome], run: ServedRun, listener: Listener, speaker: Told) -> Outcome:
+    """Tells the procedure's events; while the robot is held it is simply not asked for the next one."""
+    while True:
+        try:
+            event = next(procedure)
+        except StopIteration as end:
+            return cast("Outcome", end.value)
+        speaker.tell(Happened(event))
+        if isinstance(event, RecordingWritten | Finished):
+            gc.enable()
+        if isinstance(event, RecordingWritten):
+            speaker.tell(MotionEnded())
+        if isinstance(event, RobotStopped) and not event.final:
+            _stand(procedure, run, listener, speaker)
+
+
+def _stand(procedure: Generator[Event, None, Outcome], run: ServedRun, listener: Listener, speaker: Told) -> None:
+    """Waits while held; an end that comes meanwhile is thrown in where the procedure stands."""
+    while listener.held.is_set() and not listener.ended.wait(0.01):
+        pass
+    if listener.ended.is_set():
+        speaker.tell(Happened(procedure.throw(run.ending())))

@@ -1,0 +1,124 @@
+"""What goes through the pipe between the server and the process that controls the robot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from core.cell import Box, Cell, Pose
+from core.events import Event
+from core.plan import Timing
+from core.planning.path import Planner
+from core.result import Result
+from core.sessions.leased import Renewal
+from server.run_schemas import LiveBatch, Pace, RunPlan
+
+
+@dataclass(frozen=True)
+class Order:
+    """Everything that a control process needs to know when it starts.
+
+    Args:
+        run: identifier.
+        cell: with its zones where they are now.
+        payload: a payload that the cell knows; what the simulated robot carries.
+        payload_box: what certainly contains it, sensor frame.
+        folder: of the run; exists. Samples go there as they come, the recording in the end.
+    """
+
+    run: str
+    cell: Cell
+    payload: str
+    payload_box: Box
+    timing: Timing
+    planner: Planner
+    seed: int
+    mass_guess_kg: float
+    pace: Pace
+    folder: Path
+
+
+@dataclass(frozen=True)
+class Release:
+    """The operator lets the shown plan begin."""
+
+    plan_sha256: str
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Pause."""
+
+
+@dataclass(frozen=True)
+class Resume:
+    """Go on after a hold."""
+
+
+@dataclass(frozen=True)
+class End:
+    """Stop for good; `reason` is a sentence."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
+class ZoneMoved:
+    """A protected zone is somewhere else now (world frame)."""
+
+    zone: str
+    pose: Pose
+
+
+ToChild = Renewal | Release | Hold | Resume | End | ZoneMoved
+
+
+@dataclass(frozen=True)
+class Ready:
+    """The plan that waits for its release."""
+
+    plan: RunPlan
+
+
+@dataclass(frozen=True)
+class Happened:
+    """An event of the procedure."""
+
+    event: Event
+
+
+@dataclass(frozen=True)
+class Sampled:
+    """Newest samples, for those who watch."""
+
+    batch: LiveBatch
+
+
+@dataclass(frozen=True)
+class MotionEnded:
+    """The robot is back home and stands; what follows is arithmetic."""
+
+
+@dataclass(frozen=True)
+class Done:
+    """The run came through."""
+
+    result: Result
+
+
+@dataclass(frozen=True)
+class Failed:
+    """The run did not come through; the robot stands.
+
+    Args:
+        error: name of the error in `core.errors`.
+        message: its sentence.
+        in_the_way: name of the obstacle, zone or link that was nearest, where planning knows it.
+    """
+
+    error: str
+    message: str
+    in_the_way: str | None = None
+
+
+FromChild = Ready | Happened | Sampled | MotionEnded | Done | Failed

@@ -1,0 +1,112 @@
+"""The ends of the pipe: threads listen and speak, so that neither the control loop nor the server waits for the other.
+
+Whoever is frozen leaves the pipe full, and a plain `send` hangs in it. What happened waits in a queue; of what is only worth something
+while it is new (samples, renewals of the lease), the newest is kept.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from multiprocessing.connection import Connection
+from typing import Generic, TypeVar
+
+from core.sessions.leased import Lease, Renewal
+from server.runner.messages import End, Hold, Release, Resume, ToChild, ZoneMoved
+
+Message = TypeVar("Message")
+
+
+class Listener:
+    """Takes what the server says, most of it straight into the lease.
+
+    Args:
+        lease: of the robot.
+    """
+
+    def __init__(self, connection: Connection, lease: Lease) -> None:
+        self._connection, self._lease = connection, lease
+        self.zones: deque[ZoneMoved] = deque()
+        self.released: str | None = None
+        """SHA-256 of what was released."""
+        self.ended = threading.Event()
+        self.held = threading.Event()
+        threading.Thread(target=self._listen, name="listener", daemon=True).start()
+
+    def _listen(self) -> None:
+        while True:
+            try:
+                self._take(self._connection.recv())
+            except (EOFError, OSError):
+                self._end("the server is gone; the robot was stopped. Start the service and clear the run.")
+                return
+
+    def _take(self, message: ToChild) -> None:
+        match message:
+            case Renewal():
+                self._lease.renew(message)
+            case Release(plan_sha256=released):
+                self.released = released
+            case Hold():
+                self.held.set()
+                self._lease.hold()
+            case Resume():
+                self._lease.resume()
+                self.held.clear()
+            case End(reason=reason):
+                self._end(reason)
+            case ZoneMoved():
+                self.zones.append(message)
+
+    def _end(self, reason: str) -> None:
+        self._lease.end(reason)
+        self.ended.set()
+
+
+class Speaker(Generic[Message]):
+    """Says what it is told, in order.
+
+    Args:
+        fleeting: the kind of message of which only the newest is kept.
+    """
+
+    def __init__(self, connection: Connection, fleeting: type[Message]) -> None:
+        self._connection, self._fleeting = connection, fleeting
+        self._waiting: deque[Message] = deque()
+        self._newest: Message | None = None
+        self._something = threading.Condition()
+        self._closing = False
+        self._thread = threading.Thread(target=self._speak, name="speaker", daemon=True)
+        self._thread.start()
+
+    def tell(self, message: Message) -> None:
+        """Returns at once."""
+        with self._something:
+            if isinstance(message, self._fleeting):
+                self._newest = message
+            else:
+                self._waiting.append(message)
+            self._something.notify()
+
+    def close(self, timeout_s: float = 2.0) -> None:
+        """Waits until everything is said; whoever no longer listens is not waited for longer than `timeout_s`."""
+        with self._something:
+            self._closing = True
+            self._something.notify()
+        self._thread.join(timeout_s)
+
+    def _next(self) -> Message | None:
+        with self._something:
+            while not (self._waiting or self._newest or self._closing):
+                self._something.wait()
+            if self._waiting:
+                return self._waiting.popleft()
+            message, self._newest = self._newest, None
+            return message
+
+    def _speak(self) -> None:
+        while (message := self._next()) is not None:
+            try:
+                self._connection.send(message)
+            except OSError:  # who listens on the same pipe has noticed it too
+                return

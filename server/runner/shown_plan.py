@@ -1,0 +1,60 @@
+"""A plan made ready to be shown and released: what a release is bound to, and what a person looks at."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from hashlib import sha256
+
+import numpy as np
+
+from core.cell import Box, Cell
+from core.plan import Plan, plan_summary
+from core.trajectory import JointTrajectory
+from server.run_schemas import PathPart, RunPlan, ThrowPart
+
+SHOWN_PERIOD_S = 0.05
+
+
+def shown(cell: Cell, payload_box: Box, plan: Plan) -> RunPlan:
+    """Everything about a plan that its release needs."""
+    digest = plan_digest(plan)
+    return RunPlan(
+        sha256=release_sha256(digest, cell, payload_box),
+        plan_digest=digest,
+        summary=plan_summary(cell, plan),
+        paths=[_path(leg.axis, leg.transfer.trajectory) for leg in plan.legs] + [_path("home", plan.home.trajectory)],
+        throws=list(_throws(plan)),
+    )
+
+
+def plan_digest(plan: Plan) -> str:
+    """SHA-256 of every set point and of all times of a plan, hexadecimal."""
+    digest = sha256(repr((plan.timing, [(leg.axis, leg.about) for leg in plan.legs])).encode())
+    for leg in plan.legs:
+        digest.update(leg.transfer.trajectory.q.tobytes())
+        if leg.profile is not None:
+            digest.update(leg.profile.angle.tobytes())
+            digest.update(leg.profile.rate.tobytes())
+        if leg.wave is not None:
+            digest.update(leg.wave.q.tobytes())
+    digest.update(plan.home.trajectory.q.tobytes())
+    return digest.hexdigest()
+
+
+def release_sha256(digest: str, cell: Cell, payload_box: Box) -> str:
+    """SHA-256 of a plan's digest with the cell as it is now (URDF, zones and limits included) and the payload box, hexadecimal."""
+    parts = (digest, cell.model_dump_json(), sha256(cell.urdf.encode()).hexdigest(), payload_box.model_dump_json())
+    return sha256("\n".join(parts).encode()).hexdigest()
+
+
+def _path(toward: str, trajectory: JointTrajectory) -> PathPart:
+    every = max(1, round(SHOWN_PERIOD_S / trajectory.period))
+    rows = np.unique(np.append(np.arange(0, len(trajectory), every), len(trajectory) - 1))
+    return PathPart(toward=toward, period_s=every * trajectory.period, q_rad=np.round(trajectory.q[rows], 5).tolist())
+
+
+def _throws(plan: Plan) -> Iterator[ThrowPart]:
+    for leg in plan.legs:
+        throw = leg.start.throw
+        if throw is not None:
+            yield ThrowPart(axis=leg.axis, zone=throw.zone, distance_m=throw.distance_m, speed_m_s=throw.speed_m_s)

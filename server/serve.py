@@ -1,0 +1,138 @@
+"""Starts the service, and looks after its store from the command line."""
+
+from __future__ import annotations
+
+import fcntl
+import secrets
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import uvicorn
+from pydantic import ValidationError
+from sqlalchemy import func, select
+
+from core.errors import BadInput
+from server import __version__, accounts, audit
+from server.accounts import Account
+from server.app import create_app
+from server.logs import log_as_json
+from server.roles import Role
+from server.service import utc_now
+from server.settings import Settings
+from server.store import Store
+
+FIRST = "operator"
+FIRST_ROLES = frozenset({Role.operator, Role.engineer, Role.admin})
+
+
+def serve(*, host: str | None = None, port: int | None = None, cells: Path | None = None, data: Path | None = None) -> None:
+    """Serves until it is told to end (SIGINT, SIGTERM); requests under way may finish.
+
+    Raises:
+        BadInput: a setting cannot be used, or another service runs on the same folder.
+    """
+    settings = read_settings(host=host, port=port, cells=cells, data=data)
+    log_as_json(settings.log_level)
+    with only_one(settings.data):
+        app = create_app(settings)
+        greet(settings)
+        app.state.service.checker.start()
+        uvicorn.run(
+            app,
+            host=settings.host,
+            port=settings.port,
+            log_config=None,
+            access_log=False,
+            server_header=False,
+            proxy_headers=bool(settings.trusted_proxies),
+            forwarded_allow_ips=list(settings.trusted_proxies),
+            ws_ping_interval=2.0,  # who does not read does not answer either, and is closed within 5 s
+            ws_ping_timeout=2.5,
+            ws_per_message_deflate=False,  # halves what a core can send, and samples hardly shrink
+            timeout_graceful_shutdown=settings.shutdown_seconds,
+        )
+
+
+def read_settings(**options: object) -> Settings:
+    """The options that are given, then the environment, then what stands in `Settings`.
+
+    Raises:
+        BadInput: one of them cannot be used.
+    """
+    try:
+        return Settings(**{name: value for name, value in options.items() if value is not None})  # type: ignore[arg-type]
+    except ValidationError as error:
+        flaw = error.errors()[0]
+        name = str(flaw["loc"][0])
+        where = f"--{name}" if options.get(name) is not None else f"HEFT_{name.upper()}"
+        raise BadInput(where, repr(flaw["input"]), flaw["msg"].removeprefix("Input should be ")) from error
+
+
+@contextmanager
+def only_one(folder: Path) -> Iterator[None]:
+    """Holds the data folder: a second service on it would take the first one's runs for dead.
+
+    Raises:
+        BadInput: another holds it.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / "heft.lock").open("w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            raise BadInput(str(folder), "a service that runs on it already", "a folder of its own (--data DIR)") from error
+        yield
+
+
+def greet(settings: Settings) -> None:
+    """Says where the service is and writes down with what settings; makes the first account and shows its password, once."""
+    store = Store(settings.store_url)
+    store.migrate()
+    password = first_account(store)
+    with store.write() as db:
+        audit.record(
+            db, "service", "service.start", {"version": __version__, "settings": settings.model_dump_json(exclude={"database_url"})}
+        )
+    store.close()
+    lines = [f"Heft on http://{settings.host}:{settings.port}  (data: {settings.data.absolute()})"]
+    if password is not None:
+        lines.append(f"First account: {FIRST}, password {password}  (shown this once; change it after signing in)")
+    sys.stdout.write("\n".join(lines) + "\n")
+    sys.stdout.flush()
+
+
+def first_account(store: Store) -> str | None:
+    """Makes an operator who may do everything, where there is nobody yet; returns the password."""
+    password = secrets.token_urlsafe(12)
+    password_hash = accounts.hashed(password)
+    with store.write() as db:
+        if db.scalar(select(func.count()).select_from(Account)):
+            return None
+        accounts.add_account(db, FIRST, password_hash, FIRST_ROLES, utc_now())
+        audit.record(db, "service", "account.create", {"account": FIRST, "roles": " ".join(sorted(FIRST_ROLES))})
+    return password
+
+
+def verify_audit(data: Path | None, expect: str | None = None) -> str:
+    """Walks the audit log's chain.
+
+    Raises:
+        BadInput: the chain is broken, or does not contain the expected hash; or there is no store.
+    """
+    settings = read_settings(data=data)
+    if settings.database_url is None and not (settings.data / "heft.sqlite").is_file():
+        raise BadInput(str(settings.data), "no heft.sqlite", "the data folder of a service (--data DIR)")
+    store = Store(settings.store_url)
+    seen = expect is None
+    with store.read() as db:
+        chain = list(audit.entries(db))
+    store.close()
+    count, last, flaw = audit.verify(chain)
+    seen = seen or any(entry.hash == expect for entry in chain[:count])
+    if flaw is not None:
+        raise BadInput("audit log", flaw, "an unbroken chain; restore the database from a backup and find out who had access to it")
+    if not seen:
+        raise BadInput("audit log", f"{count} entries, none with the hash {expect}", "that entry; the log's end was cut off or replaced")
+    return f"audit log: {count} entries, unbroken; the last hash is {last}"

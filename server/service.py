@@ -1,0 +1,64 @@
+"""What lives as long as the service does, handed to every route."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from functools import cached_property
+
+from server.cell_folder import CellFolder
+from server.cell_uploads import CellChecker
+from server.conductor import Conductor
+from server.control_lease import Control
+from server.diagnoses import Diagnoser
+from server.metrics import Metrics
+from server.releases import Offers, Releases
+from server.settings import Settings
+from server.store import Store
+from server.viewer.gallery import Gallery
+from server.webhooks import Deliverer
+
+
+def utc_now() -> datetime:
+    """The time, with its offset."""
+    return datetime.now(UTC)
+
+
+@dataclass(frozen=True)
+class Service:
+    """Settings and what was opened with them."""
+
+    settings: Settings
+    store: Store
+    cells: CellFolder
+    metrics: Metrics
+    checker: CellChecker
+    now: Callable[[], datetime] = field(default=utc_now)
+    control: Control = field(default_factory=Control)
+    offers: Offers = field(default_factory=Offers)
+
+    @cached_property
+    def conductor(self) -> Conductor:
+        """All runs."""
+        return Conductor(self.store, self.cells, self.settings.recordings_folder, self.now)
+
+    @cached_property
+    def diagnoser(self) -> Diagnoser:
+        """All diagnoses."""
+        return Diagnoser(self.store, self.now)
+
+    @cached_property
+    def deliverer(self) -> Deliverer:
+        """What tells the webhooks."""
+        return Deliverer(self.store, self.now)
+
+    @cached_property
+    def gallery(self) -> Gallery:
+        """All viewers."""
+        return Gallery(self.conductor)
+
+    @cached_property
+    def releases(self) -> Releases:
+        """What lets a run begin."""
+        return Releases(self.conductor, self.control, self.offers, self.now)

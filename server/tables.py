@@ -1,0 +1,25 @@
+"""Every table of the store, known to its metadata once this is imported."""
+
+from server.accounts import Account, ApiKey, SignIn
+from server.audit import AuditEntry
+from server.login_limit import LoginFailures
+from server.run_tables import ControlFence, Delivery, DiagnosisRow, IdempotencyKey, RunEventRow, RunRow, Webhook
+from server.store import Table
+from server.zones import ZonePosition
+
+__all__ = [
+    "Account",
+    "ApiKey",
+    "AuditEntry",
+    "ControlFence",
+    "Delivery",
+    "DiagnosisRow",
+    "IdempotencyKey",
+    "LoginFailures",
+    "RunEventRow",
+    "RunRow",
+    "SignIn",
+    "Table",
+    "Webhook",
+    "ZonePosition",
+]

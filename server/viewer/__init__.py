@@ -1,0 +1,1 @@
+"""The cell in three dimensions, to look at only."""

@@ -1,0 +1,88 @@
+"""The viewers of all cells: each begun when somebody first looks, and fed with what its cell's run does."""
+
+from __future__ import annotations
+
+import asyncio
+
+from core.cell import Cell
+from server.conductor import Conductor
+from server.viewer.process import Moved, Planned, ViewerProcess, Zones
+
+PERIOD_S = 1.0 / 30.0
+ZONES_S = 0.5
+
+
+class Gallery:
+    """All viewers.
+
+    Args:
+        conductor: whose runs are shown.
+    """
+
+    def __init__(self, conductor: Conductor) -> None:
+        self._conductor = conductor
+        self._ports: dict[str, asyncio.Future[int]] = {}
+        self._viewers: dict[str, ViewerProcess] = {}
+        self._tasks: set[asyncio.Task[None]] = set()
+
+    async def start(self) -> None:
+        """Nothing to do before somebody looks."""
+
+    async def close(self) -> None:
+        """Ends all viewers."""
+        for task in self._tasks:
+            task.cancel()
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+        for viewer in self._viewers.values():
+            viewer.close()
+
+    async def port(self, cell: str) -> int:
+        """Of a cell's viewer, which is begun if need be.
+
+        Raises:
+            NotFound, BadCell, BadRobot: there is no such cell to show.
+        """
+        if cell in self._viewers and not self._viewers[cell].alive:
+            self._viewers.pop(cell).close()
+            del self._ports[cell]
+        if cell not in self._ports:
+            loaded = await asyncio.to_thread(self._cell, cell)
+            if cell not in self._ports:
+                self._begin(loaded)
+        return await asyncio.shield(self._ports[cell])
+
+    def _begin(self, cell: Cell) -> None:
+        viewer = self._viewers[cell.name] = ViewerProcess(cell)
+        self._ports[cell.name] = asyncio.ensure_future(viewer.port())
+        task = asyncio.create_task(self._feed(cell, viewer))
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+    def _cell(self, name: str) -> Cell:
+        with self._conductor.store.read() as db:
+            return self._conductor.cell_now(db, name)
+
+    async def _feed(self, cell: Cell, viewer: ViewerProcess) -> None:
+        """Newest positions 30 times a second, plans and zones when they change."""
+        await asyncio.shield(self._ports[cell.name])
+        plan = batch = None
+        ticks = 0
+        while viewer.alive:
+            active = self._conductor.active.get(cell.name)
+            if active is not None and active.plan is not None and active.plan is not plan:
+                plan = active.plan
+                viewer.tell(Planned(plan, active.payload_box))
+            if active is not None and active.newest is not None and active.newest.batch is not batch:
+                batch = active.newest.batch
+                viewer.tell(Moved(tuple(batch.q_rad), batch.nearest))
+            ticks += 1
+            if ticks * PERIOD_S >= ZONES_S:
+                ticks = 0
+                cell = await self._told_zones(cell, viewer)
+            await asyncio.sleep(PERIOD_S)
+
+    async def _told_zones(self, cell: Cell, viewer: ViewerProcess) -> Cell:
+        now = await asyncio.to_thread(self._cell, cell.name)
+        if now.zones != cell.zones:
+            viewer.tell(Zones(now))
+        return now

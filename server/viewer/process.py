@@ -1,0 +1,97 @@
+"""One viewer for one cell, in a process of its own: what it draws costs neither the service nor the robot any time."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+
+import numpy as np
+
+from core.cell import Box, Cell
+from server.run_schemas import NearestPart, RunPlan
+from server.runner.context import CONTEXT
+from server.runner.pipe import Speaker
+
+NICENESS = 5
+
+
+@dataclass(frozen=True)
+class Moved:
+    """The robot is here now (rad)."""
+
+    q_rad: tuple[float, ...]
+    nearest: NearestPart | None
+
+
+@dataclass(frozen=True)
+class Zones:
+    """The zones of this cell are what they are now."""
+
+    cell: Cell
+
+
+@dataclass(frozen=True)
+class Planned:
+    """A plan to look at, for this payload box."""
+
+    plan: RunPlan
+    payload_box: Box
+
+
+Shown = Moved | Zones | Planned
+
+
+class ViewerProcess:
+    """Belongs to the running event loop."""
+
+    def __init__(self, cell: Cell) -> None:
+        self._connection, theirs = CONTEXT.Pipe()
+        self._process = CONTEXT.Process(target=_show, args=(cell, theirs), name=f"heft-viewer-{cell.name}", daemon=True)
+        self._process.start()
+        theirs.close()
+        self._speaker: Speaker[Shown] = Speaker(self._connection, Moved)
+
+    async def port(self) -> int:
+        """Where it listens, on 127.0.0.1."""
+        return int(await asyncio.to_thread(self._connection.recv))
+
+    def tell(self, shown: Shown) -> None:
+        """Returns at once; of positions only the newest is drawn."""
+        self._speaker.tell(shown)
+
+    @property
+    def alive(self) -> bool:
+        """Whether it runs."""
+        return self._process.is_alive()
+
+    def close(self) -> None:
+        """Ends it."""
+        self._process.kill()
+        self._process.join()
+        self._connection.close()
+
+
+def _show(cell: Cell, connection: Connection) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.nice(NICENESS)
+    from server.viewer.scene import Scene, open_server  # noqa: PLC0415  no other process needs viser
+
+    server = open_server()
+    scene = Scene(server, cell)
+    connection.send(server.get_port())
+    while True:
+        try:
+            shown: Shown = connection.recv()
+        except (EOFError, OSError):
+            os._exit(0)  # viser takes seconds to stop, and nobody looks any more
+        match shown:
+            case Moved():
+                scene.move(np.array(shown.q_rad), shown.nearest)
+            case Zones():
+                scene.show_zones(shown.cell)
+            case Planned():
+                scene.show_payload_box(shown.payload_box)
+                scene.show_plan(shown.plan)

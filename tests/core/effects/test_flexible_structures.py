@@ -1,0 +1,73 @@
+"""Joints and tools on springs, against their equations of motion solved here by an adaptive integrator."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
+from synthetic_scene import scene
+
+from core.effects.deflection import deflection
+from core.effects.memory import Memory
+from core.effects.tool_flexibility import ToolFlexibility
+
+T = np.arange(800) / 200.0
+INERTIA = np.array([[2.0, 0.4], [0.4, 0.5]])
+STIFFNESS = np.array([2500.0, 4000.0])
+LOAD = np.column_stack([30.0 * np.sin(2.0 * T) + 8.0 * np.tanh(20 * (T - 1.5)), 12.0 * np.cos(3.0 * T) - 4.0 * np.tanh(30 * (T - 2.0))])
+ZETA = 0.08
+
+
+def swing() -> tuple[np.ndarray, np.ndarray]:
+    load = CubicSpline(T, LOAD)
+    damping = 2 * ZETA * np.sqrt(STIFFNESS * np.diag(INERTIA))
+
+    def rate(t: float, state: np.ndarray) -> np.ndarray:
+        e, de = state[:2], state[2:]
+        return np.concatenate([de, np.linalg.solve(INERTIA, -load(t) - STIFFNESS * e - damping * de)])
+
+    start = np.concatenate([-LOAD[0] / STIFFNESS, -load(0.0, 1) / STIFFNESS])
+    y = solve_ivp(rate, (0, T[-1]), start, t_eval=T, rtol=1e-9, atol=1e-12).y.T
+    return y[:, :2], np.array([rate(t, row)[2:] for t, row in zip(T, y, strict=True)])
+
+
+def test_coupled_joints_swing_as_their_equation_of_motion_says() -> None:
+    e, dde = deflection(np.broadcast_to(INERTIA, (len(T), 2, 2)), LOAD, 1 / STIFFNESS, ZETA, 0.005)
+    true, acceleration = swing()
+    ringing = true + LOAD / STIFFNESS
+    assert np.abs(ringing).max() > 1e-3, "nothing swings"
+    assert np.sqrt(np.mean((e - true) ** 2)) < 0.05 * np.sqrt(np.mean(ringing**2))
+    assert np.sqrt(np.mean((dde - acceleration) ** 2)) < 0.15 * np.sqrt(np.mean(acceleration**2))
+
+
+def test_without_inertia_joints_give_quasi_statically() -> None:
+    e, _ = deflection(np.zeros((len(T), 2, 2)), LOAD, np.array([4e-4, 0.0]), ZETA, 0.005)
+    np.testing.assert_allclose(e, -LOAD * [4e-4, 0.0], atol=2e-5)
+
+
+def test_a_tool_on_a_slide_sags_and_rings_like_a_mass_on_a_spring() -> None:
+    run = scene(rate=200.0, seconds=8.0)
+    axis, frequency, zeta = np.array([0.6, 0.0, 0.8]), 9.0, 0.04
+    m, c = run.phi[0], run.phi[1:4] / run.phi[0]
+    motion, omega = run.motion, 2 * np.pi * frequency
+    b = motion.a - motion.g + np.cross(motion.alpha, c) + np.cross(motion.omega, np.cross(motion.omega, c))
+    force = CubicSpline(run.t, b @ axis)
+
+    def rate(t: float, state: np.ndarray) -> list[float]:
+        return [state[1], -force(t) - 2 * zeta * omega * state[1] - omega**2 * state[0]]
+
+    u, du = solve_ivp(rate, (0, run.t[-1]), [-force(0.0) / omega**2, 0.0], t_eval=run.t, rtol=1e-9, atol=1e-12).y
+    ddu = np.array([rate(*row)[1] for row in zip(run.t, np.column_stack([u, du]), strict=True)])
+    push = m * ddu[:, None] * axis
+    true = np.hstack([push, np.cross(c, push) + m * np.cross(u[:, None] * axis, motion.a - motion.g)])
+    theta = np.array([frequency, 20.0, zeta, *(axis / np.sqrt(m)), *[0.0] * 9])
+    change = ToolFlexibility().wrench(run, run.nominal, theta) - run.nominal
+    assert np.abs(true[:, :3]).max() > 0.1
+    assert np.sqrt(np.mean((change - true) ** 2, axis=0)).max() < 0.02 * np.sqrt(np.mean(true**2))
+
+
+def test_deflection_goes_on_where_the_last_block_ended() -> None:
+    inertia, memory = np.broadcast_to(INERTIA, (len(T), 2, 2)), Memory()
+    whole, _ = deflection(inertia, LOAD, 1 / STIFFNESS, ZETA, 0.005)
+    parts = [deflection(inertia[k : k + 37], LOAD[k : k + 37], 1 / STIFFNESS, ZETA, 0.005, memory["x"])[0] for k in range(0, len(T), 37)]
+    np.testing.assert_allclose(np.concatenate(parts), whole, atol=1e-12)

@@ -1,0 +1,158 @@
+"""A tie that the procedure leaves open, the motion that is proposed for it, and both recordings together."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+import pytest
+
+from core.cell import Cell, find_cell, load_cell
+from core.collision import CollisionModel
+from core.effects.library import library
+from core.errors import BadInput
+from core.estimation.identification import identify_recording
+from core.events import Event
+from core.experiment.choice import Choice, choose_experiment
+from core.experiment.run import measure_more
+from core.gap.answer import Diagnosis
+from core.gap.attribution import INSEPARABLE_SIGMA, distance_sigma
+from core.gap.diagnosis import examine
+from core.gap.evidence import Evidence
+from core.gap.experiment import Stop
+from core.gap.fit_all import one_by_one
+from core.outcome import Outcome
+from core.plan import Timing, plan_procedure
+from core.plant.faults.timing import Delay
+from core.plant.mechanics import Drives
+from core.procedure import carry_out
+from core.recording import Recording
+from core.recording_folder import read_recording
+from core.robot import RobotModel
+from core.sessions.simulated import SimulatedSession
+
+FEW = tuple(effect for effect in library() if effect.id in ("time_delay", "sensor_lowpass", "kinematic_lag", "base_tilt"))
+LATE = Delay(0.0112)
+NOISIER = 3.7
+SMOOTH = Drives(damping_s=0.0, friction=0.0)
+SHORT = Timing(hold_s=0.5, settle_s=0.4, robot_s=1.0)
+
+Answer = TypeVar("Answer")
+
+
+def returned(run: Generator[Event, None, Answer]) -> Answer:
+    """What a run returns in the end."""
+    while True:
+        try:
+            next(run)
+        except StopIteration as end:
+            return end.value
+
+
+@dataclass(frozen=True)
+class Story:
+    """Everything from the first run to the second diagnosis."""
+
+    cell: Cell
+    before: Recording
+    first: tuple[Diagnosis, Evidence]
+    choice: Choice
+    outcome: Outcome
+    second: tuple[Diagnosis, Evidence]
+    out: Path
+
+
+@pytest.fixture(scope="module")
+def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
+    """A short procedure with a noisy sensor whose readings are late; it could be a filter as well."""
+    cell = load_cell(find_cell("lwr4_bench"))
+    noise = tuple(NOISIER * std for std in cell.sensor.noise_std)
+    cell = cell.model_copy(update={"sensor": cell.sensor.model_copy(update={"noise_std": noise})})
+    carried = cell.payloads["cylinder"]
+    robot = RobotModel.of_cell(cell)
+    collision = CollisionModel(cell, robot, carried.box)
+    plan = returned(plan_procedure(cell, robot, collision, carried.box, start=np.array(cell.robot.home_rad), timing=SHORT))
+    before = returned(carry_out(cell, session(cell, 4), carried.box, plan, payload="cylinder")).recording
+    first = examine(before, FEW, fit_all=one_by_one)
+    choice = returned(choose_experiment(cell, before, first[1], carried.box))
+    out = tmp_path_factory.mktemp("experiment") / "both"
+    outcome = returned(measure_more(before, choice.proposal.motion.stops, cell, session(cell, 5), carried.box, out=out))
+    return Story(cell, before, first, choice, outcome, examine(outcome.recording, FEW, fit_all=one_by_one), out)
+
+
+def session(cell: Cell, seed: int) -> SimulatedSession:
+    """The robot with the same fault each time; offsets and noise differ."""
+    return SimulatedSession(cell, cell.payloads["cylinder"].parameters, seed=seed, faults=(LATE,), drives=SMOOTH)
+
+
+def test_the_procedure_alone_leaves_a_tie_and_a_motion_is_proposed_for_it(story):
+    diagnosis, _ = story.first
+    assert diagnosis.verdict == "ambiguous"
+    assert diagnosis.effects[0].id == "sensor_lowpass"  # taken alone, the wrong name would come first
+    assert {"time_delay", "sensor_lowpass"} == set(diagnosis.indistinguishable[0].ids)
+    proposed = diagnosis.next_experiment
+    assert set(proposed.splits[0]) == {"time_delay", "sensor_lowpass"}
+    assert proposed.sigma_before < INSEPARABLE_SIGMA < proposed.sigma_after
+
+
+def test_both_recordings_together_give_the_right_name(story):
+    diagnosis, _ = story.second
+    assert diagnosis.verdict == "explained"
+    assert diagnosis.effects[0].id == "time_delay"
+    assert diagnosis.effects[0].probability > 0.9
+    assert diagnosis.effects[0].parameters["delay_s"].value == pytest.approx(LATE.delay_s, abs=5e-4)
+    assert diagnosis.indistinguishable == []
+
+
+def test_the_distance_reached_is_the_one_that_was_predicted_along_the_plan(story):
+    _, evidence = story.second
+    fits = {fit.name: fit for fit in evidence.singles}
+    reached = distance_sigma(evidence.windows, evidence.nominal, fits["time_delay"], fits["sensor_lowpass"])
+    assert story.choice.proposal.after == pytest.approx(reached, abs=1.5 + 0.15 * reached)  # a distance has a standard deviation of 1
+
+
+def test_the_old_recording_is_kept_whole_and_the_new_one_follows_after_a_gap(story):
+    both, n = story.outcome.recording, len(story.before)
+    np.testing.assert_array_equal(both.t[:n], story.before.t)
+    np.testing.assert_array_equal(both.wrench[:n], story.before.wrench)
+    assert both.t[n] - both.t[n - 1] > 10.0
+    assert (np.diff(both.t) > 0).all()
+    np.testing.assert_array_equal(read_recording(story.out).wrench, both.wrench)
+
+
+def test_no_limit_was_exceeded_by_the_proposed_motion(story):
+    assert story.outcome.restarts == 0
+    assert story.outcome.safety.max_speed_m_s <= story.cell.limits.cartesian_speed_m_s
+    assert story.outcome.safety.min_distance_m >= story.cell.limits.clearance_m
+
+
+def test_no_window_reaches_across_the_gap_and_offsets_may_differ(story):
+    windows, gap = story.second[1].windows, (story.before.t[-1], story.outcome.recording.t[len(story.before)])
+    reach = 2.0 * windows.step
+    assert not ((windows.centres > gap[0] - reach) & (windows.centres < gap[1] + reach)).any()
+    assert windows.X.shape[2] == 32
+    change = story.second[1].best.beta[26:32]
+    recording, n = story.outcome.recording, len(story.before)
+    at_home = recording.wrench[n : n + 20].mean(axis=0) - recording.wrench[:20].mean(axis=0)  # both set out from home
+    noise = NOISIER * np.array(load_cell(find_cell("lwr4_bench")).sensor.noise_std)
+    assert (np.abs(change - at_home) < 5.0 * noise * np.sqrt(2 / 20)).all()
+
+
+def test_the_payload_of_both_together_is_identified(story):
+    estimate = identify_recording(story.outcome.recording).estimate
+    truth = story.cell.payloads["cylinder"].parameters.phi
+    assert np.all(np.abs(estimate.phi - truth) < 4.5 * estimate.std)
+
+
+def test_what_is_no_motion_or_no_recording_of_this_robot_is_refused_before_anything_moves(story):
+    other = load_cell(find_cell("ur5e_line"))
+    carried = other.payloads["cylinder"]
+    run = measure_more(story.before, (Stop(down=(0.0, 0.0, 1.0)),), other, SimulatedSession(other, carried.parameters), carried.box)
+    with pytest.raises(BadInput, match="another robot"):
+        returned(run)
+    run = measure_more(story.before, (), story.cell, session(story.cell, 1), story.cell.payloads["cylinder"].box)
+    with pytest.raises(BadInput, match="no stops"):
+        returned(run)

@@ -1,0 +1,113 @@
+"""A session under a lease moves only while somebody is in control."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from core.cell import load_cell
+from core.errors import Commanded, ControlLost, Held
+from core.sessions.leased import FUTURE_S, LEASE_S, Lease, LeasedSession, Renewal
+from core.sessions.simulated import SimulatedSession
+
+
+class Clock:
+    """Only the test moves it."""
+
+    def __init__(self) -> None:
+        self.now = 1000.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def clock() -> Clock:
+    return Clock()
+
+
+@pytest.fixture
+def lease(clock) -> Lease:
+    return Lease(clock=clock)
+
+
+@pytest.fixture(scope="module")
+def robot() -> SimulatedSession:
+    cell = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
+    return SimulatedSession(cell, cell.payloads["steel_block"].parameters)
+
+
+def test_without_any_renewal_nothing_moves(lease):
+    assert isinstance(lease.refusal(), ControlLost)
+
+
+def test_a_renewal_lasts_as_long_as_the_lease_and_no_longer(lease, clock):
+    assert lease.renew(Renewal(1, 0, clock.now))
+    clock.now += 0.99 * LEASE_S
+    assert lease.refusal() is None
+    clock.now += 0.02 * LEASE_S
+    assert isinstance(lease.refusal(), ControlLost)
+
+
+def test_what_is_repeated_reordered_old_or_from_the_future_counts_for_nothing(lease, clock):
+    assert lease.renew(Renewal(2, 5, clock.now))
+    clock.now += 0.01
+    for wrong in (
+        Renewal(2, 5, clock.now),
+        Renewal(2, 4, clock.now),
+        Renewal(1, 9, clock.now),
+        Renewal(2, 6, clock.now + 2 * FUTURE_S),
+        Renewal(2, 6, clock.now - LEASE_S),
+        Renewal(2, 6, clock.now - 0.02),
+    ):
+        assert not lease.renew(wrong), wrong
+    assert lease.renew(Renewal(2, 6, clock.now))
+
+
+@given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 5), st.floats(-1.0, 1.0), st.floats(0.0, 0.3)), max_size=30))
+def test_no_order_of_renewals_lets_a_command_through_later_than_a_lease_after_the_newest_true_one(sent):
+    clock = Clock()
+    lease = Lease(clock=clock)
+    newest = -np.inf
+    for fence, number, offset, pause in sent:
+        clock.now += pause
+        stamp = clock.now + offset
+        lease.renew(Renewal(fence, number, stamp))
+        newest = max(newest, stamp) if stamp <= clock.now + FUTURE_S else newest
+        if lease.refusal() is None:
+            assert clock.now - newest <= LEASE_S
+
+
+def test_a_hold_pauses_and_an_end_is_for_good(lease, clock):
+    lease.renew(Renewal(1, 0, clock.now))
+    lease.hold()
+    assert isinstance(lease.refusal(), Held)
+    lease.resume()
+    assert lease.refusal() is None
+    lease.end("the operator asked for it.")
+    lease.resume()
+    assert isinstance(lease.refusal(), Commanded)
+
+
+def test_the_robot_brakes_to_standstill_when_the_lease_runs_out(lease, clock, robot):
+    session = LeasedSession(robot, lease)
+    with session:
+        lease.renew(Renewal(1, 0, clock.now))
+        q = session.state().q_cmd
+        for _ in range(200):
+            q = q + 2e-4
+            session.command(q)
+            session.state()
+        clock.now += 2 * LEASE_S
+        with pytest.raises(ControlLost, match="ms"):
+            session.command(q + 2e-4)
+        positions = [session.state().q_cmd for _ in range(300)]
+        assert np.abs(np.diff(positions[:3], axis=0)).max() > 0.0
+        assert np.abs(np.diff(positions[-50:], axis=0)).max() == 0.0
+        session.release()
+        with pytest.raises(ControlLost):
+            session.command(positions[-1])

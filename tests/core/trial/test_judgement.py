@@ -1,0 +1,101 @@
+"""Right and wrong, and what counts."""
+
+from __future__ import annotations
+
+import pytest
+from synthetic_outcomes import double, estimates, none, payload, sealed, single, unknown
+
+from core.trial.bound import Bound
+from core.trial.judgement import counts, exact_pair, forecast, mark, material, named, right, truth_class
+from core.trial.outcome import Named, Outcome
+
+SMALL = Bound(fault_sigma=20.0, material_sigma=50.0)
+FAINT = Bound(fault_sigma=5.0, material_sigma=2.0)
+
+
+def test_a_run_without_a_fault_is_answered_by_no_gap_alone():
+    assert right(none(0))
+    assert not right(none(0, "explained"))
+    assert counts(none(0))
+
+
+def test_the_first_name_or_a_declared_tie_that_holds_the_truth_is_right():
+    assert right(single(0, "time_delay", "time_delay"))
+    assert not right(single(0, "time_delay", "sensor_lowpass"))
+    assert right(single(0, "time_delay", "sensor_lowpass", verdict="ambiguous", ties=((("sensor_lowpass", "time_delay"), 1.2),)))
+    assert not right(single(0, "time_delay", "time_delay", verdict="unknown"))
+
+
+def test_an_immaterial_fault_is_rightly_passed_over_and_does_not_count():
+    passed = single(0, "time_delay", "time_delay", bound=SMALL, verdict="no_gap", effects=(), none_probability=1.0)
+    assert not material(passed)
+    assert right(passed)
+    assert not counts(passed)
+    assert truth_class(passed) == "none"
+    assert "does not count" in mark(passed)
+
+
+def test_a_material_fault_that_is_passed_over_is_a_failure():
+    assert not right(single(0, "time_delay", "time_delay", verdict="no_gap", effects=()))
+
+
+def test_a_fault_that_nothing_can_see_does_not_count():
+    assert not counts(single(0, "time_delay", "time_delay", bound=FAINT))
+    assert counts(single(0, "time_delay", "time_delay"))
+
+
+def test_unknown_counts_only_where_no_effect_of_the_library_describes_it():
+    assert counts(unknown(0))
+    assert right(unknown(0))
+    assert not right(unknown(0, "explained"))
+    assert not right(unknown(0, "no_gap"))
+    assert not counts(unknown(0, undescribed_sigma=2.0))
+    assert not counts(unknown(0, material_sigma=500.0))
+    assert right(unknown(0, "no_gap", material_sigma=500.0))
+
+
+def test_two_faults_are_named_by_exactly_the_pair():
+    assert right(double(0, ("base_tilt", "time_delay")))
+    assert not right(double(0, ("base_tilt", "sensor_gain")))
+    assert named(double(0, ("time_delay", "base_tilt"))) == {"base_tilt", "time_delay"}
+
+
+def test_of_two_faults_one_may_stand_among_what_was_read_off():
+    one = {"pairs": (), "effects": (Named(id="base_tilt", probability=0.9, closure=1.0),)}
+    assert not exact_pair(double(0, ("base_tilt", "time_delay"), **one))
+    assert exact_pair(double(0, ("base_tilt", "time_delay"), **one, minor=("time_delay",)))
+
+
+def test_a_second_fault_that_does_not_show_is_not_asked_for():
+    weak = Bound(fault_sigma=100.0, material_sigma=50.0, second_sigma=2.0, second_material=False)
+    one = double(0, ("base_tilt", "time_delay"), pairs=(), bound=weak)
+    assert not counts(one)
+    assert right(one)
+    assert truth_class(one) == "base_tilt"
+
+
+def test_a_trial_without_an_answer_is_not_right_and_does_not_count():
+    stopped = Outcome(sealed=sealed(3, "time_delay"), stopped="TooClose: ...", verdict="stopped")
+    assert not right(stopped)
+    assert not counts(stopped)
+
+
+@pytest.mark.parametrize(("factor", "matters"), [(1.1, False), (2.0, True)])
+def test_noise_is_material_by_its_own_measure(factor: float, matters: bool):
+    truth = {"sensor_noise": {"fx_noise_factor": factor}}
+    assert material(single(0, "sensor_noise", "sensor_noise", bound=Bound(), truth=truth)) is matters
+
+
+def test_a_mismatch_is_material_by_the_shares_of_the_payload():
+    for share, matters in ((0.005, False), (0.05, True)):
+        truth = {"payload_mismatch": {"m_difference_kg": 2.0 * share, **{f"{k}": 0.0 for k in range(9)}}}
+        outcome = single(0, "payload_mismatch", "payload_mismatch", bound=Bound(), truth=truth, payload=payload(0.0, 0.0, 0.001))
+        assert material(outcome) is matters
+
+
+def test_a_forecast_holds_every_class_and_sums_to_one():
+    told = forecast(double(0, ("time_delay", "base_tilt")))
+    assert told["base_tilt+time_delay"] == 0.9
+    assert sum(told.values()) == pytest.approx(1.0)
+    assert truth_class(double(0, ("time_delay", "base_tilt"))) == "base_tilt+time_delay"
+    assert estimates(delay_s=(0.01, 0.001))["delay_s"].std == 0.001

@@ -1,0 +1,70 @@
+"""The sheet as a page with pictures."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import numpy as np
+from synthetic_outcomes import double, none, payload, sealed, single, unknown
+
+from core.trial.outcome import Outcome
+from core.trial.sheet import confusions, detections, score_sheet, write_sheet
+
+STOPPED = Outcome(sealed=sealed(44, "cable_drag"), stopped="TooFast: the elbow was at 0.3 m/s", verdict="stopped")
+SOME = [
+    none(0),
+    single(1, "time_delay", "time_delay", payload=payload(0.03, 0.001, 0.001)),
+    single(2, "time_delay", "sensor_lowpass"),
+    single(3, "base_tilt", "base_tilt", verdict="no_gap", effects=()),
+    unknown(4),
+    double(7, ("base_tilt", "time_delay")),
+    STOPPED,
+]
+
+
+def test_every_failure_stands_there_with_the_command_that_replays_it():
+    failures = score_sheet(SOME).split("## Not right")[1]
+    assert "`heft trial --seed 2`" in failures
+    assert "`heft trial --seed 44`: cable_drag (plain)" in failures
+    assert "TooFast" in failures
+    assert "--seed 1`" not in failures
+
+
+def test_the_sheet_says_how_it_was_made_and_stands_against_what_was_wanted():
+    sheet = score_sheet(SOME)
+    assert "`heft trial --seeds 0-4,7,44` (7 trials" in sheet
+    assert "| false alarms on runs without effect | <= 0.5 % | 0.0 % (0 of 1;" in sheet
+    assert "| unknown called unknown | >= 95 % | 100.0 % (1 of 1;" in sheet
+
+
+def test_confusions_and_detections_are_counted_by_effect():
+    assert confusions(SOME)["time_delay", "sensor_lowpass"] == 1
+    assert confusions(SOME)["base_tilt", "no_gap"] == 1
+    assert detections(SOME)["time_delay"] == [(100.0, True), (100.0, False)]
+
+
+def test_pictures_are_files_beside_the_page_and_repeatable(tmp_path: Path):
+    for folder in (tmp_path / "a", tmp_path / "b"):
+        folder.mkdir()
+        write_sheet(folder, SOME)
+    page = (tmp_path / "a" / "trials.md").read_text()
+    for name in ("confusion", "reliability", "closure", "detection"):
+        picture = tmp_path / "a" / f"{name}.svg"
+        assert f"({name}.svg)" in page
+        assert ET.parse(picture).getroot().tag.endswith("svg")
+        assert picture.read_bytes() == (tmp_path / "b" / f"{name}.svg").read_bytes()
+    assert "base_tilt" in (tmp_path / "a" / "confusion.svg").read_text()
+    assert not list(tmp_path.rglob("*.part"))
+
+
+def test_a_sheet_of_stopped_runs_alone_has_no_pictures(tmp_path: Path):
+    write_sheet(tmp_path, [STOPPED])
+    assert not list(tmp_path.glob("*.svg"))
+    assert "none drawn" in (tmp_path / "trials.md").read_text()
+
+
+def test_a_sheet_holds_no_number_that_is_none(tmp_path: Path):
+    rng = np.random.default_rng(0)
+    many = [single(k, "time_delay", "time_delay", float(rng.uniform(0.5, 1)), size=float(k + 1)) for k in range(5)]
+    assert "nan" not in score_sheet(many).replace("dominant", "")

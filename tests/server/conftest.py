@@ -1,0 +1,110 @@
+"""A service in this process, on an empty folder, with somebody signed in for each role."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from fastapi import FastAPI
+from fastapi.testclient import TestClient
+
+from server import accounts
+from server.accounts import Account
+from server.app import create_app
+from server.auth import COOKIE, CSRF_HEADER
+from server.cell_uploads import CellChecker
+from server.roles import Role
+from server.service import Service
+from server.settings import Settings
+from tests.server.people import HASH, As, Clock
+from tests.server.postgresql import Cluster, cluster
+
+
+@pytest.fixture
+def unused_port() -> int:
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port: int = free.getsockname()[1]
+    return port
+
+
+@pytest.fixture
+def clock() -> Clock:
+    return Clock()
+
+
+@pytest.fixture(scope="session")
+def postgresql() -> Iterator[Cluster]:
+    with cluster() as running:
+        yield running
+
+
+@pytest.fixture
+def database_url(request: pytest.FixtureRequest) -> str | None:
+    """SQLite, unless a test is parametrised with BOTH_STORES and it is PostgreSQL's turn."""
+    if getattr(request, "param", "sqlite") == "sqlite":
+        return None
+    running: Cluster = request.getfixturevalue("postgresql")
+    return running.database()
+
+
+@pytest.fixture(scope="session")
+def checker() -> Iterator[CellChecker]:
+    """The process that checks uploads: one for all tests, begun with the first."""
+    shared = CellChecker()
+    yield shared
+    shared.close()
+
+
+@pytest.fixture
+def settings(tmp_path: Path, database_url: str | None) -> Settings:
+    return Settings(data=tmp_path / "data", database_url=database_url)
+
+
+@pytest.fixture
+def app(settings: Settings, clock: Clock, checker: CellChecker) -> FastAPI:
+    return create_app(settings, now=clock, checker=checker)
+
+
+@pytest.fixture
+def nobody(app: FastAPI) -> Iterator[TestClient]:
+    """A client that shows nothing; the service runs while the fixture lives."""
+    with TestClient(app, raise_server_exceptions=False) as client:
+        yield client
+
+
+@pytest.fixture
+def service(app: FastAPI, nobody: TestClient) -> Service:
+    """The running service."""
+    found: Service = app.state.service
+    return found
+
+
+@pytest.fixture
+def signed_in(app: FastAPI, service: Service) -> As:
+    """`signed_in(Role.operator)` is a browser's client of an account with these roles; the CSRF token is sent along."""
+
+    def client(*roles: Role) -> TestClient:
+        name = "-".join(sorted(roles))
+        with service.store.write() as db:
+            account = db.get(Account, name) or accounts.add_account(db, name, HASH, frozenset(roles), service.now())
+            db.flush()
+            token, session = accounts.open_session(db, account, "testclient", service.now())
+        return TestClient(
+            app, cookies={COOKIE: token}, headers={CSRF_HEADER: session.csrf_token}, raise_server_exceptions=False, follow_redirects=False
+        )
+
+    return client
+
+
+@pytest.fixture
+def with_key(app: FastAPI, service: Service) -> As:
+    """`with_key(Role.mes)` is a machine's client."""
+
+    def client(role: Role) -> TestClient:
+        with service.store.write() as db:
+            key, _ = accounts.add_key(db, f"test-{role}-{len(list(db.query(accounts.ApiKey)))}", role, "test", service.now(), None)
+        return TestClient(app, headers={"Authorization": f"Bearer {key}"}, raise_server_exceptions=False)
+
+    return client

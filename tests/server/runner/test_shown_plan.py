@@ -1,0 +1,73 @@
+"""What a release is bound to: any change of what is going to happen, or of where, is another hash."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.cell import Cell, load_cell
+from core.collision import CollisionModel
+from core.plan import Plan, plan_procedure
+from core.robot import RobotModel
+from core.shapes import Pose
+from server.runner.shown_plan import plan_digest, release_sha256, shown
+
+ROOT = Path(__file__).parents[3]
+
+
+@pytest.fixture(scope="module")
+def cell() -> Cell:
+    return load_cell(ROOT / "cells" / "lwr4_bench")
+
+
+@pytest.fixture(scope="module")
+def plan(cell) -> Plan:
+    robot = RobotModel.of_cell(cell)
+    home, collision = np.array(cell.robot.home_rad), CollisionModel(cell, robot, cell.payload_box)
+    planning = plan_procedure(cell, robot, collision, cell.payload_box, start=home, poses=("x-", "x+"))
+    while True:
+        try:
+            next(planning)
+        except StopIteration as end:
+            return end.value
+
+
+def test_one_set_point_that_differs_by_a_bit_is_another_plan(plan):
+    leg = plan.legs[0]
+    q = leg.transfer.trajectory.q.copy()
+    q[len(q) // 2, 3] = np.nextafter(q[len(q) // 2, 3], np.inf)
+    transfer = replace(leg.transfer, trajectory=replace(leg.transfer.trajectory, q=q))
+    other = replace(plan, legs=(replace(leg, transfer=transfer), *plan.legs[1:]))
+    assert plan_digest(other) != plan_digest(plan)
+    longer = replace(plan, timing=replace(plan.timing, hold_s=plan.timing.hold_s + 1e-9))
+    assert plan_digest(longer) != plan_digest(plan)
+
+
+def test_a_zone_a_limit_or_the_box_that_differs_makes_the_release_void(cell):
+    box = cell.payload_box
+    sha256 = release_sha256("d", cell, box)
+    assert release_sha256("d", load_cell(cell.folder), box) == sha256
+    zone = cell.zones[0].name
+    pose = cell.zones[0].shape.pose
+    moved = cell.with_moved(zone, Pose(xyz_m=(pose.xyz_m[0] + 1e-6, *pose.xyz_m[1:]), rpy_rad=pose.rpy_rad))
+    faster = cell.model_copy(update={"limits": cell.limits.model_copy(update={"cartesian_speed_m_s": 0.26})})
+    wider = box.model_copy(update={"size_m": (box.size_m[0] + 1e-6, *box.size_m[1:])})
+    others = {
+        release_sha256("e", cell, box),
+        release_sha256("d", moved, box),
+        release_sha256("d", faster, box),
+        release_sha256("d", cell, wider),
+    }
+    assert len(others | {sha256}) == 5
+
+
+def test_what_is_shown_begins_and_ends_where_the_robot_does(cell, plan):
+    answer = shown(cell, cell.payload_box, plan)
+    for path, transfer in zip(answer.paths, [*(leg.transfer for leg in plan.legs), plan.home], strict=True):
+        np.testing.assert_allclose(path.q_rad[0], transfer.trajectory.q[0], atol=1e-5)
+        np.testing.assert_allclose(path.q_rad[-1], transfer.trajectory.q[-1], atol=1e-5)
+    assert answer.safety_rated is False
+    assert {throw.zone for throw in answer.throws} <= {zone.name for zone in cell.zones}

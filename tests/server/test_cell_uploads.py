@@ -1,0 +1,81 @@
+"""A cell that is uploaded is taken in whole or not at all, and no upload gets at anything outside its folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from core.cell import load_cell
+from core.errors import BadInput
+from server.cell_archive import UPLOAD
+from server.cell_folder import CellFolder
+from server.cell_uploads import CellChecker, take_in, upload_folder
+from server.errors import Conflict, Unprocessable
+from tests.server.hostile_uploads import HOSTILE, sound, zipped
+
+
+@pytest.fixture
+def cells(tmp_path: Path) -> CellFolder:
+    cells = CellFolder(tmp_path / "cells")
+    (tmp_path / "cells").mkdir()
+    return cells
+
+
+def upload(checker: CellChecker, cells: CellFolder, content: bytes, name: str | None = None) -> str:
+    with upload_folder(cells) as folder:
+        (folder / UPLOAD).write_bytes(content)
+        return take_in(checker, cells, folder, name=name)
+
+
+def everything_in(folder: Path) -> dict[str, bytes]:
+    return {str(file.relative_to(folder)): file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+
+
+@pytest.mark.parametrize("what", HOSTILE)
+def test_a_hostile_upload_is_refused_and_leaves_nothing(what: str, checker: CellChecker, cells: CellFolder, tmp_path: Path) -> None:
+    content = HOSTILE[what]()
+    with pytest.raises(BadInput) as refusal:
+        upload(checker, cells, content)
+    assert everything_in(tmp_path) == {}
+    assert "root:" not in str(refusal.value)
+    assert str(tmp_path) not in str(refusal.value)
+
+
+def test_there_are_enough_hostile_uploads() -> None:
+    assert len(HOSTILE) >= 40
+
+
+@pytest.mark.parametrize("prefix", ["", "lwr4_bench/"])
+def test_a_sound_cell_is_taken_in(prefix: str, checker: CellChecker, cells: CellFolder) -> None:
+    assert upload(checker, cells, zipped({prefix + name: content for name, content in sound().items()})) == "lwr4_bench"
+    assert everything_in(cells.folder) == {f"lwr4_bench/{name}": content for name, content in sound().items()}
+    assert load_cell(cells.folder / "lwr4_bench").name == "lwr4_bench"
+
+
+def test_the_checker_goes_on_after_hostile_uploads(checker: CellChecker, cells: CellFolder) -> None:
+    for what in ("a zip bomb", "mesh that is huge", "billion laughs"):
+        with pytest.raises(BadInput):
+            upload(checker, cells, HOSTILE[what]())
+    assert upload(checker, cells, zipped(sound())) == "lwr4_bench"
+
+
+def test_a_cell_is_replaced_only_on_request_and_as_a_whole(checker: CellChecker, cells: CellFolder) -> None:
+    upload(checker, cells, zipped(sound() | {"notes.txt": b"old"}))
+    digest = cells.digest("lwr4_bench")
+    with pytest.raises(Conflict, match="exists already"):
+        upload(checker, cells, zipped(sound()))
+    with pytest.raises(Unprocessable, match="calls itself"):
+        upload(checker, cells, zipped(sound()), "other")
+    assert cells.digest("lwr4_bench") == digest
+    upload(checker, cells, zipped(sound()), "lwr4_bench")
+    assert everything_in(cells.folder) == {f"lwr4_bench/{name}": content for name, content in sound().items()}
+    assert cells.digest("lwr4_bench") != digest
+
+
+def test_a_replacement_that_a_crash_cut_off_is_undone(checker: CellChecker, cells: CellFolder) -> None:
+    upload(checker, cells, zipped(sound()))
+    (cells.folder / "lwr4_bench").rename(cells.folder / ".old-lwr4_bench")
+    (cells.folder / ".new-abc").mkdir()
+    cells.prepare()
+    assert [each.name for each in cells.folder.iterdir()] == ["lwr4_bench"]

@@ -1,0 +1,121 @@
+"""Diagnoses as jobs: of uploaded recordings, which are somebody else's files."""
+
+from __future__ import annotations
+
+import io
+import time
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fastapi.testclient import TestClient
+
+from core.cell import load_cell
+from core.errors import BadRecording
+from core.gap.diagnosis import diagnose
+from core.recording_folder import read_recording, write_recording
+from core.robot import RobotModel
+from core.sample_log import SampleLog
+from core.sessions.simulated import SimulatedSession
+from server.recording_archive import unpack
+from server.roles import Role
+from tests.server.people import As
+
+ROOT = Path(__file__).parents[2]
+ZIP = {"Content-Type": "application/zip"}
+
+
+@pytest.fixture(scope="module")
+def standing(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A recording of a robot that only stands: too little to tell anything."""
+    cell = load_cell(ROOT / "cells" / "lwr4_bench")
+    log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None)
+    with SimulatedSession(cell, cell.payloads["steel_block"].parameters) as robot:
+        log.extend([robot.state() for _ in range(400)], "hold:free")
+    folder = tmp_path_factory.mktemp("standing") / "recording"
+    write_recording(log.recording(), folder)
+    return folder
+
+
+def zipped(files: dict[str, bytes], *, symlink: str | None = None) -> bytes:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(name, content)
+        if symlink is not None:
+            entry = zipfile.ZipInfo(symlink)
+            entry.external_attr = 0o120777 << 16
+            archive.writestr(entry, "/etc/passwd")
+    return buffer.getvalue()
+
+
+def files_of(folder: Path) -> dict[str, bytes]:
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+def waited(client: TestClient, place: str) -> dict:
+    for _ in range(600):
+        found = client.get(place).json()
+        if found["state"] in ("done", "failed"):
+            return found
+        time.sleep(0.1)
+    raise AssertionError(found)
+
+
+def test_an_uploaded_recording_is_diagnosed_as_the_engine_does_it(signed_in: As, standing):
+    client = signed_in(Role.engineer)
+    answer = client.post("/api/diagnoses/uploads", content=zipped(files_of(standing)), headers=ZIP)
+    assert answer.status_code == 202, answer.text
+    found = waited(client, answer.headers["location"])
+    assert found["state"] == "done"
+    assert found["result"]["verdict"] == diagnose(read_recording(standing)).verdict
+
+
+def test_a_recording_that_cannot_be_read_fails_with_its_reason(signed_in: As, standing):
+    client = signed_in(Role.engineer)
+    broken = files_of(standing) | {"recording.json": b"{}"}
+    answer = client.post("/api/diagnoses/uploads", content=zipped(broken), headers=ZIP)
+    found = waited(client, answer.headers["location"])
+    assert found["state"] == "failed"
+    assert "recording.json" in found["reason"]
+
+
+def test_a_run_without_a_recording_cannot_be_diagnosed(signed_in: As):
+    answer = signed_in(Role.engineer).post("/api/diagnoses", json={"run": "no-such-run"})
+    assert answer.status_code == 404
+
+
+def test_what_leads_elsewhere_in_a_zip_lands_in_the_folder_or_nowhere(tmp_path, standing):
+    hostile = {f"../../{name}": content for name, content in files_of(standing).items()} | {"/etc/cron.d/x": b"", "evil.py": b""}
+    (tmp_path / "upload").write_bytes(zipped(hostile))
+    (tmp_path / "a" / "b").mkdir(parents=True)
+    unpack(tmp_path / "upload", tmp_path / "a" / "b" / "c")
+    assert {file.name for file in (tmp_path / "a" / "b" / "c").iterdir()} == set(files_of(standing))
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["a", "upload"]
+    np.testing.assert_array_equal(read_recording(tmp_path / "a" / "b" / "c").t, read_recording(standing).t)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"no zip at all",
+        zipped({}),
+        zipped({"samples.parquet": b"x"}),
+        zipped({"a/recording.json": b"{}", "b/recording.json": b"{}"}),
+        zipped({"recording.json": b"{}"} | {f"{k}.urdf": b"" for k in range(50)}),
+        zipped({"recording.json": b"0" * 450_000_000}),
+    ],
+    ids=["no zip", "empty", "no manifest", "two recordings", "many files", "bomb"],
+)
+def test_what_is_no_recording_is_refused_and_leaves_nothing(tmp_path, content):
+    (tmp_path / "upload").write_bytes(content)
+    with pytest.raises(BadRecording):
+        unpack(tmp_path / "upload", tmp_path / "recording")
+    assert [file.name for file in tmp_path.iterdir()] == ["upload"]
+
+
+def test_a_link_in_a_zip_is_only_a_file_with_a_path_in_it(tmp_path, standing):
+    (tmp_path / "upload").write_bytes(zipped(files_of(standing) | {}, symlink="x/robot2.urdf"))
+    unpack(tmp_path / "upload", tmp_path / "recording")
+    assert not any(file.is_symlink() for file in (tmp_path / "recording").iterdir())

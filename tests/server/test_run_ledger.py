@@ -1,0 +1,131 @@
+"""Runs in the store: states, events and deliveries are kept together or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from sqlalchemy import func, select
+
+from server import run_ledger
+from server.errors import Unprocessable
+from server.packml import COMPLETED, Command, IllegalCommandError, State
+from server.run_schemas import EventMessage, RunOrder, StateChanged
+from server.run_tables import Delivery, RunEventRow, RunRow, Webhook
+from server.settings import Settings
+from tests.server.kept import Kept, kept
+from tests.server.people import BOTH_STORES, Clock
+
+ORDER = RunOrder(cell="lwr4_bench", seed=3)
+TO = {
+    State.RESETTING: [],
+    State.IDLE: [None],
+    State.EXECUTE: [None, Command.START, None],
+    State.HELD: [None, Command.START, None, Command.HOLD, None],
+    State.SUSPENDED: [None, Command.START, None, Command.SUSPEND, None],
+    State.COMPLETING: [None, Command.START, None, None],
+    State.STOPPING: [None, Command.START, None, Command.STOP],
+    State.ABORTING: [None, Command.START, None, Command.ABORT],
+    State.ABORTED: [None, Command.START, None, Command.ABORT, None],
+    State.CLEARING: [None, Command.ABORT, None, Command.CLEAR],
+    State.COMPLETE: [None, Command.START, None, None, None],
+    State.STOPPED: [None, Command.STOP, None],
+}
+
+
+pytestmark = BOTH_STORES
+
+
+@pytest.fixture
+def service(settings: Settings, clock: Clock) -> Iterator[Kept]:
+    with kept(settings, clock) as found:
+        yield found
+
+
+def run_in(service: Kept, state: State) -> str:
+    with service.store.write() as db:
+        row = run_ledger.queue(db, ORDER, "account:anna", service.now())
+        row.released = Command.START in TO[state]
+        run_ledger.steps(db, row, TO[state], service.now())
+        assert row.state == state
+        return row.id
+
+
+def events(service: Kept, run: str) -> list[EventMessage]:
+    with service.store.read() as db:
+        return [EventMessage.model_validate_json(text) for text in run_ledger.told(db, run, 0)]
+
+
+def test_every_state_is_an_event_and_sequence_numbers_have_no_gaps(service):
+    messages = events(service, run_in(service, State.COMPLETE))
+    assert [message.sequence for message in messages] == list(range(1, len(messages) + 1))
+    states = [message.event.state for message in messages if isinstance(message.event, StateChanged)]
+    assert states == ["Resetting", "Idle", "Starting", "Execute", "Completing", "Complete"]
+
+
+def test_an_illegal_command_keeps_nothing(service):
+    run = run_in(service, State.IDLE)
+    before = events(service, run)
+    with pytest.raises(IllegalCommandError), service.store.write() as db:
+        row = run_ledger.load(db, run)
+        row.reason = "not kept"
+        run_ledger.steps(db, row, [Command.START, Command.UNHOLD], service.now())
+    assert events(service, run) == before
+    with service.store.read() as db:
+        assert run_ledger.load(db, run).reason is None
+
+
+@pytest.mark.parametrize("state", list(TO))
+def test_a_crash_in_any_state_leaves_a_run_that_waits_is_over_or_is_aborted_with_its_reason(service, state):
+    run = run_in(service, state)
+    with service.store.write() as db:
+        run_ledger.close_crashed(db, service.now())
+    with service.store.read() as db:
+        row = run_ledger.load(db, run)
+    untouched = {State.RESETTING, State.COMPLETE, State.STOPPED, State.ABORTED}
+    if state in untouched:
+        assert row.state == state
+    else:
+        assert row.state == (State.STOPPED if state is State.CLEARING else State.ABORTED)
+        assert str(state) in row.reason
+        assert run_ledger.answer(row).job_state == "Aborted"
+    assert State(row.state) not in set(COMPLETED) - {State.RESETTING}
+
+
+def test_a_run_that_ends_is_delivered_to_each_webhook_once_also_when_it_is_cleared_later(service):
+    with service.store.write() as db:
+        for name in ("a", "b"):
+            db.add(Webhook(id=name, url="http://plant/", secret="s" * 16, made_by="x", made_at=service.now()))
+    run = run_in(service, State.ABORTED)
+    with service.store.write() as db:
+        assert db.scalar(select(func.count()).select_from(Delivery)) == 2
+        run_ledger.steps(db, run_ledger.load(db, run), [Command.CLEAR, None], service.now())
+        assert db.scalar(select(func.count()).select_from(Delivery)) == 2
+
+
+def test_runs_of_one_cell_wait_for_each_other_and_an_aborted_one_until_it_is_cleared(service):
+    first = run_in(service, State.ABORTED)
+    service.now.go_on(seconds=1)
+    second = run_in(service, State.RESETTING)
+    with service.store.write() as db:
+        assert [row.id for row in run_ledger.waiting(db)] == [first]
+        run_ledger.steps(db, run_ledger.load(db, first), [Command.CLEAR, None], service.now())
+        assert [row.id for row in run_ledger.waiting(db)] == [second]
+
+
+def test_the_same_key_with_another_body_is_refused(service):
+    with service.store.write() as db:
+        assert run_ledger.made_before(db, "key:mes", "k", b"one") is None
+        run_ledger.once(db, "key:mes", "k", b"one", "run-1", service.now())
+    with service.store.read() as db:
+        assert run_ledger.made_before(db, "key:mes", "k", b"one") == "run-1"
+        assert run_ledger.made_before(db, "key:other", "k", b"two") is None
+        with pytest.raises(Unprocessable):
+            run_ledger.made_before(db, "key:mes", "k", b"two")
+
+
+def test_an_order_comes_back_as_it_was_given(service):
+    run = run_in(service, State.IDLE)
+    with service.store.read() as db:
+        assert run_ledger.answer(run_ledger.load(db, run)).order == ORDER
+        assert db.scalar(select(func.count()).select_from(RunEventRow)) == db.get(RunRow, run).sequence

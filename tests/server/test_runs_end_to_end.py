@@ -1,0 +1,200 @@
+"""Runs on a real service over real sockets: from the order to the payload, and every way in which it can end early."""
+
+from __future__ import annotations
+
+import json
+import signal
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.cell import load_cell
+from core.recording_folder import read_recording
+from core.robot import RobotModel
+from tests.server.real_service import ROOT, Console, RealService, real_service, wait_for
+
+
+@pytest.fixture(scope="module")
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
+    with real_service(tmp_path_factory.mktemp("service")) as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def console(service: RealService) -> Iterator[Console]:
+    console = Console(service)
+    console.take_control()
+    yield console
+    console.leave()
+
+
+def recorded(service: RealService, run: str) -> int:
+    return len(read_recording(service.data / "recordings" / run / "recording"))
+
+
+def events(console: Console, run: str) -> list[dict]:
+    return [message["event"] for message in console.http.get(f"/api/runs/{run}/events?kind=event").json()]
+
+
+def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_carries(service, console):
+    run = console.queue()
+    assert console.run(run)["job_state"] == "NotAllowedToStart"
+    console.wait(run, "Idle")
+    live = console.socket(f"/api/runs/{run}/live")
+    assert console.release(run).status_code == 200
+    console.wait(run, "Execute")
+    held = console.command(run, "hold")
+    assert held.status_code == 200, held.text
+    assert console.wait(run, "Held")["job_state"] == "Interrupted"
+    refused = console.command(run, "hold")
+    assert refused.status_code == 409
+    assert {"resume", "stop", "abort"} == set(refused.json()["allowed"])
+    assert console.command(run, "resume").status_code == 200
+    done = console.wait(run, "Complete", "Aborted")
+    assert done["state"] == "Complete", done
+
+    answer = console.http.get(f"/api/runs/{run}/result").json()
+    truth = load_cell(ROOT / "cells" / "lwr4_bench").payloads["steel_block"].parameters
+    assert answer["safety_rated"] is False
+    assert abs(answer["mass_kg"] - truth.mass) < 5 * answer["mass_std_kg"] + 1e-3
+    np.testing.assert_allclose(answer["com_m"], truth.com, atol=1e-3)
+    assert np.shape(answer["covariance"]) == (10, 10)
+
+    with live:
+        messages = [json.loads(text) for text in live]
+    sequences = [message["sequence"] for message in messages if message["kind"] == "event"]
+    assert sequences == list(range(1, len(sequences) + 1))
+    assert any(message["kind"] == "samples" and message["reconstructed"] for message in messages)
+    states = [event["state"] for event in events(console, run) if event["kind"] == "state_changed"]
+    assert states == [
+        "Resetting", "Idle", "Starting", "Execute", "Holding", "Held", "Unholding", "Execute", "Completing", "Complete",
+    ]  # fmt: skip
+    assert recorded(service, run) > 20_000
+
+
+def test_a_release_is_void_when_it_is_not_for_the_plan_that_waits_or_nobody_is_in_control(console):
+    run = console.queue(seed=1)
+    console.wait(run, "Idle")
+    other = console.release(run, plan_sha256="0" * 64)
+    assert other.status_code == 409
+    assert "void" in other.json()["detail"]
+    forged = console.release(run, offer="1.0.abc")
+    assert forged.status_code == 409
+    sent = console.sent
+    assert console.release(run, sent={**sent, "stamp_s": sent["stamp_s"] + 60}).status_code == 409
+    assert console.release(run, sent={**sent, "fence": sent["fence"] - 1}).status_code == 409
+    assert console.run(run)["state"] == "Idle"
+    assert console.http.delete(f"/api/runs/{run}").status_code == 200
+    assert console.wait(run, "Stopped")["job_state"] == "Ended"
+
+
+def test_the_robot_stops_when_the_console_goes_silent_and_only_a_clear_frees_the_cell(service, console):
+    run = console.queue(seed=2)
+    console.wait(run, "Idle")
+    assert console.release(run).status_code == 200
+    console.wait(run, "Execute")
+    console.answering.clear()
+    lost = console.wait(run, "Aborted")
+    console.answering.set()
+    assert "nobody has been in control" in lost["reason"]
+    assert lost["job_state"] == "Aborted"
+    assert lost["commands"] == ["clear"]
+    assert recorded(service, run) > 0
+    following = console.queue(seed=2)
+    assert console.run(following)["state"] == "Resetting"
+    console.take_control()
+    wait_for(lambda: console.command(run, "clear").status_code == 200, "the control process to end")
+    assert console.run(run)["job_state"] == "Aborted"
+    console.wait(following, "Idle")
+    assert console.command(following, "stop").status_code == 200
+    console.wait(following, "Stopped")
+
+
+def test_a_stop_ends_the_motion_and_keeps_its_samples(service, console):
+    run = console.queue(seed=3)
+    console.wait(run, "Idle")
+    assert console.release(run).status_code == 200
+    console.wait(run, "Execute")
+    assert console.http.post(f"/api/runs/{run}/commands", json={"command": "stop"}).status_code == 200
+    stopped = console.wait(run, "Stopped")
+    assert "asked for by account:operator" in stopped["reason"]
+    assert recorded(service, run) > 0
+
+
+def test_a_zone_that_moves_into_the_way_stops_the_robot_and_the_rest_is_planned_anew_around_it(service, console):
+    run = console.queue(seed=5, pace="real_time")
+    console.wait(run, "Idle")
+    shown = console.http.get(f"/api/runs/{run}/plan").json()["plan"]
+    ahead = next(path for path in shown["paths"] if path["toward"] == "x-")["q_rad"][-1]
+    cell = load_cell(ROOT / "cells" / "lwr4_bench")
+    sensor = RobotModel.of_cell(cell).sensor_pose(np.array(ahead)).position
+    zone = cell.zones[0]
+    assert console.release(run).status_code == 200
+    console.wait(run, "Execute")
+    for place in (sensor, zone.shape.pose.translation):
+        now = datetime.now(UTC).isoformat()
+        body = {"pose": {"xyz_m": place.tolist(), "rpy_rad": zone.shape.pose.rpy_rad}, "measured_at": now}
+        answer = console.http.put(f"/api/cells/lwr4_bench/zones/{zone.name}", json=body)
+        assert answer.status_code == 200, answer.text
+        wait_for(lambda: any(event["kind"] == "robot_stopped" for event in events(console, run)), "the guard to stop the robot")
+    stop = next(event for event in events(console, run) if event["kind"] == "robot_stopped")
+    assert stop["error"] == "TooClose"
+    assert zone.name in stop["message"]
+    states = [event["state"] for event in events(console, run) if event["kind"] == "state_changed"]
+    assert states[4:6] == ["Suspending", "Suspended"]
+    wait_for(lambda: console.run(run)["state"] != "Suspended", "the new plan")
+    found = console.run(run)
+    assert found["state"] in ("Unsuspending", "Execute"), found
+    assert console.command(run, "abort").status_code == 200
+    console.wait(run, "Aborted")
+    wait_for(lambda: console.command(run, "clear").status_code == 200, "the control process to end")
+
+
+def test_signing_out_ends_the_control_that_was_taken_before(service):
+    other = Console(service, cell="ur5e_line")
+    other.take_control()
+    wait_for(lambda: other.http.get("/api/control/ur5e_line").json()["holder"], "control")
+    watching = Console(service)
+    assert other.http.delete("/api/session").status_code in (200, 204)
+    wait_for(lambda: watching.http.get("/api/control/ur5e_line").json()["holder"] is None, "the end of control", seconds=5)
+    other.leave()
+    watching.leave()
+
+
+def test_one_key_makes_one_run_however_often_it_is_sent(console):
+    order = {"cell": "lwr4_bench", "payload": "steel_block", "seed": 9}
+    answers = [console.http.post("/api/runs", json=order, headers={"Idempotency-Key": "order-9"}) for _ in range(20)]
+    assert {answer.status_code for answer in answers} == {202}
+    runs = {answer.json()["run"] for answer in answers}
+    assert len(runs) == 1
+    other = console.http.post("/api/runs", json={**order, "seed": 10}, headers={"Idempotency-Key": "order-9"})
+    assert other.status_code == 422
+    assert console.http.delete(f"/api/runs/{runs.pop()}").status_code == 200
+
+
+@pytest.mark.parametrize("blow", [signal.SIGKILL, signal.SIGSTOP])
+def test_a_server_that_dies_or_freezes_leaves_a_robot_that_stands_and_a_run_that_is_aborted(tmp_path: Path, blow: signal.Signals):
+    with real_service(tmp_path) as service:
+        console = Console(service)
+        console.take_control()
+        run = console.queue(seed=4)
+        console.wait(run, "Idle")
+        assert console.release(run).status_code == 200
+        console.wait(run, "Execute")
+        service.send(blow)
+        recording = service.data / "recordings" / run / "recording"
+        wait_for(recording.is_dir, "the recording of the stopped run")
+        service.kill()
+        console.leave()
+        service.start()
+        console = Console(service)
+        found = console.run(run)
+        assert found["state"] == "Aborted"
+        assert "the service ended" in found["reason"]
+        assert recorded(service, run) > 0
+        still = read_recording(recording).q_cmd[-20:]
+        assert np.abs(np.diff(still[-2:], axis=0)).max() == 0.0
+        console.leave()

@@ -1,0 +1,103 @@
+"""The store keeps all of a write or nothing of it, on either database, and its tables are those that the code describes."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from alembic.autogenerate import compare_metadata
+from alembic.migration import MigrationContext
+from sqlalchemy import text
+
+from server.accounts import Account, add_account
+from server.roles import Role
+from server.service import utc_now
+from server.store import Store
+from server.tables import Table
+from tests.server.people import BOTH_STORES
+from tests.server.postgresql import Cluster
+
+
+@pytest.fixture
+def store(database_url: str | None, tmp_path: Path) -> Iterator[Store]:
+    store = Store(database_url or f"sqlite:///{tmp_path / 'heft.sqlite'}")
+    store.migrate()
+    yield store
+    store.close()
+
+
+def names(store: Store) -> set[str]:
+    with store.read() as db:
+        return set(db.scalars(text("SELECT name FROM accounts")))
+
+
+def add(store: Store, name: str) -> None:
+    with store.write() as db:
+        add_account(db, name, "x", frozenset({Role.viewer}), utc_now())
+
+
+@BOTH_STORES
+def test_the_migrations_make_the_tables_that_the_code_describes(store: Store) -> None:
+    with store.read() as db:
+        context = MigrationContext.configure(db.connection(), opts={"compare_type": True})
+        assert compare_metadata(context, Table.metadata) == []
+
+
+@BOTH_STORES
+def test_migrating_twice_changes_nothing(store: Store) -> None:
+    add(store, "anna")
+    store.migrate()
+    assert names(store) == {"anna"}
+
+
+def test_two_services_that_start_at_once_migrate_once(postgresql: Cluster) -> None:
+    url = postgresql.empty()
+    stores = [Store(url) for _ in range(3)]
+    threads = [threading.Thread(target=store.migrate) for store in stores]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    add(stores[0], "anna")
+    assert names(stores[2]) == {"anna"}
+    for store in stores:
+        store.close()
+
+
+@BOTH_STORES
+def test_a_write_that_fails_leaves_nothing(store: Store) -> None:
+    with pytest.raises(ZeroDivisionError), store.write() as db:
+        add_account(db, "anna", "x", frozenset({Role.viewer}), utc_now())
+        db.flush()
+        raise ZeroDivisionError
+    assert names(store) == set()
+
+
+@BOTH_STORES
+def test_many_may_write_at_once_and_all_is_kept(store: Store) -> None:
+    threads = [threading.Thread(target=add, args=(store, f"a{k}")) for k in range(12)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert names(store) == {f"a{k}" for k in range(12)}
+
+
+@BOTH_STORES
+def test_times_come_back_with_their_offset(store: Store) -> None:
+    now = utc_now()
+    with store.write() as db:
+        add_account(db, "anna", "x", frozenset({Role.viewer}), now)
+    with store.read() as db:
+        account = db.get(Account, "anna")
+        assert account is not None
+        assert account.created_at == now
+        assert account.created_at.utcoffset() is not None
+
+
+def test_sqlite_waits_for_the_disk(store: Store) -> None:
+    with store.read() as db:
+        asked = ("journal_mode", "synchronous", "foreign_keys", "busy_timeout")
+        assert [db.scalar(text(f"PRAGMA {name}")) for name in asked] == ["wal", 2, 1, 5000]

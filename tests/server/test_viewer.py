@@ -1,0 +1,84 @@
+"""The viewer is reached through the service alone, and shows without commanding."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import socket
+from collections.abc import Iterator
+from pathlib import Path
+
+import httpx2 as httpx
+import numpy as np
+import pytest
+from viser import _messages as messages
+from websockets.exceptions import InvalidStatus
+from websockets.sync.client import connect
+
+from core.cell import load_cell
+from core.report.faces import box_faces
+from server.viewer import scene
+from server.viewer.scene import Scene, open_server, triangles_of
+from tests.server.real_service import ROOT, Console, RealService, real_service
+
+VISER = "viser-v1.1.1"
+
+
+@pytest.fixture(scope="module")
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
+    with real_service(tmp_path_factory.mktemp("viewer")) as running:
+        yield running
+
+
+def test_the_viewer_comes_through_the_service_for_who_is_signed_in_and_nobody_else(service):
+    console = Console(service)
+    page = console.http.get("/viewer/lwr4_bench/", timeout=60)
+    assert page.status_code == 200
+    assert "<html" in page.text.lower()
+    with console.socket("/viewer/lwr4_bench", subprotocols=[VISER], max_size=None) as live:
+        assert live.subprotocol == VISER
+        drawn = 0
+        while drawn < 3_000:  # compressed; an empty scene is some hundred bytes
+            drawn += len(live.recv(timeout=20))
+    assert httpx.get(f"http://{service.address}/viewer/lwr4_bench/").status_code == 401
+    with pytest.raises(InvalidStatus), connect(f"ws://{service.address}/viewer/lwr4_bench", subprotocols=[VISER]):
+        pass
+    cookies = "; ".join(f"{name}={value}" for name, value in console.http.cookies.items())
+    foreign = {"Cookie": cookies, "Origin": "http://elsewhere.example"}
+    with pytest.raises(InvalidStatus), connect(f"ws://{service.address}/viewer/lwr4_bench", additional_headers=foreign):
+        pass
+    assert console.http.get("/viewer/no_such_cell/").status_code == 404
+    console.leave()
+
+
+def test_it_listens_on_the_loopback_only_and_cannot_be_asked_for_a_public_tunnel():
+    server = open_server()
+    try:
+        assert server.get_host() == "127.0.0.1"
+        handlers = server._websock_server._incoming_handlers
+        assert messages.ShareUrlRequest not in handlers
+        assert messages.ShareUrlDisconnect not in handlers
+        own = socket.gethostbyname(socket.gethostname())
+        if not own.startswith("127."):
+            with pytest.raises(OSError), socket.create_connection((own, server.get_port()), timeout=1):
+                pass
+        shown = Scene(server, load_cell(ROOT / "cells" / "lwr4_bench"))
+        shown.move(np.array(shown._cell.robot.home_rad) + 0.1, None)
+    finally:
+        server.stop()
+
+
+def test_the_viewer_knows_no_way_to_a_robot():
+    imported = {
+        node.module or ""
+        for file in Path(inspect.getfile(scene)).parent.glob("*.py")
+        for node in ast.walk(ast.parse(file.read_text()))
+        if isinstance(node, ast.ImportFrom)
+    }
+    assert not any(name.startswith(("core.sessions", "core.control", "core.procedure")) for name in imported)
+
+
+def test_the_triangles_of_a_box_enclose_its_volume():
+    corners, triangles = triangles_of(box_faces(np.array([0.1, 0.2, 0.3])))
+    a, b, c = (corners[triangles[:, k]] for k in range(3))
+    assert np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 == pytest.approx(0.1 * 0.2 * 0.3)
