@@ -131,7 +131,7 @@ def identify_command(
 def diagnose_command(
     recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
     json: JsonOption = None,
-    report: Annotated[Path | None, typer.Option(metavar="FILE", help="Also write the HTML report.")] = None,
+    report: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder to make for the report, as a page and as JSON.")] = None,
     cell: Annotated[
         str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin is the start, the next motion is planned there.")
     ] = None,
@@ -150,13 +150,17 @@ def diagnose_command(
     if made_in is not None:
         diagnosis = plan_next(diagnosis, evidence, loaded, recording, made_in, experiment, messages)
     if report is not None:
-        write_diagnosis(report, diagnosis=diagnosis, overlay=None if evidence is None else _overlay(evidence))
+        report.mkdir(parents=True)
+        write_diagnosis(report / "diagnosis.html", diagnosis=diagnosis, overlay=None if evidence is None else _overlay(evidence))
+        _write_json(diagnosis.model_dump_json(indent=2), str(report / "diagnosis.json"))
     if json is not None:
         _write_json(diagnosis.model_dump_json(indent=2), json)
     if json != "-":
         answers.print(diagnosis_table(diagnosis))
         for line in diagnosis_lines(diagnosis):
             answers.print(line, highlight=False)
+    if report is not None and json != "-":
+        answers.print(f"Report: {report / 'diagnosis.html'}", soft_wrap=True, highlight=False)
 
 
 app.command()(trial)

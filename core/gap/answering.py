@@ -87,11 +87,18 @@ def _read_off(fitted: Diagnosis, told: list[Observed]) -> Diagnosis:
             "none_probability": 0.5 * rest,
             "unknown_probability": 0.5 * rest,
             "indistinguishable": [],
+            "gap": None if fitted.gap is None else _as_before(fitted.gap),
             "where": None if fitted.where is None else fitted.where.model_copy(update={"stage": told[0].symptom.stage}),
             "payload": None if fitted.payload is None else fitted.payload.model_copy(update={"after": fitted.payload.before}),
             "consequence": READ_OFF_CONSEQUENCE,
         }
     )
+
+
+def _as_before(gap: GapPart) -> GapPart:
+    """The wrench's gap is not what the symptom is about: it stays."""
+    channels = {name: Change(before=change.before, after=change.before) for name, change in gap.by_channel.items()}
+    return gap.model_copy(update={"after": gap.before, "by_channel": channels})
 
 
 def _beside(fitted: Diagnosis, evidence: Evidence, it: Observed) -> Diagnosis:

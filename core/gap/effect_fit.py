@@ -19,7 +19,9 @@ Array = NDArray[np.float64]
 
 ITERATIONS = 24
 CONVERGED = 0.02
-"""Fall of the cost below which the fit has ended, in units of what it leaves over per row."""
+"""Fall of the cost below which the fit has ended, in units of chi-square,"""
+MISFIT = 50.0
+"""and so many times what it leaves over per row beyond chance, where the model is not exact."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +97,7 @@ def _descended(problem: Problem, beta: Array, theta: Array, *, iterations: int) 
         new_cost = problem.cost(new_beta, new_theta)
         if new_cost < cost:
             fell, cost, beta, theta, damping = cost - new_cost, new_cost, new_beta, new_theta, damping * 0.1
-            if fell < CONVERGED * max(1.0, cost / len(problem.target)):
+            if fell < CONVERGED * max(1.0, MISFIT * (cost / len(problem.target) - 1.0)):
                 break
         elif damping > 1e3:
             break

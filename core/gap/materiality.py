@@ -12,8 +12,8 @@ Array = NDArray[np.float64]
 
 GAP = 2.0
 """Held-out gap, noise being 1, from which an effect is material."""
-SHARE = np.array([0.01, 0.01, 0.03])
-"""Of the mass, of the norm of the first moment, of the largest moment of inertia."""
+SHARES = np.repeat([0.01, 0.01, 0.03], [1, 3, 6])
+"""(10,), of the mass, of the norm of the first moment, of the largest moment of inertia."""
 
 
 def is_material(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
@@ -26,7 +26,7 @@ def moved(nominal: EffectFit, best: EffectFit) -> NDArray[np.bool_]:
     """(10,), which payload parameters the effect moves materially."""
     shift = np.abs(best.phi - nominal.phi)
     beyond = shift > 2.0 * best.phi_std
-    return np.asarray((shift > SHARE[[0, 1, 1, 1, 2, 2, 2, 2, 2, 2]] * sizes(best.phi)) & beyond)
+    return np.asarray((shift > SHARES * sizes(best.phi)) & beyond)
 
 
 def sizes(phi: Array) -> Array:

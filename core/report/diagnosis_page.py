@@ -11,7 +11,7 @@ import jinja2
 import numpy as np
 from numpy.typing import NDArray
 
-from core.gap.answer import Diagnosis, GapPart, Minor, Tied, Where
+from core.gap.answer import Diagnosis, GapPart, JointGap, Minor, Tied, Where
 from core.report.charts import CHANNELS, MATERIAL, gap_chart, overlay_chart
 from core.report.diagnosis_rows import explanation_rows, heat_map, leading, parameter_texts, payload_rows, percent, rest_sentences, title_of
 from core.report.page import TEMPLATE as IDENTIFICATION
@@ -94,6 +94,7 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
         "payload": [] if diagnosis.payload is None else payload_rows(diagnosis.payload),
         "payload_moved": diagnosis.payload is not None and diagnosis.payload.before != diagnosis.payload.after,
         "experiment": _experiment(diagnosis, titles),
+        "twin": ", ".join(title_of(name, titles) for name in diagnosis.twin),
         "limits": [_limit(limit, titles) for limit in diagnosis.limits if limit not in diagnosis.summary],
         "seconds": f"{diagnosis.seconds:.1f}",
     }
@@ -154,7 +155,8 @@ def _settle(diagnosis: Diagnosis) -> str:
 def _where(where: Where) -> dict[str, Any]:
     phases, blocks = heat_map(where.cells)
     most = max(where.by_time, default=0.0) or 1.0
-    loud = {DIRECTIONS.get(name, name): float(np.sqrt(max(0.0, square))) for name, square in where.by_direction.items()}
+    squares = {**where.by_direction, **where.by_pose}
+    loud = {DIRECTIONS.get(name, _pose(name)): float(np.sqrt(max(0.0, square))) for name, square in squares.items()}
     loudest = max(loud.values(), default=0.0) or 1.0
     return {
         "sentence": sentence(where.sentence),
@@ -164,7 +166,20 @@ def _where(where: Where) -> dict[str, Any]:
         "share": f"{100 * sum(cell.share for cell in where.cells):.0f} %",
         "time": [(f"{100 * share:.0f}", f"{100 * max(0.0, share) / most:.1f}") for share in where.by_time],
         "direction": [(name, f"{value:.1f}", f"{100 * value / loudest:.1f}") for name, value in loud.items()],
+        "joints": [_joint(joint) for joint in where.joints],
     }
+
+
+def _pose(name: str) -> str:
+    """`x+` in words."""
+    return f"{name[0]} {'down' if name[1:] == '+' else 'up'}"
+
+
+def _joint(joint: JointGap) -> tuple[str, str, str]:
+    """Name, tracking error and torque of one joint, in everyday units."""
+    tracking = "" if joint.tracking_rms_rad is None else f"{1e3 * joint.tracking_rms_rad:.3f} mrad"
+    torque = "" if joint.torque_rms_n_m is None else f"{joint.torque_rms_n_m:.2f} N m"
+    return joint.joint, tracking, torque
 
 
 def _tie(tie: Tied, titles: dict[str, str]) -> dict[str, str]:
@@ -227,4 +242,10 @@ def _experiment(diagnosis: Diagnosis, titles: dict[str, str]) -> dict[str, Any] 
     if experiment is None:
         return None
     splits = [" from ".join(title_of(name, titles) for name in pair) for pair in experiment.splits]
-    return {"motion": sentence(experiment.motion), "seconds": f"{experiment.seconds:.0f} s", "splits": "; ".join(splits)}
+    return {
+        "motion": sentence(experiment.motion),
+        "seconds": f"{experiment.seconds:.0f} s" if experiment.stops else "",
+        "splits": "; ".join(splits),
+        "sigma": f"{experiment.sigma_before:.1f} σ now, {experiment.sigma_after:.0f} σ expected with both recordings",
+        "planned": "It is planned in the cell." if experiment.planned else sentence(f"It is not yet planned: {experiment.refused}"),
+    }

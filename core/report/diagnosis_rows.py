@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.gap.answer import Cell, Diagnosis, PayloadPart, Value
+from core.gap.materiality import SHARES
 from core.report.charts import CHANNELS
 from core.report.rows import LABELS, rounded
 
@@ -23,8 +24,6 @@ ALIKE = 0.02
 """Closures that differ by less need a word on why only one is likely."""
 TIMES_NOISE = (2.0, 5.0, 15.0, 40.0, 100.0)
 """Where the heat map's tints begin."""
-MATERIAL = np.array([0.01, *[0.01] * 3, *[0.03] * 6])
-"""Shares from which a shift of the payload matters: of the mass, of the first moment's norm, of the largest moment of inertia."""
 UNIT_SUFFIX = re.compile(r"_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)(_per_(m|nm|s|rad))?$|_per_s$")
 SCALES = {"rad": (math.degrees(1.0), "°"), "m": (1e3, "mm"), "rad/(N m)": (1e3, "mrad/(N m)")}
 SMALL = {"s": "ms", "kg": "g", "kg m": "g m", "kg m2": "g m²"}
@@ -193,7 +192,8 @@ def explanation_rows(diagnosis: Diagnosis, titles: Mapping[str, str]) -> list[Ex
     for pair in diagnosis.pairs:
         if pair.probability >= SHOWN:
             title = title_of("+".join(pair.ids), titles)
-            rows.append(_row(title, " + ".join(pair.ids), pair.probability, pair.closure, "", pair.gap_after, (), "pair"))
+            texts = tuple(text for values in pair.parameters.values() for text in parameter_texts(values))
+            rows.append(_row(title, " + ".join(pair.ids), pair.probability, pair.closure, "", pair.gap_after, texts, "pair"))
     rows.append(_row("no effect", "none", diagnosis.none_probability, None, "", None, (), "none"))
     rows.append(_row("something that the library does not have", "unknown", diagnosis.unknown_probability, None, "", None, (), "unknown"))
     order = {"effect": 0, "pair": 0, "none": 1, "unknown": 1}
@@ -274,7 +274,7 @@ def payload_rows(payload: PayloadPart) -> list[PayloadRow]:
                 after_std=rounded(factor * b_std, factor * b_std),
                 change=f"{-100 * shift / sizes[k]:+.2f} %" if sizes[k] > 0 else "",
                 sigmas=f"{-shift / b_std:+.1f}" if b_std > 0 else "",
-                material=bool(share > MATERIAL[k] and abs(shift) > 2.0 * b_std),
+                material=bool(share > SHARES[k] and abs(shift) > 2.0 * b_std),
             )
         )
     return rows

@@ -18,7 +18,7 @@ from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import Evidence
 from core.gap.fit_all import pair_of
-from core.gap.materiality import GAP, SHARE, is_material, sizes
+from core.gap.materiality import GAP, SHARES, is_material, sizes
 from core.gap.windows import PHI, Windows
 from core.recording import Recording
 
@@ -97,7 +97,7 @@ def _materiality(windows: Windows, fooled: EffectFit, payload: Array, std: Array
         payload, std: (10,), as it truly was, and how well the true effect's fit knows it.
     """
     gap = float(fooled.held_out.mean()) / windows.samples_per_row / (GAP**2 - 1.0)
-    limit = np.maximum(SHARE[[0, 1, 1, 1, 2, 2, 2, 2, 2, 2]] * sizes(payload), BEYOND * std)
+    limit = np.maximum(SHARES * sizes(payload), BEYOND * std)
     return max(_root(gap), float((np.abs(fooled.phi - payload) / limit).max()))
 
 

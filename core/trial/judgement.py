@@ -12,12 +12,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from core.gap.materiality import SHARE, sizes
+from core.gap.materiality import SHARES, sizes
 from core.trial.outcome import Outcome
 from core.trial.truth import Parameters
-
-SHARES = SHARE[[0, 1, 1, 1, 2, 2, 2, 2, 2, 2]]
-"""Material shares of the ten payload parameters."""
 
 DETECTABLE_SIGMA = 3.0
 """Distance from "nothing" below which nothing can find a fault."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import signal
+import threading
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
@@ -39,11 +40,18 @@ def events(console: Console, run: str) -> list[dict]:
     return [message["event"] for message in console.http.get(f"/api/runs/{run}/events?kind=event").json()]
 
 
+def watch(console: Console, run: str, messages: list[dict]) -> None:
+    with console.socket(f"/api/runs/{run}/live") as live:
+        messages.extend(json.loads(text) for text in live)
+
+
 def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_carries(service, console):
     run = console.queue()
     assert console.run(run)["job_state"] == "NotAllowedToStart"
     console.wait(run, "Idle")
-    live = console.socket(f"/api/runs/{run}/live")
+    messages: list[dict] = []
+    watching = threading.Thread(target=watch, args=(console, run, messages))
+    watching.start()
     assert console.release(run).status_code == 200
     console.wait(run, "Execute")
     held = console.command(run, "hold")
@@ -63,8 +71,8 @@ def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_ca
     np.testing.assert_allclose(answer["com_m"], truth.com, atol=1e-3)
     assert np.shape(answer["covariance"]) == (10, 10)
 
-    with live:
-        messages = [json.loads(text) for text in live]
+    watching.join(30)
+    assert not watching.is_alive(), "the service closes the socket at the end of the run"
     sequences = [message["sequence"] for message in messages if message["kind"] == "event"]
     assert sequences == list(range(1, len(sequences) + 1))
     assert any(message["kind"] == "samples" and message["reconstructed"] for message in messages)
