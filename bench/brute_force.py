@@ -15,7 +15,8 @@ from core.cell import Box, Cell
 from core.collision import CollisionModel
 from core.control.decoupling import decoupling_profile
 from core.errors import NoPath, NoStartConfiguration
-from core.plan import POSES, Timing
+from core.plan import POSES
+from core.plan_settings import Timing
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
 from core.planning.path import plan_path

@@ -34,6 +34,7 @@ Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
 Text = Annotated[str, Field(min_length=1, max_length=200)]
 
 CELL_FILE = "cell.toml"
+TWIN_FILE = "twin.json"
 MAX_CELL_BYTES = 1_000_000
 BASE_IN_ZONE = 0.001  # m; a robot may stand at the border of a zone
 BASE_IN_OBSTACLE = 0.05  # m; or be sunk into the table that carries it

@@ -1,60 +1,50 @@
-"""The command line: `heft run`, `heft identify`, `heft plan`, `heft cells`.
-
-Answers go to standard output, progress and errors to standard error; in a pipe there is no progress. Exit codes: 0 done, 2 bad input,
-3 refused by planning, 4 stopped by the guard, 130 interrupted.
-"""
+"""The command line: `heft run`, `heft identify`, `heft diagnose`, `heft plan`, `heft cells`, and what other files add to it."""
 
 from __future__ import annotations
 
-import signal
 import sys
 import time
 from contextlib import nullcontext
 from datetime import UTC, datetime
 from enum import StrEnum
 from pathlib import Path
-from types import FrameType
 from typing import Annotated
 
 import numpy as np
 import typer
-from rich.console import Console
 
 from core import twin_commands
 from core.cell import Cell, Payload, find_cell, list_cells, load_cell
 from core.collision import CollisionModel
-from core.errors import BadInput, BadPayload, HeftError
+from core.errors import BadInput, BadPayload
 from core.estimation.identification import identify_recording
 from core.experiment.command import check_target, plan_next, read_request
 from core.experiment.run import measure_more
 from core.gap.diagnosis import examine
-from core.gap.evidence import Evidence
-from core.gap.windows import OFFSET
 from core.plan import plan_procedure, plan_summary
 from core.procedure import identify
 from core.progress import watch
 from core.recording_folder import read_recording
-from core.report.diagnosis_page import Overlay, write_diagnosis
+from core.report.diagnosis_overlay import overlay_of
+from core.report.diagnosis_page import write_diagnosis
 from core.report.page import write_report
 from core.result import Result, SecondsPart, result_of
 from core.robot import RobotModel
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
 from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table, reason_lines
+from core.terminal import HELP, answers, enter, messages
 from core.trial.command import trial
 from core.twin import NOMINAL
 from core.twin_file import read_twin
 
 app = typer.Typer(
     name="heft",
-    help="Finds out what a robot carries, safely, with people around. Not a safety function.",
+    help=HELP,
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-answers = Console()
-messages = Console(stderr=True)
-
 
 class PlannerName(StrEnum):
     """The planners at hand."""
@@ -151,7 +141,7 @@ def diagnose_command(
         diagnosis = plan_next(diagnosis, evidence, loaded, recording, made_in, experiment, messages)
     if report is not None:
         report.mkdir(parents=True)
-        write_diagnosis(report / "diagnosis.html", diagnosis=diagnosis, overlay=None if evidence is None else _overlay(evidence))
+        write_diagnosis(report / "diagnosis.html", diagnosis=diagnosis, overlay=None if evidence is None else overlay_of(evidence))
         _write_json(diagnosis.model_dump_json(indent=2), str(report / "diagnosis.json"))
     if json is not None:
         _write_json(diagnosis.model_dump_json(indent=2), json)
@@ -196,20 +186,6 @@ def cells() -> None:
     answers.print(cells_table([load_cell(folder) for folder in list_cells()]))
 
 
-def _overlay(evidence: Evidence) -> Overlay:
-    """Measured, and simulated without and with the effect, offsets taken off."""
-    windows, best = evidence.windows, evidence.best
-    measured = windows.y - best.beta[OFFSET]
-    return Overlay(
-        t=windows.centres,
-        phase=windows.phase,
-        measured=measured,
-        before=measured - windows.unwhitened(evidence.nominal.residual),
-        after=measured - windows.unwhitened(best.residual),
-        noise_std=windows.noise_std,
-    )
-
-
 def _payload(cell: Cell, name: str | None) -> tuple[str, Payload]:
     """The payload that the simulated robot is to carry."""
     chosen = name or next(iter(cell.payloads), "none")
@@ -252,19 +228,6 @@ def _write_json(text: str, target: str) -> None:
     part.replace(file)
 
 
-def _terminate(_signal: int, _frame: FrameType | None) -> None:
-    """SIGTERM stops the robot in the same way as Ctrl-C."""
-    raise KeyboardInterrupt
-
-
-def main(program: typer.Typer = app) -> None:
-    """Entry point: runs a command and turns errors into one sentence and an exit code."""
-    signal.signal(signal.SIGTERM, _terminate)
-    try:
-        program()
-    except HeftError as error:
-        messages.print(f"heft: {error}", highlight=False, markup=False, soft_wrap=True)
-        sys.exit(error.exit_code)
-    except KeyboardInterrupt:
-        messages.print("heft: interrupted; nothing was moving.", highlight=False)
-        sys.exit(130)
+def main() -> None:
+    """Entry point of the engine alone."""
+    enter(app)

@@ -13,14 +13,15 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict
 
 from core.cell import Box, Cell
 from core.collision import CollisionModel
 from core.control.decoupling import decoupling_profile, expected_inertia, repetitions_for
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
-from core.planning.path import Planner, one_turn_away
+from core.plan_settings import Planner, Timing
+from core.plan_summary import PlannedPose, PlanSummary
+from core.planning.path import one_turn_away
 from core.planning.start_configuration import StartConfiguration, find_start_configuration
 from core.planning.transfer import Transfer, plan_transfer
 from core.robot import RobotModel
@@ -35,26 +36,6 @@ POSES = ("x-", "x+", "y-", "y+", "z-", "z+")
 PATH_SECONDS = (0.6, 1.0, 1.6, 3.0)
 """For one search, try by try: most paths take a tenth of the first, and where there is no path to a start configuration another one is
 cheaper than a longer search."""
-
-
-@dataclass(frozen=True)
-class Timing:
-    """How long the robot stands still, and how accurate the moments of inertia are to be.
-
-    Args:
-        hold_s: motionless phase on arrival.
-        settle_s: motionless phase after a rotation (the paper: about 1 s).
-        inertia_std: wanted relative standard deviation of each moment of inertia, before everything else that limits it.
-        robot_s: bound on the robot time of one run; repetitions are cut to keep it.
-        swing_rad: angle of a rotation out and back. Only accelerating samples tell about inertia, so many small swings are worth as
-            much as few wide ones, at a lower speed of everything that moves along, in less room.
-    """
-
-    hold_s: float = 1.5
-    settle_s: float = 1.0
-    inertia_std: float = 0.004
-    robot_s: float = 115.0
-    swing_rad: float = 0.25
 
 
 @dataclass(frozen=True)
@@ -236,35 +217,6 @@ def _repeated(
         repetitions=repetitions,
         excursion=timing.swing_rad,
     )
-
-
-class PlannedPose(BaseModel):
-    """One pose of a plan, for JSON."""
-
-    model_config = ConfigDict(frozen=True)
-
-    axis: str
-    q_rad: list[float]
-    clearance_m: float
-    least_clearance_m: float
-    nearest: str
-    manipulability: float
-    transfer_s: float
-    transfer_least_margin_m: float
-    rotation_s: float | None
-
-
-class PlanSummary(BaseModel):
-    """A plan for JSON."""
-
-    model_config = ConfigDict(frozen=True)
-
-    cell: str
-    poses: list[PlannedPose]
-    home_s: float
-    robot_s: float
-    plan_s: float
-    least_margin_m: float
 
 
 def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:

@@ -24,8 +24,8 @@ from core.estimation.identification import identify_recording
 from core.estimation.online import OnlineEstimator
 from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped
 from core.outcome import Outcome
-from core.plan import POSES, Leg, Plan, Timing, plan_procedure
-from core.planning.path import Planner
+from core.plan import POSES, Leg, Plan, plan_procedure
+from core.plan_settings import Planner, Timing
 from core.recording import Recording
 from core.recording_folder import write_recording
 from core.robot import RobotModel

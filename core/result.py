@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
-from core.estimation.estimate import Estimate, Identification
 from core.recording import Recording
+
+if TYPE_CHECKING:  # who only reads answers waits for no estimator
+    from core.estimation.estimate import Estimate, Identification
 
 Array = NDArray[np.float64]
 Numbers = list[float | None]

@@ -8,7 +8,6 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
-from scipy.spatial.transform import Rotation
 
 Array = NDArray[np.float64]
 Number = Annotated[float, Field(strict=True, ge=-1000, le=1000)]  # no quantity of a cell is larger, in SI units
@@ -38,8 +37,15 @@ class Pose(Model):
 
     @property
     def rotation(self) -> Array:
-        """(3, 3)."""
-        return np.asarray(Rotation.from_euler("xyz", self.rpy_rad).as_matrix())
+        """(3, 3), yaw after pitch after roll: Rz Ry Rx."""
+        (cr, cp, cy), (sr, sp, sy) = np.cos(self.rpy_rad), np.sin(self.rpy_rad)
+        return np.array(
+            [
+                [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+                [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+                [-sp, cp * sr, cp * cr],
+            ]
+        )
 
     def local(self, point: Array) -> Array:
         """A point (3,) of the frame that the pose refers to, in the pose's own frame, m."""

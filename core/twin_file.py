@@ -8,14 +8,13 @@ import numpy as np
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from core.cell import Cell
+from core.cell import TWIN_FILE, Cell
 from core.effects.effect import Parameter
 from core.effects.library import library
 from core.errors import BadTwin
 from core.jail import read_inside
 from core.twin import NOMINAL, Entry, Twin, standing
 
-FILE = "twin.json"
 MAX_BYTES = 1_000_000
 MINUS_ZERO = -1e-6
 """Of the largest eigenvalue; a covariance that has been written and read again may be this far from positive."""
@@ -27,10 +26,10 @@ def read_twin(cell: Cell) -> Twin:
     Raises:
         BadTwin: the file is malformed, names an unknown effect or parameter, or a value is impossible.
     """
-    file = cell.folder / FILE
+    file = cell.folder / TWIN_FILE
     if not file.exists() and not file.is_symlink():
         return NOMINAL
-    text = read_inside(cell.folder, FILE, BadTwin, max_bytes=MAX_BYTES)
+    text = read_inside(cell.folder, TWIN_FILE, BadTwin, max_bytes=MAX_BYTES)
     try:
         twin = Twin.model_validate_json(text)
     except ValidationError as error:
@@ -45,9 +44,9 @@ def write_twin(cell: Cell, twin: Twin) -> None:
     Raises:
         BadTwin: an effect, parameter or value that could not be read again, or a folder that cannot be written.
     """
-    file = cell.folder / FILE
+    file = cell.folder / TWIN_FILE
     _check(twin, cell, str(file))
-    part = file.with_name(FILE + ".part")
+    part = file.with_name(TWIN_FILE + ".part")
     try:
         if not twin.effects:
             file.unlink(missing_ok=True)

@@ -14,12 +14,13 @@ from sqlalchemy.orm import Session
 
 from core.cell import Cell
 from core.events import Event, PhaseStarted, Progress, RobotStopped
-from core.plan import Timing
+from core.plan_settings import Timing
 from core.sessions.leased import Renewal
 from server import run_ledger
 from server.broadcast import Broadcast
 from server.packml import Command, State
 from server.run_ledger import Step
+from server.run_metrics import RunMetrics
 from server.run_schemas import EventMessage, PlanShown, RunOrder, RunPlan
 from server.run_tables import RunRow
 from server.runner.messages import (
@@ -30,6 +31,7 @@ from server.runner.messages import (
     Happened,
     Hold,
     MotionEnded,
+    Paced,
     Order,
     Ready,
     Release,
@@ -57,14 +59,15 @@ class ActiveRun:
         cell: with its zones where they are now.
         folder: of the run; made here.
         broadcast: to who watches it.
+        metrics: that count what happens to it.
     """
 
-    def __init__(self, store: Store, row: RunRow, cell: Cell, folder: Path, broadcast: Broadcast, now: Callable[[], datetime]) -> None:
+    def __init__(self, store: Store, row: RunRow, cell: Cell, folder: Path, broadcast: Broadcast, now: Callable[[], datetime], metrics: RunMetrics) -> None:
         self.id, self.cell, self.folder = row.id, cell.name, folder
         self.state, self.broadcast = State(row.state), broadcast
         self.newest: Sampled | None = None
         self.plan: RunPlan | None = None
-        self._store, self._now = store, now
+        self._store, self._now, self._metrics = store, now, metrics
         self._steps = asyncio.Lock()
         self._writing_since: float | None = None
         folder.mkdir(parents=True, exist_ok=True)
@@ -142,6 +145,8 @@ class ActiveRun:
                 self.plan = plan
                 shown = PlanShown(sha256=plan.sha256, robot_s=plan.summary.robot_s)
                 await self._step(_from(State.RESETTING), [shown], lambda row: setattr(row, "plan", plan.model_dump_json()))
+            case Paced():
+                self._metrics.paced(message)
             case MotionEnded():
                 await self._step(_from(State.EXECUTE))
             case Done(result=result):
@@ -171,19 +176,20 @@ class ActiveRun:
     ) -> None:
         """One transaction: the change, the states on the path, the events, whatever else; then the watchers are told."""
 
-        def write() -> tuple[str, list[EventMessage]]:
+        def write() -> tuple[RunRow, list[EventMessage]]:
             with self._store.write() as db:
                 row = run_ledger.load(db, self.id)
                 change(row)
                 told = run_ledger.tell(db, row, list(events), self._now()) + run_ledger.steps(db, row, path(State(row.state)), self._now())
                 also(db)
-                return row.state, told
+                return row, told
 
         async with self._steps:
             self._writing_since = time.monotonic()
-            state, messages = await asyncio.to_thread(write)
+            row, messages = await asyncio.to_thread(write)
             self._writing_since = None
-            self.state = State(state)
+            self.state = State(row.state)
+            self._metrics.told(messages, row)
             for message in messages:
                 self.broadcast.event(message.sequence, message.model_dump_json())
 

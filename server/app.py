@@ -38,7 +38,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
     @asynccontextmanager
     async def running(_app: FastAPI) -> AsyncIterator[None]:
         start(service)
-        work = (service.conductor, service.diagnoser, service.deliverer, service.gallery)
+        work = (service.conductor, service.diagnoses, service.additions, service.trials, service.deliverer, service.gallery)
         for each in work:
             await each.start()
         try:
@@ -75,7 +75,8 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
 def start(service: Service) -> None:
     """Makes the folders, migrates the store, makes the cells ready."""
     service.settings.data.mkdir(parents=True, exist_ok=True)
-    service.settings.recordings_folder.mkdir(exist_ok=True)
+    for folder in (service.settings.recordings_folder, service.settings.reports_folder, service.settings.trials_folder):
+        folder.mkdir(exist_ok=True)
     service.store.migrate()
     service.cells.prepare()
 

@@ -2,15 +2,38 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
+from typer.main import get_group
 
-from core import command_line as engine
+from core.terminal import HELP, answers, enter
 
-app = typer.Typer(name="heft", help=engine.app.info.help, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
-app.add_typer(engine.app)
+
+class WithEngine(TyperGroup):
+    """Our commands and the engine's; the engine is imported when one of its own is asked for, so that the service starts without it."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """The engine's first."""
+        return [*self._engine.list_commands(ctx), *super().list_commands(ctx)]
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        """Ours, else the engine's."""
+        return super().get_command(ctx, cmd_name) or self._engine.get_command(ctx, cmd_name)
+
+    @cached_property
+    def _engine(self) -> TyperGroup:
+        from core.command_line import app as engine  # noqa: PLC0415
+
+        return get_group(engine)
+
+
+app = typer.Typer(
+    name="heft", cls=WithEngine, help=HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False
+)
 audit = typer.Typer(help="The log of what was done, by whom.", no_args_is_help=True)
 app.add_typer(audit, name="audit")
 
@@ -40,9 +63,9 @@ def verify(
     """Check that nothing in the audit log was changed, removed or put in between."""
     from server.serve import verify_audit  # noqa: PLC0415
 
-    engine.answers.print(verify_audit(data, expect), highlight=False, soft_wrap=True)
+    answers.print(verify_audit(data, expect), highlight=False, soft_wrap=True)
 
 
 def main() -> None:
     """Entry point."""
-    engine.main(app)
+    enter(app)

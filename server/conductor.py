@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import fcntl
 import logging
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
@@ -15,8 +14,6 @@ from sqlalchemy.orm import Session
 
 from core.cell import Cell
 from core.errors import HeftError
-from core.robot import RobotModel
-from core.sample_log import SampleLog
 from core.sessions.leased import Renewal
 from core.shapes import Pose
 from server import run_ledger
@@ -26,11 +23,12 @@ from server.cell_folder import CellFolder
 from server.errors import Conflict
 from server.packml import Command, IllegalCommandError, State
 from server.request_context import run_id
+from server.run_metrics import RunMetrics
 from server.run_tables import RunRow
 from server.runner.context import warm_up
-from server.runner.control import LOCK, RECORDING
-from server.runner.messages import ZoneMoved
-from server.runner.sample_stream import recover
+from server.runner.messages import Recovered, ZoneMoved
+from server.runner.run_folder import free
+from server.runner.work import said
 from server.store import Store
 from server.zones import positions, with_zones_where_they_are
 
@@ -44,10 +42,11 @@ class Conductor:
 
     Args:
         folder: of the runs' recordings.
+        metrics: that count what happens to them.
     """
 
-    def __init__(self, store: Store, cells: CellFolder, folder: Path, now: Callable[[], datetime]) -> None:
-        self.store, self.cells, self.folder, self.now = store, cells, folder, now
+    def __init__(self, store: Store, cells: CellFolder, folder: Path, now: Callable[[], datetime], metrics: RunMetrics) -> None:
+        self.store, self.cells, self.folder, self.now, self._metrics = store, cells, folder, now, metrics
         self.active: dict[str, ActiveRun] = {}
         """By cell."""
         self._broadcasts: dict[str, Broadcast] = {}
@@ -136,8 +135,9 @@ class Conductor:
         with self.store.write() as db:
             row = run_ledger.load(db, run)
             row.reason = row.reason or reason
-            run_ledger.steps(db, row, [command, None], self.now())
+            told = run_ledger.steps(db, row, [command, None], self.now())
             also(db)
+        self._metrics.told(told, row)
 
     async def _queue(self) -> None:
         while not self._closing:
@@ -162,7 +162,7 @@ class Conductor:
         try:
             with self.store.read() as db:
                 cell = self.cell_now(db, row.cell)
-            active = ActiveRun(self.store, row, cell, self.folder / row.id, self.broadcast(row.id), self.now)
+            active = ActiveRun(self.store, row, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
         except (HeftError, OSError) as error:
             await asyncio.to_thread(self._end_stored, row.id, str(error))
             self._over(row.id)
@@ -204,30 +204,15 @@ class Conductor:
 
     def _recover(self, run: str) -> None:
         """The samples of a run whose control process died with its server, as a recording."""
-        folder = self.folder / run
-        with (folder / LOCK).open("a") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)  # the control process closes it itself if it lives
-        if (folder / RECORDING).exists():
-            return
         with self.store.read() as db:
-            row = run_ledger.load(db, run)
-            cell = self.cell_now(db, row.cell)
-        count = recover(folder, SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None), folder / RECORDING)
-        log.info("recovered %d samples of run %s", count, run)
+            cell = self.cell_now(db, run_ledger.load(db, run).cell)
+        for word in said("server.runner.recovery", self.folder / run, cell):
+            if isinstance(word, Recovered):
+                log.info("recovered %d samples of run %s", word.samples, run)
+            else:
+                log.error("the samples of run %s could not be recovered: %s", run, word)
 
     def _spawn(self, work: Coroutine[None, None, None]) -> None:
         task = asyncio.create_task(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
-
-
-def free(folder: Path) -> bool:
-    """Whether no control process has the run any more."""
-    try:
-        with (folder / LOCK).open("r") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except FileNotFoundError:
-        return True
-    except BlockingIOError:
-        return False
-    return True

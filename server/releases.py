@@ -17,7 +17,7 @@ from server.control_lease import Control
 from server.errors import Conflict
 from server.packml import Command, IllegalCommandError, State
 from server.run_schemas import RunPlan
-from server.runner.shown_plan import release_sha256
+from server.runner.release_hash import release_sha256
 
 OFFER_S = 60.0
 

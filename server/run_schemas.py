@@ -8,8 +8,8 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from core.events import Event, Finished, PhaseStarted, Planned, RecordingWritten, RobotStopped, StartConfigurationFound, TransferPlanned
-from core.plan import PlanSummary
-from core.planning.path import Planner
+from core.plan_settings import Planner
+from core.plan_summary import PlanSummary
 from core.result import Numbers
 from core.shapes import Box
 from server.packml import JobState, State
@@ -94,7 +94,7 @@ class RunOrder(Body):
             cell's first where absent.
         payload_box: what certainly contains the payload, sensor frame; that of the payload where absent.
         seed: makes planning and the simulated noise repeatable.
-        hold_s, settle_s, robot_s, inertia_std: as in `core.plan.Timing`.
+        hold_s, settle_s, robot_s, inertia_std: as in `core.plan_settings.Timing`.
         pace: of the simulated robot.
     """
 

@@ -96,16 +96,20 @@ class Delivery(Table):
     last_error: Mapped[str | None] = mapped_column(Text)
 
 
-class DiagnosisRow(Table):
-    """A diagnosis that was asked for. `result` is JSON (`core.gap.answer.Diagnosis`)."""
+class JobRow(Table):
+    """Work in the background that was asked for. `order`, `told` and `result` are JSON, which `kind` tells how to read."""
 
-    __tablename__ = "diagnoses"
+    __tablename__ = "jobs"
 
     id: Mapped[str] = mapped_column(String(32), primary_key=True)
-    recording: Mapped[str] = mapped_column(String(500))
-    """Folder of the recording, in the data folder."""
-    run: Mapped[str | None] = mapped_column(String(32))
+    """Sorts by the time of its making."""
+    kind: Mapped[str] = mapped_column(String(16), index=True)
+    about: Mapped[str | None] = mapped_column(String(64), index=True)
+    """The run or the cell that it is about."""
+    order: Mapped[str] = mapped_column("job_order", Text)
     state: Mapped[str] = mapped_column(String(16), index=True)
+    told: Mapped[str | None] = mapped_column(Text)
+    """What may be known before it is done."""
     result: Mapped[str | None] = mapped_column(Text)
     reason: Mapped[str | None] = mapped_column(Text)
     requested_by: Mapped[str] = mapped_column(String(80))

@@ -7,11 +7,12 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import cached_property
 
+from server import job_kinds
 from server.cell_folder import CellFolder
 from server.cell_uploads import CellChecker
 from server.conductor import Conductor
 from server.control_lease import Control
-from server.diagnoses import Diagnoser
+from server.jobs import Worker
 from server.metrics import Metrics
 from server.releases import Offers, Releases
 from server.settings import Settings
@@ -41,12 +42,22 @@ class Service:
     @cached_property
     def conductor(self) -> Conductor:
         """All runs."""
-        return Conductor(self.store, self.cells, self.settings.recordings_folder, self.now)
+        return Conductor(self.store, self.cells, self.settings.recordings_folder, self.now, self.metrics.runs)
 
     @cached_property
-    def diagnoser(self) -> Diagnoser:
+    def diagnoses(self) -> Worker:
         """All diagnoses."""
-        return Diagnoser(self.store, self.now)
+        return Worker(self.store, self.now, job_kinds.diagnoses(self.settings))
+
+    @cached_property
+    def additions(self) -> Worker:
+        """What is added to the cells' twins."""
+        return Worker(self.store, self.now, job_kinds.additions(self.cells))
+
+    @cached_property
+    def trials(self) -> Worker:
+        """All blind trials."""
+        return Worker(self.store, self.now, job_kinds.trials(self.settings))
 
     @cached_property
     def deliverer(self) -> Deliverer:

@@ -55,6 +55,16 @@ class Settings(BaseSettings):
         return self.data / "recordings"
 
     @property
+    def reports_folder(self) -> Path:
+        """Where diagnoses leave their pages."""
+        return self.data / "reports"
+
+    @property
+    def trials_folder(self) -> Path:
+        """Where blind trials leave their outcomes."""
+        return self.data / "trials"
+
+    @property
     def store_url(self) -> str:
         """SQLAlchemy's URL of the store, with the driver named."""
         url = self.database_url or f"sqlite:///{(self.data / 'heft.sqlite').absolute()}"

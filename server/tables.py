@@ -3,7 +3,7 @@
 from server.accounts import Account, ApiKey, SignIn
 from server.audit import AuditEntry
 from server.login_limit import LoginFailures
-from server.run_tables import ControlFence, Delivery, DiagnosisRow, IdempotencyKey, RunEventRow, RunRow, Webhook
+from server.run_tables import ControlFence, Delivery, IdempotencyKey, JobRow, RunEventRow, RunRow, Webhook
 from server.store import Table
 from server.zones import ZonePosition
 
@@ -13,8 +13,8 @@ __all__ = [
     "AuditEntry",
     "ControlFence",
     "Delivery",
-    "DiagnosisRow",
     "IdempotencyKey",
+    "JobRow",
     "LoginFailures",
     "RunEventRow",
     "RunRow",

@@ -36,6 +36,7 @@ class CableDrag(Effect):
 
     `F = f max(0, 1 - s/|f|) - mu v / sqrt(v^2 + v_c^2)` with `f = c - k (p - p_0)`, base axes; p and v are of the point r. c is the pull
     in the first sample if there were no slack, so the fixed point is `p_0 + c / k`, and `s / k` is the free length: a hose has `s = 0`.
+    Guides along the base's axes rub each on its own, by `mu_g v_i / sqrt(v_i^2 + v_c^2)`.
     About the last joint, `T = -(k_1 x + k_2 x^2 + k_3 x^3) - mu_t z` with x the angle since the first sample (the constant is an offset)
     and z from -1 to 1 what a play of 0.1 rad holds back. The sensor reads `-F` and `-r x F - T`.
     """
@@ -52,6 +53,7 @@ class CableDrag(Effect):
             Parameter("friction_n", "N", 0.0, -1.0, 10.0, 0.5),
             *(Parameter(f"at_{axis}_m", "m", 0.0, -0.5, 0.5, 0.1) for axis in "xyz"),
             Parameter("slack_n", "N", 0.0, 0.0, 200.0, 5.0),
+            Parameter("guide_friction_n", "N", 0.0, -1.0, 10.0, 0.5),
         )
         if scene.q is None or scene.jacobian is None:
             return cable
@@ -72,11 +74,11 @@ class CableDrag(Effect):
         whole = scene.past("place").before(p, 1)
         v = np.diff(whole, axis=0, prepend=whole[:1])[-len(p) :] / scene.period
         F = taut(theta[1:4] - theta[0] * (p - scene.past("first place").first(p)), theta[8])
-        F = F - theta[4] * v / np.sqrt(np.sum(v * v, axis=1, keepdims=True) + CREEP**2)
+        F = F - theta[4] * v / np.sqrt(np.sum(v * v, axis=1, keepdims=True) + CREEP**2) - theta[9] * v / np.sqrt(v * v + CREEP**2)
         f = np.einsum("ni,nij->nj", F, scene.rotation)
         W = w - np.hstack([f, cross(np.broadcast_to(r, f.shape), f)])
-        if len(theta) > 9:
-            W[:, 3:] += twist(scene, theta[9:])
+        if len(theta) > 10:
+            W[:, 3:] += twist(scene, theta[10:])
         return np.asarray(W)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
@@ -104,10 +106,10 @@ class CableDrag(Effect):
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
         pull = float(np.linalg.norm(taut(theta[None, 1:4], theta[8])))
-        twisting = f", and it twists with {theta[9]:.2f} N m per rad" if len(theta) > 9 and abs(theta[9]) > 0.01 else ""
+        twisting = f", and it twists with {theta[10]:.2f} N m per rad" if len(theta) > 10 and abs(theta[10]) > 0.01 else ""
         return (
             f"Free the hose or cable: it pulls with {pull:.1f} N at the start, changes by {theta[0]:.1f} N per metre "
-            f"and rubs with {theta[4]:.1f} N{twisting}."
+            f"and rubs with {theta[4] + theta[9]:.1f} N{twisting}."
         )
 
 

@@ -120,6 +120,8 @@ class Symptom(ABC):
     stage: ClassVar[Stage]
     explains: ClassVar[tuple[str, ...]] = ()
     """Symptoms that come along with this one, and are not named beside it."""
+    disturbs: ClassVar[bool] = False
+    """Whether by itself it makes the wrench disagree with the twin."""
 
     @abstractmethod
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from core.effects.scene import Scene
 from core.inertia import Motion
-from core.inertia import wrench as rigid_wrench
+from core.rigid_wrench import wrench as rigid_wrench
 
 Array = NDArray[np.float64]
 

@@ -37,6 +37,7 @@ class SampleDropout(Symptom):
     title = "samples that are held or lost"
     stage = "sensor"
     explains = ("sensor_noise", "sensor_quantization")
+    disturbs = True
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""

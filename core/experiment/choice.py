@@ -17,7 +17,7 @@ from core.experiment.plan import plan_experiment
 from core.gap.evidence import Evidence
 from core.gap.proposal import CLEAR_SIGMA, Proposal, along
 from core.plan import Plan
-from core.planning.path import Planner
+from core.plan_settings import Planner
 from core.recording import Recording
 from core.robot import RobotModel
 

@@ -18,8 +18,9 @@ from core.control.decoupling import decoupling_profile
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.gap.experiment import HOLD_S, Stop, Swings, wave_shape
-from core.plan import PATH_SECONDS, Leg, Plan, Timing
-from core.planning.path import Planner, one_turn_away
+from core.plan import PATH_SECONDS, Leg, Plan
+from core.plan_settings import Planner, Timing
+from core.planning.path import one_turn_away
 from core.planning.start_configuration import Attitude, StartConfiguration, find_attitude
 from core.planning.transfer import plan_transfer
 from core.planning.wave import fit_wave

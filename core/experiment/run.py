@@ -14,8 +14,8 @@ from core.events import Event
 from core.experiment.plan import plan_experiment
 from core.gap.experiment import Stop
 from core.outcome import Outcome
-from core.plan import Plan, Timing
-from core.planning.path import Planner
+from core.plan import Plan
+from core.plan_settings import Planner, Timing
 from core.procedure import Run, carried_out
 from core.recording import Recording, appended
 from core.sample_log import SampleLog

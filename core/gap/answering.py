@@ -34,14 +34,15 @@ def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
 
 
 def _concerns(it: Observed, evidence: Evidence) -> bool:
-    """Whether a symptom is an answer.
+    """Whether a symptom is an answer, or stands among the minor findings.
 
-    A gap in the wrench that nothing explains may come from bad readings, but not from the joints' friction or a wrong reference; and
-    where an effect of the same stage explains it, the symptom is taken for its consequence (a payload that changes is no reference).
+    A gap in the wrench that nothing explains may come from samples that were lost, but not from the joints' friction, a wrong reference
+    or noise, which is its consequence. Where an effect explains it, the estimated payload hangs on that effect, and is no proof against
+    the reference.
     """
     if evidence.verdict == "unknown":
-        return it.symptom.stage in ("sensor", "timing")
-    return evidence.verdict == "no_gap" or it.symptom.stage not in {effect.stage for effect in evidence.best.effects}
+        return it.symptom.disturbs
+    return evidence.verdict == "no_gap" or it.symptom.stage != "payload"
 
 
 def _names(diagnosis: Diagnosis) -> set[str]:

@@ -24,7 +24,9 @@ NONE_PRIOR = 3.0
 PAIR_PRIOR = 0.001
 """Of two effects at once, against one."""
 BEND = 0.5
-"""Of the logarithm of the rows that each parameter costs; 1/2 is Schwarz's criterion."""
+"""Of the logarithm of the independent draws that each parameter costs; 1/2 is Schwarz's criterion."""
+BENT = 0.001
+"""Share of the gap that each parameter of a wrong model may take up by bending."""
 BLOCKS = 10.0
 """Independent draws that a model's own error is worth: a run has about as many different motions."""
 CHANCE_SIGMA = 3.0
@@ -73,7 +75,8 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> At
     """Weighs the fits against each other and against the nominal twin."""
     best = min(fits, key=lambda fit: fit.held_out.sum(), default=nominal)
     scale = misfit(best)
-    scores = np.array([_score(fit, best, scale) for fit in (nominal, *fits)])
+    excess = float(nominal.held_out.sum()) - nominal.held_out.size
+    scores = np.array([_score(fit, best, scale, excess) for fit in (nominal, *fits)])
     none, *shares = softmax(scores).tolist()
     unexplained = leftover(nominal, best)
     unknown = (1.0 - none) * float(expit((np.log(max(unexplained, 1e-4)) - np.log(UNEXPLAINED_HALF)) / UNEXPLAINED_WIDTH))
@@ -82,12 +85,13 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> At
     return Attribution(none * keep, unknown, explained, _ties(windows, nominal, explained, best), unexplained)
 
 
-def _score(fit: EffectFit, best: EffectFit, scale: float) -> float:
-    """Log weight: how much worse than the best it predicts, less what each parameter may bend (Schwarz), so that of two that predict
-    alike the smaller one wins."""
-    worse = float((fit.held_out - best.held_out).sum()) / scale
+def _score(fit: EffectFit, best: EffectFit, scale: float, excess: float) -> float:
+    """Log weight: how much worse than the best it predicts, less what each parameter costs (Schwarz) and may take up by bending, so that
+    of two that predict alike the smaller one wins."""
+    worse = float((fit.held_out - best.held_out).sum()) + BENT * len(fit.theta) * max(0.0, excess)
     prior = float(np.log(NONE_PRIOR)) if not fit.effects else (len(fit.effects) - 1) * float(np.log(PAIR_PRIOR))
-    return prior - 0.5 * worse - BEND * len(fit.theta) * float(np.log(fit.held_out.size / scale))
+    draws = best.held_out.size * max(1.0, float(best.held_out.mean())) / scale
+    return prior - 0.5 * worse / scale - BEND * len(fit.theta) * float(np.log(draws))
 
 
 def misfit(fit: EffectFit) -> float:

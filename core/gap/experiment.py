@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from core.estimation.segments import Segment
 from core.recording import Recording
 from core.shapes import Model
+
+if TYPE_CHECKING:  # who only reads a proposal waits for no estimator
+    from core.estimation.segments import Segment
 
 Array = NDArray[np.float64]
 

@@ -24,8 +24,9 @@ from core.estimation.kinematics import Poses
 from core.estimation.noise import SensorNoise
 from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import STEP_S, tilt_axes
-from core.inertia import Motion, spatial_inertia, wrench
+from core.inertia import Motion, spatial_inertia
 from core.recording import PAUSE_S
+from core.rigid_wrench import wrench
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +16,7 @@ from ompl import base, geometric, util
 from core.cell import Cell
 from core.collision import CollisionModel
 from core.errors import NoPath
+from core.plan_settings import Planner
 from core.planning.certificate import LeastMargin, least_margin
 from core.planning.pair_margins import PairMargins
 from core.planning.room import Room
@@ -25,8 +25,6 @@ from core.planning.timing import MotionLimits, least_seconds
 from core.robot import RobotModel
 
 Array = NDArray[np.float64]
-
-Planner = Literal["rrt_connect", "rrt_star"]
 
 SPARE_M = 0.005
 """Margin that planning keeps on top of the required clearance, for rounding corners and for the controller's tracking error."""

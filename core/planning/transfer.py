@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from core.cell import Cell
 from core.collision import CollisionModel
 from core.errors import NoPath
+from core.plan_settings import Planner
 from core.planning.blending import rounded
 from core.planning.certificate import least_margin
-from core.planning.path import SPARE_M, Planner, nearest_names, plan_path
+from core.planning.path import SPARE_M, nearest_names, plan_path
 from core.planning.room import Room
 from core.planning.timing import MotionLimits, time_curve
 from core.robot import RobotModel

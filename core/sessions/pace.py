@@ -7,6 +7,12 @@ from collections.abc import Callable
 from typing import Protocol
 
 
+LATE_S = 0.005
+"""A sample that comes later than this was late."""
+PAUSE_S = 0.25
+"""Nobody asks for samples while a robot is held, or while its motion is planned anew: that is not made up for."""
+
+
 class Pace(Protocol):
     """Decides when a sample may be handed out."""
 
@@ -23,7 +29,7 @@ class AsFastAsPossible:
 
 
 class RealTime:
-    """Goes with the wall clock from the first sample on; what comes late is made up for, so that no error adds up.
+    """Goes with the wall clock from the first sample on; what comes late is made up for, so that no error adds up, but for pauses.
 
     Args:
         speed: seconds of the session per second of the wall clock.
@@ -41,12 +47,22 @@ class RealTime:
         self._clock = clock
         self._sleep = sleep
         self._zero: float | None = None
+        self.ticks, self.late, self.latest_s = 0, 0, 0.0
+        """How often it was asked, how often it came more than `LATE_S` too late, and by how much at most."""
 
     def wait_until(self, t: float) -> None:
-        """Sleeps until the wall clock has come to `t`."""
+        """Sleeps until the wall clock has come to `t`; counts how late it then is."""
+        early = self._due(t) - self._clock()
+        if early > 0:
+            self._sleep(early)
+        late_s = self._clock() - self._due(t)
+        self.ticks += 1
+        self.late += late_s > LATE_S
+        self.latest_s = max(self.latest_s, late_s)
+
+    def _due(self, t: float) -> float:
+        """When the wall clock comes to `t`; after a pause it is now."""
         now = self._clock()
-        if self._zero is None:
+        if self._zero is None or now - self._zero - t / self._speed > PAUSE_S:
             self._zero = now - t / self._speed
-        late = now - self._zero - t / self._speed
-        if late < 0:
-            self._sleep(-late)
+        return self._zero + t / self._speed

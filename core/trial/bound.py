@@ -73,14 +73,14 @@ def bound_of(ids: tuple[str, ...], evidence: Evidence, clean: Recording, nominal
     windows = Windows(basis_of(clean))
     if len(windows) != len(evidence.windows):  # the guard has stopped one of them: other motions, nothing to compare
         return _fitted(ids, evidence, None)
-    seen = copy(windows)
-    change = windows.whiten((_residual(evidence.windows, nominal) - _residual(windows, nominal))[..., None])[..., 0]
-    seen.target = change + windows.X[:, :, PHI] @ nominal
+    seen = copy(evidence.windows)  # its kinematics, which a fault may have made wrong
+    change = seen.whiten((_residual(seen, nominal) - _residual(windows, nominal))[..., None])[..., 0]
+    seen.target = change + seen.X[:, :, PHI] @ nominal
     fooled = fit_nominal(seen)
     sigma = _root(fooled.cost)
     std = next((fit.phi_std for fit in evidence.singles if fit.name in ids), fooled.phi_std)
     found = _fitted(ids, evidence, fit_nominal(windows).cost)
-    material = sigma / max(_materiality(windows, fooled, payload, std), 1e-12)
+    material = sigma / max(_materiality(seen, fooled, payload, std), 1e-12)
     return found.model_copy(update={"fault_sigma": sigma, "material_sigma": material})
 
 

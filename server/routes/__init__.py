@@ -2,7 +2,7 @@
 
 from fastapi import APIRouter
 
-from server.routes import about, accounts, audit, cells, control, diagnoses, keys, live, runs, session, viewer, webhooks, zones
+from server.routes import about, accounts, audit, cells, control, diagnoses, keys, live, runs, session, trials, twins, viewer, webhooks, zones
 
 ROUTERS: tuple[APIRouter, ...] = (
     about.router,
@@ -12,10 +12,12 @@ ROUTERS: tuple[APIRouter, ...] = (
     audit.router,
     cells.router,
     zones.router,
+    twins.router,
     control.router,
     runs.router,
     live.router,
     diagnoses.router,
+    trials.router,
     webhooks.router,
     viewer.router,
 )

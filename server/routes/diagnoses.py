@@ -9,17 +9,17 @@ from typing import Annotated, Any
 
 import anyio
 from fastapi import APIRouter, Depends, Query, Request, Response
-from sqlalchemy import select
 from starlette.status import HTTP_202_ACCEPTED
 
 from core.gap.answer import Diagnosis
-from server import audit, diagnoses, run_ledger
+from server import audit, downloads, jobs, run_ledger
 from server.dependencies import Asking, Here, Now, Stored
-from server.diagnoses import State
 from server.errors import Conflict, Unprocessable
+from server.job_kinds import DIAGNOSIS, DiagnosisOrder, report_of
+from server.jobs import State
 from server.recording_archive import unpack
-from server.run_tables import DiagnosisRow
-from server.runner.control import RECORDING
+from server.run_tables import JobRow
+from server.runner.run_folder import RECORDING
 from server.schemas import Answer, Body
 from server.service import Service
 
@@ -91,34 +91,42 @@ def diagnose_upload(
 def list_diagnoses(here: Here, limit: Annotated[int, Query(ge=1, le=200)] = 50) -> list[DiagnosisAnswer]:
     """Newest first, without their results."""
     with here.store.read() as db:
-        rows = db.scalars(select(DiagnosisRow).order_by(DiagnosisRow.id.desc()).limit(limit))
-        return [_answer(here, row, whole=False) for row in rows]
+        return [_answer(here, row, whole=False) for row in jobs.listed(db, DIAGNOSIS, limit)]
 
 
 @router.get("/{diagnosis}")
 def read_diagnosis(diagnosis: str, here: Here, store: Stored) -> DiagnosisAnswer:
     """One diagnosis."""
     with store.read() as db:
-        return _answer(here, diagnoses.load(db, diagnosis))
+        return _answer(here, jobs.load(db, DIAGNOSIS, diagnosis))
+
+
+@router.get("/{diagnosis}/report", response_class=Response, responses=downloads.PAGE)
+def download_diagnosis_report(diagnosis: str, here: Here) -> Response:
+    """The diagnosis as a page."""
+    with here.store.read() as db:
+        row = jobs.load(db, DIAGNOSIS, diagnosis)
+    missing = f"diagnosis {diagnosis}: has no report, it is {row.state}; a report comes with a diagnosis that is done"
+    return downloads.page(report_of(here.settings, diagnosis), f"diagnosis-{diagnosis}", missing)
 
 
 def _queued(here: Service, folder: Path, run: str | None, who: str, now: datetime, response: Response) -> DiagnosisAnswer:
     with here.store.write() as db:
-        row = diagnoses.queue(db, folder.absolute(), run, who, now)
+        row = jobs.queue(db, DIAGNOSIS, DiagnosisOrder(recording=folder.absolute(), run=run), run, who, now)
         audit.record(db, who, "diagnosis.queue", {"diagnosis": row.id, "run": run}, now=now)
         found = _answer(here, row)
-    here.diagnoser.wake()
+    here.diagnoses.wake()
     response.headers["Location"] = f"/api/diagnoses/{found.diagnosis}"
     response.headers["Retry-After"] = str(TYPICAL_S)
     return found
 
 
-def _answer(here: Service, row: DiagnosisRow, *, whole: bool = True) -> DiagnosisAnswer:
+def _answer(here: Service, row: JobRow, *, whole: bool = True) -> DiagnosisAnswer:
     return DiagnosisAnswer(
         diagnosis=row.id,
-        run=row.run,
+        run=row.about,
         state=State(row.state),
-        progress=1.0 if row.state == State.done else here.diagnoser.progress.get(row.id, 0.0),
+        progress=1.0 if row.state == State.done else here.diagnoses.progress.get(row.id, 0.0),
         reason=row.reason,
         requested_by=row.requested_by,
         requested_at=row.requested_at,

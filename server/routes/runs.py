@@ -15,13 +15,14 @@ from core.cell import Cell
 from core.errors import BadPayload
 from core.result import Result
 from core.sessions.leased import Renewal
-from server import audit, run_ledger
+from server import audit, downloads, run_ledger
 from server.dependencies import Asking, Here, Now, Stored
 from server.errors import Conflict
 from server.packml import Command, State
 from server.payload_answer import PayloadAnswer, payload_answer
 from server.run_schemas import EventMessage, LiveMessage, RunAnswer, RunOrder, RunPlan
 from server.run_tables import RunRow
+from server.runner.run_folder import RECORDING, REPORT
 from server.schemas import Answer, Body
 from server.service import Service
 
@@ -191,6 +192,20 @@ def read_result(run: str, store: Stored) -> PayloadAnswer:
     return payload_answer(run, Result.model_validate_json(row.result))
 
 
+@router.get("/{run}/recording", response_class=Response, responses=downloads.ZIPPED)
+def download_recording(run: str, here: Here) -> Response:
+    """The samples of a run as a zip of its recording folder; also of one that ended early."""
+    missing = f"run {run}: has no recording, it is in {_state_of(here, run)}; one is there once a robot that has moved stands again"
+    return downloads.zipped(here.settings.recordings_folder / run / RECORDING, f"run-{run}", missing)
+
+
+@router.get("/{run}/report", response_class=Response, responses=downloads.PAGE)
+def download_report(run: str, here: Here) -> Response:
+    """The report of a run that came through, as a page."""
+    missing = f"run {run}: has no report, it is in {_state_of(here, run)}; a report comes with a run that is Complete"
+    return downloads.page(here.settings.recordings_folder / run / REPORT, f"run-{run}", missing)
+
+
 @router.get("/{run}/events")
 def read_events(
     run: str, here: Here, after: Annotated[int, Query(ge=0)] = 0, kind: Literal["event", "samples"] | None = None
@@ -203,6 +218,11 @@ def read_events(
     if active is not None and active.newest is not None:
         messages.append(active.newest.batch)
     return [message for message in messages if kind in (None, message.kind)]
+
+
+def _state_of(here: Service, run: str) -> str:
+    with here.store.read() as db:
+        return run_ledger.load(db, run).state
 
 
 def answered(here: Service, run: str) -> RunAnswer:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import fcntl
 import gc
 import os
 import signal
 from collections.abc import Generator
 from multiprocessing.connection import Connection
-from pathlib import Path
-from typing import TextIO, cast
+from typing import cast
 
 import numpy as np
 
@@ -18,19 +16,19 @@ from core.events import Event, Finished, RecordingWritten, RobotStopped
 from core.outcome import Outcome
 from core.plan import Plan
 from core.procedure import carried_out
+from core.report.page import write_report
 from core.sessions.leased import Lease, LeasedSession
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
 from core.twin_file import read_twin
-from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnded, Order, Ready, Sampled
+from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnded, Order, Paced, Ready, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
+from server.runner.run_folder import RECORDING, REPORT, locked
 from server.runner.served_run import ServedRun
 from server.runner.shown_plan import shown
 
 Told = Speaker[FromChild]
-LOCK = "control.lock"
-RECORDING = "recording"
 
 
 def main(order: Order, connection: Connection) -> None:
@@ -38,7 +36,7 @@ def main(order: Order, connection: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
     speaker: Told = Speaker(connection, Sampled)
     planning = PlanningProcess()
-    _lock = locked(order.folder)
+    _lock = locked(order.folder)  # as long as we live: who recovers the run's samples waits for it
     try:
         _carry_out(order, connection, planning, speaker)
     except HeftError as error:
@@ -49,13 +47,6 @@ def main(order: Order, connection: Connection) -> None:
         speaker.close()
         planning.close()
         os._exit(0)  # libraries take their time to tidy up, and OMPL prints what it leaks; everything of ours is closed
-
-
-def locked(folder: Path) -> TextIO:
-    """Held as long as the process lives: who recovers the run's samples waits for it."""
-    lock = (folder / LOCK).open("w")
-    fcntl.flock(lock, fcntl.LOCK_EX)
-    return lock
 
 
 def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, speaker: Told) -> None:
@@ -70,6 +61,10 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     plan = _released(run, order, listener, speaker)
     procedure = carried_out(run, plan, order.payload, carried, order.folder / RECORDING)
     outcome = _pumped(procedure, run, listener, speaker)
+    if isinstance(pace, RealTime):
+        speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s))
+    page = order.folder / REPORT
+    write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
     speaker.tell(Done(outcome.result(order.folder / RECORDING)))
 
 

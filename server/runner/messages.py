@@ -7,8 +7,7 @@ from pathlib import Path
 
 from core.cell import Box, Cell, Pose
 from core.events import Event
-from core.plan import Timing
-from core.planning.path import Planner
+from core.plan_settings import Planner, Timing
 from core.result import Result
 from core.sessions.leased import Renewal
 from server.run_schemas import LiveBatch, Pace, RunPlan
@@ -100,6 +99,19 @@ class MotionEnded:
 
 
 @dataclass(frozen=True)
+class Paced:
+    """How the control loop kept its time while the robot moved.
+
+    Args:
+        ticks: of the loop; `late` of them came more than `LATE_S` after their time, the latest by `latest_s`.
+    """
+
+    ticks: int
+    late: int
+    latest_s: float
+
+
+@dataclass(frozen=True)
 class Done:
     """The run came through."""
 
@@ -121,4 +133,34 @@ class Failed:
     in_the_way: str | None = None
 
 
-FromChild = Ready | Happened | Sampled | MotionEnded | Done | Failed
+FromChild = Ready | Happened | Sampled | MotionEnded | Paced | Done | Failed
+
+
+@dataclass(frozen=True)
+class Advanced:
+    """Work in the background has come so far.
+
+    Args:
+        done: share, 0 to 1.
+        told: JSON of what may be known before the work is done; None where that is what it was.
+    """
+
+    done: float
+    told: str | None = None
+
+
+@dataclass(frozen=True)
+class Answered:
+    """Work in the background is done; its answer as JSON."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Recovered:
+    """So many samples of a run without a recording were made into one."""
+
+    samples: int
+
+
+FromWork = Advanced | Answered | Recovered | Failed

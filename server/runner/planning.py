@@ -14,8 +14,8 @@ from core.cell import Box, Cell
 from core.collision import CollisionModel
 from core.errors import HeftError, NoStartConfiguration, Refused
 from core.events import Event
-from core.plan import POSES, Plan, Timing, plan_procedure
-from core.planning.path import Planner
+from core.plan import POSES, Plan, plan_procedure
+from core.plan_settings import Planner, Timing
 from core.robot import RobotModel
 from server.runner.context import CONTEXT
 from server.runner.messages import Failed

@@ -7,8 +7,7 @@ import threading
 from collections.abc import AsyncIterator
 
 from core.sessions.leased import Renewal
-from server.runner.context import CONTEXT
-from server.runner.control import main
+from server.runner.context import CONTEXT, started
 from server.runner.messages import Failed, FromChild, Order, ToChild
 from server.runner.pipe import Speaker
 
@@ -22,8 +21,7 @@ class ControlProcess:
 
     def __init__(self, order: Order) -> None:
         self._connection, theirs = CONTEXT.Pipe()
-        self._process = CONTEXT.Process(target=main, args=(order, theirs), name=f"heft-run-{order.run}")
-        self._process.start()
+        self._process = started("server.runner.control", order, theirs, name=f"heft-run-{order.run}")
         theirs.close()
         self._speaker: Speaker[ToChild] = Speaker(self._connection, Renewal)
         self._heard: asyncio.Queue[FromChild | None] = asyncio.Queue()

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from core.errors import Commanded
 from core.events import Event, Progress
-from core.inertia import wrench
 from core.plan import Plan
 from core.procedure import Run
 from core.result import numbers
+from core.rigid_wrench import wrench
 from core.sample_log import SampleLog
 from core.sessions.leased import LeasedSession
 from server.run_schemas import LiveBatch, NearestPart, WaitingForZone

@@ -11,6 +11,7 @@ from core.cell import Box, Cell
 from core.plan import Plan, plan_summary
 from core.trajectory import JointTrajectory
 from server.run_schemas import PathPart, RunPlan, ThrowPart
+from server.runner.release_hash import release_sha256
 
 SHOWN_PERIOD_S = 0.05
 
@@ -39,12 +40,6 @@ def plan_digest(plan: Plan) -> str:
             digest.update(leg.wave.q.tobytes())
     digest.update(plan.home.trajectory.q.tobytes())
     return digest.hexdigest()
-
-
-def release_sha256(digest: str, cell: Cell, payload_box: Box) -> str:
-    """SHA-256 of a plan's digest with the cell as it is now (URDF, zones and limits included) and the payload box, hexadecimal."""
-    parts = (digest, cell.model_dump_json(), sha256(cell.urdf.encode()).hexdigest(), payload_box.model_dump_json())
-    return sha256("\n".join(parts).encode()).hexdigest()
 
 
 def _path(toward: str, trajectory: JointTrajectory) -> PathPart:

@@ -21,7 +21,6 @@ from core.inertia import (
     regressor,
     six_of,
     symmetric,
-    wrench,
 )
 from tests.synthetic import random_payload
 
@@ -49,7 +48,6 @@ def test_the_regressor_times_phi_is_newton_and_euler(seed: int) -> None:
     rng = np.random.default_rng(seed)
     body, motion = random_payload(rng), random_motion(rng)
     np.testing.assert_allclose(regressor(motion) @ body.phi, oracle(motion, body), rtol=1e-10, atol=1e-10)
-    np.testing.assert_allclose(wrench(motion, body.phi), oracle(motion, body), rtol=1e-10, atol=1e-10)
 
 
 @given(seeds)
@@ -57,13 +55,6 @@ def test_the_regressor_agrees_with_pinocchios_column_by_column(seed: int) -> Non
     motion = random_motion(np.random.default_rng(seed), 1)
     v, a = pin.Motion(np.zeros(3), motion.omega[0]), pin.Motion(motion.a[0] - motion.g[0], motion.alpha[0])
     np.testing.assert_allclose(regressor(motion)[0], pin.bodyRegressor(v, a)[:, PINOCCHIO_ORDER], atol=1e-10)
-
-
-def test_at_rest_with_x_along_gravity_the_sensor_reads_minus_the_weight() -> None:
-    body = InertialParameters.from_com(2.0, [0.01, 0.02, 0.03], np.eye(3) * 1e-3)
-    f = wrench(Motion.still(np.array([[9.81, 0.0, 0.0]])), body.phi)[0]
-    np.testing.assert_allclose(f[:3], [-2.0 * 9.81, 0.0, 0.0])
-    np.testing.assert_allclose(f[3:], -np.cross(body.first_moment, [9.81, 0.0, 0.0]))
 
 
 @given(seeds)

@@ -13,7 +13,7 @@ from core.cell import Cell, load_cell
 from core.errors import BadState, Interrupted, OverLoad
 from core.events import Event, Finished, Planned, Progress, RecordingWritten, RobotStopped
 from core.outcome import Outcome
-from core.plan import Timing
+from core.plan_settings import Timing
 from core.procedure import identify
 from core.recording_folder import read_recording
 from core.sessions.session import RobotState

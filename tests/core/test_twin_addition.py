@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from core.cell import Cell, load_cell
+from core.cell import TWIN_FILE, Cell, load_cell
 from core.command_line import app
 from core.effects.library import library
 from core.errors import BadTwin
@@ -25,7 +25,7 @@ from core.sessions.simulated import SimulatedSession
 from core.trial import planned, returned
 from core.twin import NOMINAL
 from core.twin_addition import chosen_effects, with_effect
-from core.twin_file import FILE, read_twin
+from core.twin_file import read_twin
 
 PAYLOAD = "gripper"
 TILT_RAD, DELAY_S = np.radians(0.5), 0.015
@@ -47,7 +47,7 @@ def recorded(cell: Cell, **options: object) -> Recording:
 def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Folders of a cell and of a run in which its base was tilted and its wrench late."""
     folder = tmp_path_factory.mktemp("loop")
-    shutil.copytree(planned("lwr4_bench")[0].folder, folder / "lwr4_bench", ignore=shutil.ignore_patterns(FILE))
+    shutil.copytree(planned("lwr4_bench")[0].folder, folder / "lwr4_bench", ignore=shutil.ignore_patterns(TWIN_FILE))
     faults = Imperfections(base_tilt_rad=(TILT_RAD, 0.0), wrench_delay_s=DELAY_S)
     write_recording(recorded(load_cell(folder / "lwr4_bench"), imperfections=faults), folder / "faulty")
     return folder
@@ -122,7 +122,7 @@ def test_the_twin_is_shown_as_a_table_and_as_json(completed: Cell, tmp_path: Pat
     done = runner.invoke(app, ["twin", "show", str(completed.folder), "--json", str(file)])
     assert done.exit_code == 0
     assert "time_delay" in done.output
-    assert json.loads(file.read_text()) == json.loads((completed.folder / FILE).read_text())
+    assert json.loads(file.read_text()) == json.loads((completed.folder / TWIN_FILE).read_text())
     assert list(tmp_path.iterdir()) == [file]
 
 
@@ -134,7 +134,7 @@ def test_an_effect_is_removed_by_its_name_only(completed: Cell, tmp_path: Path) 
     assert "'time_delay', if that is what was meant" in str(wrong.exception)
     assert runner.invoke(app, ["twin", "remove", where, "time_delay"]).exit_code == 0
     assert runner.invoke(app, ["twin", "remove", where, "base_tilt"]).exit_code == 0
-    assert not (tmp_path / "cell" / FILE).exists()
+    assert not (tmp_path / "cell" / TWIN_FILE).exists()
     assert "nominal" in runner.invoke(app, ["twin", "show", where]).output
 
 

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from core.cell import Cell, load_cell
+from core.cell import TWIN_FILE, Cell, load_cell
 from core.errors import BadTwin
 from core.twin import NOMINAL, Twin
-from core.twin_file import FILE, read_twin, write_twin
+from core.twin_file import read_twin, write_twin
 from tests.twin_entries import entry
 
 LWR4 = Path(__file__).parents[2] / "cells" / "lwr4_bench"
@@ -21,7 +21,7 @@ LWR4 = Path(__file__).parents[2] / "cells" / "lwr4_bench"
 @pytest.fixture
 def cell(tmp_path: Path) -> Cell:
     folder = tmp_path / "lwr4_bench"
-    shutil.copytree(LWR4, folder, ignore=shutil.ignore_patterns(FILE))
+    shutil.copytree(LWR4, folder, ignore=shutil.ignore_patterns(TWIN_FILE))
     return load_cell(folder)
 
 
@@ -38,22 +38,22 @@ def test_a_twin_is_read_as_it_was_written_and_nothing_else_is_left(cell: Cell, t
     before = {file.name for file in cell.folder.iterdir()}
     write_twin(cell, twin)
     assert read_twin(cell) == twin
-    assert {file.name for file in cell.folder.iterdir()} == before | {FILE}
+    assert {file.name for file in cell.folder.iterdir()} == before | {TWIN_FILE}
 
 
 def test_a_twin_without_effects_takes_the_file_away(cell: Cell, twin: Twin) -> None:
     write_twin(cell, twin)
     write_twin(cell, twin.without("time_delay").without("joint_offset"))
-    assert not (cell.folder / FILE).exists()
+    assert not (cell.folder / TWIN_FILE).exists()
     assert read_twin(cell) == NOMINAL
 
 
 def test_a_twin_that_could_not_be_read_again_is_not_written(cell: Cell, twin: Twin) -> None:
     write_twin(cell, twin)
-    text = (cell.folder / FILE).read_text()
+    text = (cell.folder / TWIN_FILE).read_text()
     with pytest.raises(BadTwin, match=r"delay_s\.value: found 0\.5 s, expected between 0 and 0\.1"):
         write_twin(cell, twin.having(entry(cell, "time_delay", delay_s=0.5)))
-    assert (cell.folder / FILE).read_text() == text
+    assert (cell.folder / TWIN_FILE).read_text() == text
 
 
 def changed(change: Callable[[dict], None]) -> Callable[[dict], str]:
@@ -99,16 +99,16 @@ BAD = {
 @pytest.mark.parametrize("case", BAD)
 def test_a_bad_file_is_refused_in_one_sentence_that_says_where(cell: Cell, twin: Twin, case: str) -> None:
     text, expected = BAD[case]
-    (cell.folder / FILE).write_text(text(json.loads(twin.model_dump_json())))
+    (cell.folder / TWIN_FILE).write_text(text(json.loads(twin.model_dump_json())))
     with pytest.raises(BadTwin) as caught:
         read_twin(cell)
     assert expected in str(caught.value)
-    assert FILE in str(caught.value)
+    assert TWIN_FILE in str(caught.value)
     assert "\n" not in str(caught.value)
 
 
 def test_a_link_out_of_the_folder_is_refused(cell: Cell, tmp_path: Path) -> None:
     (tmp_path / "elsewhere.json").write_text('{"format": "twin/1"}')
-    (cell.folder / FILE).symlink_to(tmp_path / "elsewhere.json")
+    (cell.folder / TWIN_FILE).symlink_to(tmp_path / "elsewhere.json")
     with pytest.raises(BadTwin, match="outside the folder"):
         read_twin(cell)

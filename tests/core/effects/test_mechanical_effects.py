@@ -36,7 +36,8 @@ from core.effects.rigid_body import rotation
 from core.effects.scene import Scene
 from core.effects.sensor_rotation import SensorRotation
 from core.effects.sensor_translation import SensorTranslation
-from core.inertia import InertialParameters, Motion, regressor, wrench
+from core.inertia import InertialParameters, Motion, regressor
+from core.rigid_wrench import wrench
 from core.robot import RobotModel
 
 Array = np.ndarray

@@ -25,7 +25,8 @@ from core.gap.evidence import Evidence
 from core.gap.experiment import Stop
 from core.gap.fit_all import one_by_one
 from core.outcome import Outcome
-from core.plan import Timing, plan_procedure
+from core.plan import plan_procedure
+from core.plan_settings import Timing
 from core.plant.faults.timing import Delay
 from core.plant.mechanics import Drives
 from core.procedure import carry_out

@@ -21,8 +21,9 @@ from core.gap.prediction import Prediction
 from core.gap.proposal import proposals
 from core.gap.rehearsal import rehearsed
 from core.gap.windows import Windows
-from core.inertia import Motion, wrench
+from core.inertia import Motion
 from core.recording import Recording, SensorDescription, appended
+from core.rigid_wrench import wrench
 from core.robot import RobotModel
 
 CELL = load_cell(find_cell("lwr4_bench"))

@@ -1,0 +1,39 @@
+"""What every command does on a terminal: where it writes, and how an error or an interrupt ends it.
+
+Answers go to standard output, progress and errors to standard error; in a pipe there is no progress. Exit codes: 0 done, 2 bad input,
+3 refused by planning, 4 stopped by the guard, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+from types import FrameType
+
+import typer
+from rich.console import Console
+
+from core.errors import HeftError
+
+HELP = "Finds out what a robot carries, safely, with people around. Not a safety function."
+
+answers = Console()
+messages = Console(stderr=True)
+
+
+def enter(program: typer.Typer) -> None:
+    """Runs a command and turns errors into one sentence and an exit code."""
+    signal.signal(signal.SIGTERM, _terminate)
+    try:
+        program()
+    except HeftError as error:
+        messages.print(f"heft: {error}", highlight=False, markup=False, soft_wrap=True)
+        sys.exit(error.exit_code)
+    except KeyboardInterrupt:
+        messages.print("heft: interrupted; nothing was moving.", highlight=False)
+        sys.exit(130)
+
+
+def _terminate(_signal: int, _frame: FrameType | None) -> None:
+    """SIGTERM stops the robot in the same way as Ctrl-C."""
+    raise KeyboardInterrupt

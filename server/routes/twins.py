@@ -1,0 +1,197 @@
+"""The twins of the cells: what has been added to their simulation, taken from diagnoses."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Annotated
+
+from fastapi import APIRouter, Response
+from fastapi import Path as InPath
+from pydantic import Field, ValidationError
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+from starlette.status import HTTP_202_ACCEPTED
+
+from core.cell import TWIN_FILE, Cell
+from core.errors import BadTwin
+from core.gap.answer import Diagnosis
+from core.jail import read_inside
+from server import audit, jobs
+from server.dependencies import Asking, Cells, Here, Now, Stored
+from server.errors import Conflict, NotFound, Unprocessable
+from server.job_kinds import ADDITION, DIAGNOSIS, AdditionOrder, DiagnosisOrder, sha256_of
+from server.jobs import UNDER_WAY, State
+from server.run_tables import JobRow
+from server.runner.messages import Answered, Failed
+from server.runner.work import said
+from server.schemas import Answer, Body, Name
+from server.service import Service
+
+router = APIRouter(prefix="/api/cells/{cell}/twin", tags=["cells"])
+
+PathName = Annotated[Name, InPath()]
+TYPICAL_S = 30
+MAX_BYTES = 1_000_000
+
+
+class TwinParameter(Answer):
+    """A parameter of an effect with its standard uncertainty, in `unit`."""
+
+    value: float
+    std: float
+    unit: str
+
+
+class TwinEffect(Answer):
+    """An effect of a twin and where it comes from.
+
+    Args:
+        recording: name of the recording that it was fitted to; `sha256` of that recording's files.
+        gap_before, gap_after: root mean square of measured minus simulated, in multiples of the noise, on motions that the fit did not see.
+    """
+
+    effect: str
+    parameters: dict[str, TwinParameter]
+    recording: str
+    sha256: str
+    added: datetime
+    gap_before: float
+    gap_after: float
+
+
+class TwinAnswer(Answer):
+    """What a cell's simulation has beyond the nominal one; nothing where `effects` is empty."""
+
+    effects: list[TwinEffect] = []
+
+
+class AdditionBody(Body):
+    """An effect that a diagnosis names, or two joined by a plus sign."""
+
+    diagnosis: str
+    effect: Annotated[str, Field(pattern=r"^[a-z_]{1,64}(\+[a-z_]{1,64})?$")]
+
+
+class AdditionAnswer(Answer):
+    """An addition; `twin` is the cell's twin with the effect, null until it is done."""
+
+    addition: str
+    cell: str
+    effect: str
+    diagnosis: str
+    state: State
+    progress: float
+    reason: str | None
+    requested_by: str
+    requested_at: datetime
+    ended_at: datetime | None
+    twin: TwinAnswer | None
+
+
+@router.get("")
+def read_twin(cell: PathName, cells: Cells) -> TwinAnswer:
+    """The effects that simulated runs, identification and diagnosis of the cell count with."""
+    return twin_of(cells.load(cell))
+
+
+@router.post("", status_code=HTTP_202_ACCEPTED)
+def add_effect(cell: PathName, body: AdditionBody, response: Response, here: Here, asking: Asking, now: Now) -> AdditionAnswer:
+    """Fits an effect anew to the recording of a diagnosis that names it, and adds it to the cell's twin."""
+    here.cells.load(cell)
+    with here.store.write() as db:
+        diagnosed = jobs.load(db, DIAGNOSIS, body.diagnosis)
+        _check_named(diagnosed, body.effect)
+        recording = DiagnosisOrder.model_validate_json(diagnosed.order).recording
+        order = AdditionOrder(cell=cell, effect=body.effect, diagnosis=body.diagnosis, recording=recording)
+        row = jobs.queue(db, ADDITION, order, cell, asking.who, now)
+        audit.record(db, asking.who, "twin.queue", {"addition": row.id, "cell": cell, "effect": body.effect}, now=now)
+        found = _answer(here, row)
+    here.additions.wake()
+    response.headers["Location"] = f"/api/cells/{cell}/twin/additions/{found.addition}"
+    response.headers["Retry-After"] = str(TYPICAL_S)
+    return found
+
+
+@router.get("/additions/{addition}")
+def read_addition(cell: PathName, addition: str, here: Here, store: Stored) -> AdditionAnswer:
+    """How far an addition is, and why it was refused."""
+    with store.read() as db:
+        row = jobs.load(db, ADDITION, addition)
+    if row.about != cell:
+        raise NotFound(ADDITION, addition)
+    return _answer(here, row)
+
+
+@router.delete("/{effect}")
+def remove_effect(cell: PathName, effect: PathName, here: Here, asking: Asking, now: Now) -> TwinAnswer:
+    """Takes an effect out of the cell's twin."""
+    loaded = here.cells.load(cell)
+    if effect not in [entry.effect for entry in twin_of(loaded).effects]:
+        raise NotFound("effect in the twin", effect)
+    with here.store.write() as db:
+        _check_nothing_under_way(db, cell)
+        left = _removed(loaded, effect)
+        audit.record(db, asking.who, "twin.remove", {"cell": cell, "effect": effect, "sha256": sha256_of(left)}, now=now)
+    return TwinAnswer.model_validate_json(left)
+
+
+def twin_of(cell: Cell) -> TwinAnswer:
+    """What stands in the cell's `twin.json`.
+
+    Raises:
+        BadTwin: it is not one that an addition has written.
+    """
+    if not (cell.folder / TWIN_FILE).exists():
+        return TwinAnswer()
+    try:
+        return TwinAnswer.model_validate_json(read_inside(cell.folder, TWIN_FILE, BadTwin, max_bytes=MAX_BYTES))
+    except ValidationError as error:
+        flaw = error.errors()[0]
+        where = ".".join(str(part) for part in flaw["loc"])
+        raise BadTwin(f"{TWIN_FILE}: {where}", repr(flaw["input"])[:80], flaw["msg"].removeprefix("Input should be ")) from error
+
+
+def _removed(cell: Cell, effect: str) -> str:
+    """The twin that is left, as JSON; its file is changed by a process that knows the effects."""
+    for word in said("server.runner.twin_removing", cell, effect):
+        match word:
+            case Answered(text=text):
+                return text
+            case Failed(message=message):
+                raise Unprocessable(message)
+    raise Unprocessable(f"twin of {cell.name}: nothing was changed; send it again")
+
+
+def _check_named(diagnosed: JobRow, effect: str) -> None:
+    """The diagnosis is done and names the effect."""
+    if diagnosed.result is None:
+        raise Conflict(f"diagnosis {diagnosed.id}: is {diagnosed.state}; an effect can be taken from one that is done")
+    found = Diagnosis.model_validate_json(diagnosed.result)
+    named = [each.id for each in found.effects] + ["+".join(pair.ids) for pair in found.pairs]
+    if effect not in named:
+        raise Unprocessable(f"effect: found {effect!r}, expected one that the diagnosis names: {', '.join(named) or 'it names none'}")
+
+
+def _check_nothing_under_way(db: Session, cell: str) -> None:
+    """An addition writes the twin that it began with."""
+    query = select(JobRow.id).where(JobRow.kind == ADDITION, JobRow.about == cell, JobRow.state.in_(UNDER_WAY)).limit(1)
+    addition = db.scalar(query)
+    if addition is not None:
+        raise Conflict(f"twin of {cell}: addition {addition} is under way; wait for its end")
+
+
+def _answer(here: Service, row: JobRow) -> AdditionAnswer:
+    order = AdditionOrder.model_validate_json(row.order)
+    return AdditionAnswer(
+        addition=row.id,
+        cell=order.cell,
+        effect=order.effect,
+        diagnosis=order.diagnosis,
+        state=State(row.state),
+        progress=1.0 if row.state == State.done else here.additions.progress.get(row.id, 0.0),
+        reason=row.reason,
+        requested_by=row.requested_by,
+        requested_at=row.requested_at,
+        ended_at=row.ended_at,
+        twin=None if row.result is None else TwinAnswer.model_validate_json(row.result),
+    )

@@ -1,0 +1,13 @@
+"""What a release is bound to."""
+
+from __future__ import annotations
+
+from hashlib import sha256
+
+from core.cell import Box, Cell
+
+
+def release_sha256(digest: str, cell: Cell, payload_box: Box) -> str:
+    """SHA-256 of a plan's digest with the cell as it is now (URDF, zones and limits included) and the payload box, hexadecimal."""
+    parts = (digest, cell.model_dump_json(), sha256(cell.urdf.encode()).hexdigest(), payload_box.model_dump_json())
+    return sha256("\n".join(parts).encode()).hexdigest()

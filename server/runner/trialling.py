@@ -1,0 +1,73 @@
+"""Blind trials, one after the other on one core: sealed, told, run, opened. What is done stays in their folder, from where they go on."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+from threadpoolctl import threadpool_limits
+
+from core.errors import HeftError
+from core.trial.batch import outcomes
+from core.trial.draw import Drawn, draw
+from core.trial.folder import append, check_seals, finished, open_folder
+from core.trial.judgement import mark
+from core.trial.outcome import Outcome
+from core.trial.sheet import score_sheet
+from server.runner.messages import Advanced, Answered, Failed
+from server.runner.work import give_way
+from server.trial_schemas import SEALS, OpenedTrial, Seal, TrialsResult
+
+
+def main(folder: Path, count: int, seed: int, connection: Connection) -> None:
+    """Runs `count` trials from a seed on.
+
+    Args:
+        folder: of these trials; made here, or that of an earlier beginning.
+    """
+    give_way()
+    threadpool_limits(1)
+    with suppress(BrokenPipeError):  # nobody waits any more
+        try:
+            drawn = [draw(k) for k in range(seed, seed + count)]
+            done = finished(folder)
+            check_seals(drawn, done)
+            open_folder(folder, drawn, done)
+            connection.send(Advanced(len(done) / count, _seals(drawn)))
+            _run(drawn, done, folder, connection)
+            connection.send(Answered(_opened(list(done.values()))))
+        except HeftError as error:
+            connection.send(Failed(type(error).__name__, str(error)))
+
+
+def _run(drawn: list[Drawn], done: dict[int, Outcome], folder: Path, connection: Connection) -> None:
+    """What is not done yet."""
+    missing = [one for one in drawn if one.sealed.seed not in done]
+    with ThreadPoolExecutor(1) as alone:
+        for outcome in outcomes(missing, alone):
+            append(folder, outcome)
+            done[outcome.sealed.seed] = outcome
+            connection.send(Advanced(len(done) / len(drawn)))
+
+
+def _seals(drawn: list[Drawn]) -> str:
+    return SEALS.dump_json([Seal(seed=one.sealed.seed, sha256=one.sealed.hash) for one in drawn]).decode()
+
+
+def _opened(found: list[Outcome]) -> str:
+    found = sorted(found, key=lambda outcome: outcome.sealed.seed)
+    opened = [
+        OpenedTrial(
+            seed=outcome.sealed.seed,
+            sealed=outcome.sealed.model_dump_json(),
+            planted=outcome.sealed.in_words,
+            size=outcome.sealed.size,
+            verdict=outcome.verdict,
+            named=outcome.first,
+            mark=mark(outcome),
+        )
+        for outcome in found
+    ]
+    return TrialsResult(opened=opened, sheet=score_sheet(found)).model_dump_json()

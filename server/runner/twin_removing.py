@@ -1,0 +1,22 @@
+"""An effect is taken out of a cell's twin."""
+
+from __future__ import annotations
+
+from multiprocessing.connection import Connection
+
+from core.cell import Cell
+from core.errors import HeftError
+from core.twin_file import read_twin, write_twin
+from server.runner.messages import Answered, Failed
+from server.runner.work import give_way
+
+
+def main(cell: Cell, effect: str, connection: Connection) -> None:
+    """Answers with the twin without the effect."""
+    give_way()
+    try:
+        twin = read_twin(cell).without(effect)
+        write_twin(cell, twin)
+        connection.send(Answered(twin.model_dump_json()))
+    except HeftError as error:
+        connection.send(Failed(type(error).__name__, str(error)))

@@ -1,0 +1,43 @@
+"""Blind trials as they leave the service: the seals at once, the answers when all are there."""
+
+from __future__ import annotations
+
+from pydantic import TypeAdapter
+
+from server.schemas import Answer
+
+
+class Seal(Answer):
+    """What was planted in a trial, as a hash that was published before the trial began."""
+
+    seed: int
+    sha256: str
+
+
+class OpenedTrial(Answer):
+    """A finished trial.
+
+    Args:
+        sealed: the text whose SHA-256 is the seal: cell, payload, faults and their parameters.
+        planted: the faults in words, `size` in plausible sizes of them.
+        verdict, named: what the diagnosis said; `named` is its first effect.
+        mark: whether that was right, in words.
+    """
+
+    seed: int
+    sealed: str
+    planted: str
+    size: float
+    verdict: str
+    named: str | None
+    mark: str
+
+
+class TrialsResult(Answer):
+    """All trials of a job with their score sheet (Markdown)."""
+
+    opened: list[OpenedTrial]
+    sheet: str
+
+
+SEALS = TypeAdapter(list[Seal])
