@@ -16,6 +16,7 @@ import typer
 from core import twin_commands
 from core.cell import Cell, Payload, find_cell, list_cells, load_cell
 from core.collision import CollisionModel
+from core.diagnosis_overlay import overlay_of
 from core.errors import BadInput, BadPayload
 from core.estimation.identification import identify_recording
 from core.experiment.command import check_target, plan_next, read_request
@@ -25,7 +26,6 @@ from core.plan import plan_procedure, plan_summary
 from core.procedure import identify
 from core.progress import watch
 from core.recording_folder import read_recording
-from core.report.diagnosis_overlay import overlay_of
 from core.report.diagnosis_page import write_diagnosis
 from core.report.page import write_report
 from core.result import Result, SecondsPart, result_of
@@ -45,6 +45,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
+
 
 class PlannerName(StrEnum):
     """The planners at hand."""

@@ -31,8 +31,8 @@ from server.runner.messages import (
     Happened,
     Hold,
     MotionEnded,
-    Paced,
     Order,
+    Paced,
     Ready,
     Release,
     Resume,
@@ -62,7 +62,9 @@ class ActiveRun:
         metrics: that count what happens to it.
     """
 
-    def __init__(self, store: Store, row: RunRow, cell: Cell, folder: Path, broadcast: Broadcast, now: Callable[[], datetime], metrics: RunMetrics) -> None:
+    def __init__(
+        self, store: Store, row: RunRow, cell: Cell, folder: Path, broadcast: Broadcast, now: Callable[[], datetime], metrics: RunMetrics
+    ) -> None:
         self.id, self.cell, self.folder = row.id, cell.name, folder
         self.state, self.broadcast = State(row.state), broadcast
         self.newest: Sampled | None = None

@@ -41,12 +41,14 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
         work = (service.conductor, service.diagnoses, service.additions, service.trials, service.deliverer, service.gallery)
         for each in work:
             await each.start()
+        if checker is None:  # one that was handed in serves others too
+            service.checker.start()
         try:
             yield
         finally:
             for each in work:
                 await each.close()
-            if checker is None:  # one that was handed in serves others too
+            if checker is None:
                 service.checker.close()
             service.store.close()
             log.info("stopped")

@@ -83,7 +83,7 @@ class CellFolder:
             raise NotFound("cell", name)
         whole = hashlib.sha256()
         folder = self.folder / name
-        for file in sorted(each for each in folder.rglob("*") if each.is_file()):
+        for file in _files(folder):
             content = hashlib.sha256(file.read_bytes()).hexdigest()
             whole.update(f"{file.relative_to(folder).as_posix()}\0{content}\n".encode())
         return whole.hexdigest()
@@ -110,5 +110,9 @@ class CellFolder:
 
 def _stamp(folder: Path) -> Stamp:
     """Names, sizes and times of a cell's files."""
-    found = sorted(each for each in folder.rglob("*") if each.is_file())
-    return tuple((str(each), (stat := each.stat()).st_size, stat.st_mtime_ns) for each in found)
+    return tuple((str(each), (stat := each.stat()).st_size, stat.st_mtime_ns) for each in _files(folder))
+
+
+def _files(folder: Path) -> list[Path]:
+    """All of a cell, but for what is just being written."""
+    return sorted(each for each in folder.rglob("*") if each.suffix != ".part" and each.is_file())

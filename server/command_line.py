@@ -31,9 +31,7 @@ class WithEngine(TyperGroup):
         return get_group(engine)
 
 
-app = typer.Typer(
-    name="heft", cls=WithEngine, help=HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False
-)
+app = typer.Typer(name="heft", cls=WithEngine, help=HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
 audit = typer.Typer(help="The log of what was done, by whom.", no_args_is_help=True)
 app.add_typer(audit, name="audit")
 

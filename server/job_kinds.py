@@ -65,7 +65,7 @@ def additions(cells: CellFolder) -> Kind:
     def also(db: Session, row: JobRow) -> None:
         if row.state == State.done:
             order = AdditionOrder.model_validate_json(row.order)
-            said = {"cell": order.cell, "effect": order.effect, "diagnosis": order.diagnosis, "sha256": sha256_of(row.result)}
+            said: audit.Detail = {"cell": order.cell, "effect": order.effect, "diagnosis": order.diagnosis, "sha256": sha256_of(row.result)}
             audit.record(db, row.requested_by, "twin.add", said)
 
     return Kind(ADDITION, "server.runner.twin_adding", arguments, also)
@@ -80,7 +80,7 @@ def trials(settings: Settings) -> Kind:
 
     def also(db: Session, row: JobRow) -> None:
         if row.state == State.running and row.told is not None:
-            said = {"trials": row.id, "count": len(json.loads(row.told)), "sha256": sha256_of(row.told)}
+            said: audit.Detail = {"trials": row.id, "count": len(json.loads(row.told)), "sha256": sha256_of(row.told)}
             audit.record(db, row.requested_by, "trials.seal", said)
 
     return Kind(TRIALS, "server.runner.trialling", arguments, also)

@@ -19,7 +19,7 @@ from server.errors import NotFound
 from server.run_ledger import new_id
 from server.run_tables import JobRow
 from server.runner.messages import Advanced, Answered, Failed
-from server.runner.work import said
+from server.runner.work import Work
 from server.store import Store
 
 log = logging.getLogger("heft.jobs")
@@ -94,6 +94,7 @@ class Worker:
         self._store, self._now, self._kind = store, now, kind
         self.progress: dict[str, float] = {}
         """Of the one that runs, 0 to 1."""
+        self._running: tuple[str, Work] | None = None
         self._wake = asyncio.Event()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._task: asyncio.Task[None] | None = None
@@ -108,6 +109,7 @@ class Worker:
         """What is not done is begun again by the next service."""
         self._closing = True
         self._wake.set()
+        self._kill()
         if self._task is not None:
             await self._task
 
@@ -115,6 +117,15 @@ class Worker:
         """There is one that waits. From any thread."""
         if self._loop is not None:
             self._loop.call_soon_threadsafe(self._wake.set)
+
+    def drop(self, job: str) -> None:
+        """Ends the process of a job that is no longer wanted. From any thread."""
+        if self._running is not None and self._running[0] == job:
+            self._kill()
+
+    def _kill(self) -> None:
+        if self._running is not None:
+            self._running[1].kill()
 
     async def _forever(self) -> None:
         while not self._closing:
@@ -138,7 +149,9 @@ class Worker:
     def _work(self, row: JobRow) -> None:
         """In a thread; the work itself is in a process, which ends when this is left."""
         try:
-            for word in said(self._kind.module, *self._kind.arguments(row)):
+            work = Work(self._kind.module, *self._kind.arguments(row))
+            self._running = row.id, work
+            for word in work.words():
                 if self._closing or not self._wanted(row.id):
                     return
                 match word:
@@ -153,6 +166,7 @@ class Worker:
         except HeftError as error:
             self._end(row.id, State.failed, reason=str(error))
         finally:
+            self._running = None
             self.progress.pop(row.id, None)
 
     def _wanted(self, job: str) -> bool:

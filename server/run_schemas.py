@@ -62,12 +62,18 @@ class PathPart(Answer):
 
 
 class ThrowPart(Answer):
-    """Where the load would come nearest to a protected zone if it let go during a rotation."""
+    """Where the load would come nearest to a protected zone if it let go during a rotation.
+
+    Args:
+        point_m, velocity_m_s: of its fastest corner at that moment; `speed_m_s` is the same as one number.
+    """
 
     axis: str
     zone: str
     distance_m: float
     speed_m_s: float
+    point_m: list[float]
+    velocity_m_s: list[float]
 
 
 class RunPlan(Answer):

@@ -38,7 +38,6 @@ def serve(*, host: str | None = None, port: int | None = None, cells: Path | Non
     with only_one(settings.data):
         app = create_app(settings)
         greet(settings)
-        app.state.service.checker.start()
         uvicorn.run(
             app,
             host=settings.host,
@@ -105,11 +104,11 @@ def greet(settings: Settings) -> None:
 
 def first_account(store: Store) -> str | None:
     """Makes an operator who may do everything, where there is nobody yet; returns the password."""
-    password = secrets.token_urlsafe(12)
-    password_hash = accounts.hashed(password)
     with store.write() as db:
         if db.scalar(select(func.count()).select_from(Account)):
             return None
+        password = secrets.token_urlsafe(12)
+        password_hash = accounts.hashed(password)  # takes its time, so only where it is needed; nobody else writes before the start
         accounts.add_account(db, FIRST, password_hash, FIRST_ROLES, utc_now())
         audit.record(db, "service", "account.create", {"account": FIRST, "roles": " ".join(sorted(FIRST_ROLES))})
     return password

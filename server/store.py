@@ -12,9 +12,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from sqlite3 import Connection as SqliteConnection
 
-import alembic.command
-from alembic.config import Config
-from sqlalchemy import Connection, DateTime, Dialect, Engine, MetaData, TypeDecorator, create_engine, event, text
+from sqlalchemy import Connection, DateTime, Dialect, Engine, MetaData, TypeDecorator, create_engine, event, inspect, text
 from sqlalchemy.orm import DeclarativeBase, Session
 
 MIGRATIONS = Path(__file__).parent / "migrations"
@@ -81,7 +79,10 @@ class Store:
         """Brings the tables to the newest version."""
         with self._writing.begin() as connection:
             _wait_for_turn(connection, MIGRATION_LOCK)
-            alembic.command.upgrade(migration_config(connection), "head")
+            if not up_to_date(connection):
+                from server.migration import upgrade  # noqa: PLC0415  most starts need no Alembic, which takes its time to import
+
+                upgrade(connection, MIGRATIONS)
 
     def check(self) -> None:
         """Raises SQLAlchemy's error where the database does not answer."""
@@ -99,12 +100,12 @@ def _wait_for_turn(connection: Connection, lock: int) -> None:
         connection.execute(text("SELECT pg_advisory_xact_lock(:lock)"), {"lock": lock})
 
 
-def migration_config(connection: Connection) -> Config:
-    """What Alembic needs to work on an open connection."""
-    config = Config()
-    config.set_main_option("script_location", str(MIGRATIONS))
-    config.attributes["connection"] = connection
-    return config
+def up_to_date(connection: Connection) -> bool:
+    """Whether the tables are those of the newest migration; its file's name begins with its revision."""
+    if not inspect(connection).has_table("alembic_version"):
+        return False
+    newest = max(file.name for file in (MIGRATIONS / "versions").glob("[0-9]*.py")).partition("_")[0]
+    return bool(connection.scalar(text("SELECT version_num FROM alembic_version")) == newest)
 
 
 def _engine(url: str) -> Engine:

@@ -6,18 +6,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
+from core.effects.filters import derivative, low_passed
 from core.effects.joint_error import joint_count, joint_torque, largest, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
+from core.effects.splines import smoothed
 
 Array = NDArray[np.float64]
 
-CONTACT_TORQUE = 0.5
-"""N m, at which the teeth are surely in contact on one side."""
+CONTACT_TORQUE = 1.0
+"""N m, at which the teeth are about in contact on one side."""
 
 
 class JointBacklash(Effect):
-    """True joints are `q - b tanh(tau / tau_c)`, with b half the play per joint and tau as the joints exert it."""
+    """True joints are `q - b tanh(tau / tau_c)`, with b half the play per joint, and tau as the joints exert it, behind a lag.
+
+    Small as an angle; where the load changes its side, its second derivative shows more than the angle.
+    """
 
     id = "joint_backlash"
     title = "play in the joints"
@@ -25,11 +30,19 @@ class JointBacklash(Effect):
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
-        return tuple(Parameter(f"joint_{j + 1}_rad", "rad", 0.0, 0.0, 0.01, 5e-4) for j in range(joint_count(scene)))
+        return (
+            *(Parameter(f"joint_{j + 1}_rad", "rad", 0.0, 0.0, 0.01, 5e-4) for j in range(joint_count(scene))),
+            Parameter("contact_torque_nm", "N m", CONTACT_TORQUE, 0.1, 3.0, 1.0),
+            Parameter("lag_s", "s", 0.02, 0.003, 0.1, 0.02),
+        )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        return w + wrench_change(scene, true_motion(scene, -theta * np.tanh(joint_torque(scene) / CONTACT_TORQUE)))
+        *_, contact_torque, lag = theta
+        load = low_passed(joint_torque(scene), lag, scene.period, scene.past("load"))
+        error = smoothed(-theta[:-2] * np.tanh(load / contact_torque), scene.period, scene.window)
+        rate = derivative(error, scene.period, scene.past("error"))
+        return w + wrench_change(scene, true_motion(scene, error, derivative(rate, scene.period, scene.past("rate"))))
 
     def lacking(self, scene: Scene) -> str | None:
         """See `Effect.lacking`."""
@@ -43,7 +56,12 @@ class JointBacklash(Effect):
         reversed_ = (tau.min(axis=0) < -CONTACT_TORQUE) & (tau.max(axis=0) > CONTACT_TORQUE)
         return None if reversed_.any() else "no joint's load changes its side: play looks like an offset of the encoder"
 
+    def starts(self, scene: Scene, residual: Array) -> list[Array]:
+        """Light and heavy contact, quick and slow."""
+        play = np.full(joint_count(scene), 1.5e-4)
+        return [np.append(play, [torque, lag]) for torque in (0.5, 1.5) for lag in (0.01, 0.03)]
+
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
-        j = largest(theta)
+        j = largest(theta[:-2])
         return f"Have the gear of joint {j + 1} adjusted: it has {2 * np.degrees(theta[j]):.3f} deg of play from side to side."

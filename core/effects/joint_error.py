@@ -40,8 +40,11 @@ def _add_twist_change(J: Array, dq: Array, error: Array, sign: float, out: Array
 
 
 @njit(cache=True)
-def _true_motion(J: Array, dq: Array, error: Array, g0: Array, a0: Array, omega0: Array, alpha0: Array, period: float) -> Array:
-    """(4, N, 3): gravity, acceleration, angular velocity and acceleration. J and dq may begin one row before all others."""
+def _true_motion(
+    J: Array, dq: Array, error: Array, second: Array, g0: Array, a0: Array, omega0: Array, alpha0: Array, period: float
+) -> Array:
+    """(4, N, 3): gravity, acceleration, angular velocity and acceleration. J and dq may begin one row before all others; `second`, the
+    second derivative of the error, may be empty."""
     N, n = error.shape
     shift = len(dq) - N
     out = np.empty((4, N, 3))
@@ -70,6 +73,9 @@ def _true_motion(J: Array, dq: Array, error: Array, g0: Array, a0: Array, omega0
             rate[:] = twist
             _add_twist_change(J[i - 1], dq[i - 1], error[k], -1.0, rate)
             rate /= period
+        for j in range(n if len(second) else 0):
+            for c in range(6):
+                rate[c] += J[i, c, j] * second[k, j]
         px, py, pz = omega0[k, 0], omega0[k, 1], omega0[k, 2]
         out[0, k, 0], out[0, k, 1], out[0, k, 2] = gx, gy, gz
         # a = dv/dt + omega x v in sensor axes
@@ -94,11 +100,8 @@ def true_motion(scene: Scene, error: Array, acceleration: Array | None = None) -
         raise ValueError("an error of the joints needs a scene with joints (see Effect.lacking)")
     m = scene.motion
     J, dq = scene.past("jacobian").before(scene.jacobian, 1), scene.past("dq").before(scene.dq, 1)
-    out = _true_motion(J, dq, np.ascontiguousarray(error), m.g, m.a, m.omega, m.alpha, scene.period)
-    if acceleration is not None:
-        extra = np.einsum("nij,nj->ni", scene.jacobian, acceleration)
-        out[1] += extra[:, :3]
-        out[3] += extra[:, 3:]
+    second = np.zeros((0, 0)) if acceleration is None else np.ascontiguousarray(acceleration)
+    out = _true_motion(J, dq, np.ascontiguousarray(error), second, m.g, m.a, m.omega, m.alpha, scene.period)
     return Motion(out[0], out[1], out[2], out[3])
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from core.effects.angle_wave import angle_wave
 from core.effects.effect import Effect, Parameter
 from core.effects.joint_error import joint_count, largest, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
@@ -14,7 +15,10 @@ Array = NDArray[np.float64]
 
 
 class JointOffset(Effect):
-    """True joints are `q + d`. A zero of the first joint about the vertical changes nothing; the prior keeps it at zero."""
+    """True joints are `q + d + c cos(q) + s sin(q)`: a zero that is off, and a disc that is not centred.
+
+    A zero of the first joint about the vertical changes nothing; the prior keeps it at zero.
+    """
 
     id = "joint_offset"
     title = "joint encoders whose zero is off"
@@ -22,11 +26,17 @@ class JointOffset(Effect):
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """See `Effect.parameters`."""
-        return tuple(Parameter(f"joint_{j + 1}_rad", "rad", 0.0, -0.15, 0.15, 0.01) for j in range(joint_count(scene)))
+        return tuple(
+            Parameter(f"joint_{j + 1}_{part}", "rad", 0.0, -0.15, 0.15, scale)
+            for part, scale in (("rad", 0.01), ("cos_rad", 0.005), ("sin_rad", 0.005))
+            for j in range(joint_count(scene))
+        )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """See `Effect.wrench`."""
-        return w + wrench_change(scene, true_motion(scene, np.broadcast_to(theta, (len(scene), len(theta)))))
+        zero, c, s = theta.reshape(3, -1)
+        error, acceleration = angle_wave(scene, np.ones(len(zero)), c, s)
+        return w + wrench_change(scene, true_motion(scene, zero + error, acceleration))
 
     def lacking(self, scene: Scene) -> str | None:
         """See `Effect.lacking`."""
@@ -34,6 +44,11 @@ class JointOffset(Effect):
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
-        j = largest(theta)
-        zeros = ", ".join(f"{x:+.2f}" for x in np.degrees(theta))
-        return f"Calibrate the zero of joint {j + 1}, which is off by {np.degrees(theta[j]):+.2f} deg (all joints: {zeros} deg)."
+        zero, *wave = theta.reshape(3, -1)
+        uneven = np.hypot(*wave)
+        k = largest(uneven)
+        if uneven[k] > np.abs(zero).max():
+            return f"Centre or replace the encoder of joint {k + 1}, which errs by {np.degrees(uneven[k]):.2f} deg once per turn."
+        j = largest(zero)
+        zeros = ", ".join(f"{x:+.2f}" for x in np.degrees(zero))
+        return f"Calibrate the zero of joint {j + 1}, which is off by {np.degrees(zero[j]):+.2f} deg (all joints: {zeros} deg)."

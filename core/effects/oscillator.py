@@ -26,14 +26,17 @@ def _run(u: Array, start: Array, A: Array, before: Array, now: Array, out: Array
             out[1, k, c] = v
 
 
-def oscillate(u: Array, period: float, frequency_hz: float, damping: float, past: Past | None = None) -> tuple[Array, Array, Array]:
-    """Solves `y'' + 2 zeta w y' + w^2 y = w^2 u` from rest at `y = u`; causal.
+def oscillate(
+    u: Array, period: float, frequency_hz: float, damping: float, past: Past | None = None, start: Array | None = None
+) -> tuple[Array, Array, Array]:
+    """Solves `y'' + 2 zeta w y' + w^2 y = w^2 u`; causal.
 
     Args:
         u: (N, c).
         period: of the samples, s.
         damping: zeta, a share of the critical one.
         past: of a run that comes in blocks.
+        start: (2, c), `y - u` and y' in the run's first row; at rest where absent.
 
     Returns:
         y, y', y'', each (N, c).
@@ -43,11 +46,11 @@ def oscillate(u: Array, period: float, frequency_hz: float, damping: float, past
     constant = np.array([1.0, 0.0]) - E[:, 0]
     ramp = np.array([1.0, 0.0]) + (E - np.eye(2)) @ np.array([2.0 * damping / w, -1.0]) / period
     past = past or Past()
-    whole, start = u, np.stack([u[0], np.zeros(u.shape[1])])
+    whole, first = u, np.stack([u[0], np.zeros(u.shape[1])]) + (0.0 if start is None else start)
     if past.rows is not None:  # the last input, position and rate
-        whole, start = np.concatenate([past.rows[:1], u]), past.rows[1:]
+        whole, first = np.concatenate([past.rows[:1], u]), past.rows[1:]
     out = np.empty((2, *whole.shape))
-    _run(np.ascontiguousarray(whole), start, E, constant - ramp, ramp, out)
+    _run(np.ascontiguousarray(whole), first, E, constant - ramp, ramp, out)
     y, rate = out[:, -len(u) :]
     past.rows = np.stack([u[-1], y[-1], rate[-1]])
     return y, rate, w * w * (u - y) - 2.0 * damping * w * rate
@@ -59,18 +62,6 @@ def _transition(w: float, damping: float, h: float) -> Array:
     C = cmath.cos(root * h).real
     S = (cmath.sin(root * h) / root).real if abs(root) * h > 1e-7 else h
     return np.asarray(np.exp(-damping * w * h) * np.array([[C + damping * w * S, S], [-w * w * S, C - damping * w * S]]))
-
-
-def ring(t: Array, frequency_hz: float, damping: float, start: Array, rate: Array) -> tuple[Array, Array, Array]:
-    """Free swing `y'' + 2 zeta w y' + w^2 y = 0` from `y = start`, `y' = rate` (c,) at t = 0; y, y', y'' at times t (N,), each (N, c)."""
-    w = 2.0 * np.pi * frequency_hz
-    root = w * cmath.sqrt(1.0 - damping**2)
-    slow, fast = np.exp((-damping * w + 1j * root) * t), np.exp((-damping * w - 1j * root) * t)
-    C = (0.5 * (slow + fast)).real
-    S = ((slow - fast) / (2j * root)).real if abs(root) > 1e-6 * w else np.exp(-damping * w * t) * t
-    y = np.outer(C + damping * w * S, start) + np.outer(S, rate)
-    v = np.outer(-w * w * S, start) + np.outer(C - damping * w * S, rate)
-    return y, v, -2.0 * damping * w * v - w * w * y
 
 
 def spectral_peaks(residual: Array, period: float, lower_hz: float, upper_hz: float, count: int) -> list[float]:

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.effects.oscillator import oscillate, ring, spectral_peaks
+from core.effects.hanging import GRAVITY, hang
+from core.effects.oscillator import oscillate, spectral_peaks
 from core.effects.rigid_body import centre_of_mass, cross
 from core.effects.scene import Scene
 
@@ -18,12 +19,13 @@ SHARES = ("xx", "xy", "xz", "yy", "yz", "zz")
 
 
 class PayloadLoose(Effect):
-    """A part at r hangs on springs: `u'' + 2 zeta w u' + w^2 u = -b`, b the specific force `a - g` at r, sensor axes.
+    """A part at r is sprung, `u'' + 2 zeta w u' + w^2 u = -b` in sensor axes, b the specific force `a - g` at r; another one hangs from r
+    and swings in all directions, as often under gravity.
 
-    What moves is given by a symmetric matrix of shares of the payload's mass, `s = m S u` (kg m): `S = share e e^T` for a part on a slide
-    along e, `share 1` for one that is free in all directions. Its first moment s adds
+    What is sprung is given by a symmetric matrix of shares of the payload's mass, `s = m S u` (kg m): `S = share e e^T` for a part on a
+    slide along e, `share 1` for one that is free in all directions. Its first moment s adds
     `f = s'' + 2 omega x s' + alpha x s + omega x (omega x s)` and `tau = r x f + s x b`. What the moving frame does to the swing itself
-    is left out, as is `s x s''`. The part may swing already when the recording begins.
+    is left out there, as is `s x s''`. Both may swing already when the recording begins.
     """
 
     id = "payload_loose"
@@ -36,6 +38,7 @@ class PayloadLoose(Effect):
             Parameter("frequency_hz", "Hz", 3.0, 0.5, min(10.0, 0.4 / scene.period), 2.0),
             Parameter("damping_ratio", "1", 0.05, 0.003, 1.5, 0.15),
             *(Parameter(f"moving_{axes}_share", "1", 0.0, -1.0, 1.0, 0.15) for axes in SHARES),
+            Parameter("hanging_share", "1", 0.0, -1.0, 1.0, 0.15),
             *(Parameter(f"place_{axis}_m", "m", 0.0, -0.3, 0.3, 0.05) for axis in "xyz"),
             *(Parameter(f"start_{axis}_m_per_s2", "m/s2", 0.0, -20.0, 20.0, 2.0) for axis in "xyz"),
             *(Parameter(f"start_rate_{axis}_m_per_s2", "m/s2", 0.0, -20.0, 20.0, 2.0) for axis in "xyz"),
@@ -47,32 +50,46 @@ class PayloadLoose(Effect):
         m = scene.motion
         r = centre_of_mass(scene) + part.place
         b = m.a - m.g + cross(m.alpha, r) + cross(m.omega, cross(m.omega, r))
-        w_n = 2.0 * np.pi * part.frequency_hz
-        swing = ring(scene.elapsed, part.frequency_hz, part.damping, part.start, w_n * part.start_rate)
-        driven = oscillate(b, scene.period, part.frequency_hz, part.damping, scene.past("part"))
-        y, rate, acceleration = (forced + free for forced, free in zip(driven, swing, strict=True))
-        to_moment = -scene.phi[0] * part.shares / w_n**2
-        s, ds, dds = y @ to_moment, rate @ to_moment, acceleration @ to_moment
-        f = dds + 2.0 * cross(m.omega, ds) + cross(m.alpha, s) + cross(m.omega, cross(m.omega, s))
-        return np.asarray(w + np.hstack([f, cross(r, f) + cross(s, b)]))
+        f, tau = (sprung + hanging for sprung, hanging in zip(_sprung(scene, part, b), _hanging(scene, part, b), strict=True))
+        return np.asarray(w + np.hstack([f, cross(r, f) + tau]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Where the residual's spectrum has peaks, and over the plausible range."""
         upper = self.parameters(scene)[0].upper
         grid = [f for f in (1.0, 2.0, 4.0) if f < upper]
         peaks = spectral_peaks(residual, scene.period, 0.8, upper, 2)
-        rest = [0.05, *([0.05] * 6), *([0.0] * 9)]
+        rest = [0.05, *([0.05] * 7), *([0.0] * 9)]
         return [np.array([f, *rest]) for f in (*peaks, *grid)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
         part = _Part(theta)
-        sag = 9.81e3 / (2 * np.pi * part.frequency_hz) ** 2
-        share = np.abs(np.linalg.eigvalsh(part.shares)).max()
+        sag = 1e3 * GRAVITY / part.angular_frequency**2
+        sprung, hanging = float(np.abs(np.linalg.eigvalsh(part.shares)).max()), abs(part.hanging_share)
+        gives = f"hangs {sag:.0f} mm below where it is held" if hanging > sprung else f"gives by {sag:.0f} mm under its weight"
         return (
-            f"Fasten the loose part of the payload: about {100 * share:.0f} % of its mass gives by {sag:.0f} mm under its weight "
+            f"Fasten the loose part of the payload: about {100 * max(sprung, hanging):.0f} % of its mass {gives} "
             f"and swings at {part.frequency_hz:.1f} Hz."
         )
+
+
+def _sprung(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:
+    """Force and torque about its place, (N, 3) each, that the sprung part adds; b (N, 3) is the specific force there."""
+    start = np.stack([part.start, part.angular_frequency * part.start_rate])
+    swing = oscillate(b, scene.period, part.frequency_hz, part.damping, scene.past("sprung"), start)
+    s, ds, dds = (-scene.phi[0] / part.angular_frequency**2 * y @ part.shares for y in swing)
+    omega = scene.motion.omega
+    return dds + cross(omega, 2.0 * ds + cross(omega, s)) + cross(scene.motion.alpha, s), cross(s, b)
+
+
+def _hanging(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:
+    """The same of the hanging part."""
+    R, m = scene.rotation, part.hanging_share * scene.phi[0]
+    b_base, omega = np.einsum("nij,nj->ni", R, b), np.einsum("nij,nj->ni", R, scene.motion.omega)
+    start = np.stack([-b_base[0] - R[0] @ part.start, -part.angular_frequency / GRAVITY * (R[0] @ part.start_rate)])
+    x, ddx = hang(b_base, omega, scene.period, part.frequency_hz, part.damping, start, scene.past("hanging"))
+    f = m * np.einsum("nij,ni->nj", R, ddx)
+    return f, cross(np.einsum("nij,ni->nj", R, x), m * b + f)
 
 
 @dataclass(frozen=True)
@@ -86,6 +103,11 @@ class _Part:
         return float(self.theta[0])
 
     @property
+    def angular_frequency(self) -> float:
+        """rad/s."""
+        return 2.0 * float(np.pi) * self.frequency_hz
+
+    @property
     def damping(self) -> float:
         return float(self.theta[1])
 
@@ -96,16 +118,20 @@ class _Part:
         return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
     @property
+    def hanging_share(self) -> float:
+        return float(self.theta[8])
+
+    @property
     def place(self) -> Array:
         """(3,), m, from the centre of mass."""
-        return self.theta[8:11]
+        return self.theta[9:12]
 
     @property
     def start(self) -> Array:
         """(3,), displacement when the recording begins, as the specific force that would hold it, m/s2."""
-        return self.theta[11:14]
+        return self.theta[12:15]
 
     @property
     def start_rate(self) -> Array:
         """(3,), its rate over the angular frequency, m/s2."""
-        return self.theta[14:17]
+        return self.theta[15:18]

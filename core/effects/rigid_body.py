@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 def wrench_change(scene: Scene, true: Motion) -> Array:
     """(N, 6), what the scene's payload asks more of the sensor under the true motion than under the nominal one."""
-    return rigid_wrench(true, scene.phi) - rigid_wrench(scene.motion, scene.phi)
+    return rigid_wrench(true, scene.phi) - scene.nominal
 
 
 def cross(u: Array, v: Array) -> Array:

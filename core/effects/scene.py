@@ -38,6 +38,7 @@ class Scene:
         temperature: (N,), degC, None where not recorded.
         range, resolution: (6,), of the sensor, None where unknown.
         step: period of the samples, s; the first two times tell where absent. A scene of one row must state it.
+        window: knot spacing of the cubic B-splines that motion and readings are means over, s; 0 where they are samples.
         memory: of the rows before the first, for a run that is simulated in blocks; None for a run as a whole.
     """
 
@@ -58,6 +59,7 @@ class Scene:
     range: Array | None = None
     resolution: Array | None = None
     step: float | None = None
+    window: float = 0.0
     memory: Memory | None = None
 
     def __len__(self) -> int:

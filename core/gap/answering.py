@@ -23,7 +23,7 @@ READ_OFF_CONSEQUENCE = "It is read off the recording itself; the wrench that the
 
 def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
     """The evidence, and what is plain in the recording itself."""
-    seen = observed(recording, evidence.windows, evidence.best)
+    seen = observed(recording, evidence.windows, evidence.nominal, evidence.best)
     told = [it for it in seen if it.finding.material and _concerns(it, evidence)]
     fitted = _fitted(recording, evidence)
     if evidence.verdict in ("no_gap", "unknown"):

@@ -24,9 +24,10 @@ NONE_PRIOR = 3.0
 PAIR_PRIOR = 0.001
 """Of two effects at once, against one."""
 BEND = 0.5
-"""Of the logarithm of the independent draws that each parameter costs; 1/2 is Schwarz's criterion."""
+"""Of the logarithm of the independent draws that each of the first `STIFF` parameters costs; 1/2 is Schwarz's criterion."""
 BENT = 0.001
-"""Share of the gap that each parameter of a wrong model may take up by bending."""
+"""Share of the gap that each further parameter of a wrong model may take up by bending."""
+STIFF = 6
 BLOCKS = 10.0
 """Independent draws that a model's own error is worth: a run has about as many different motions."""
 CHANCE_SIGMA = 3.0
@@ -86,26 +87,33 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> At
 
 
 def _score(fit: EffectFit, best: EffectFit, scale: float, excess: float) -> float:
-    """Log weight: how much worse than the best it predicts, less what each parameter costs (Schwarz) and may take up by bending, so that
-    of two that predict alike the smaller one wins."""
-    worse = float((fit.held_out - best.held_out).sum()) + BENT * len(fit.theta) * max(0.0, excess)
-    prior = float(np.log(NONE_PRIOR)) if not fit.effects else (len(fit.effects) - 1) * float(np.log(PAIR_PRIOR))
-    draws = best.held_out.size * max(1.0, float(best.held_out.mean())) / scale
-    return prior - 0.5 * worse / scale - BEND * len(fit.theta) * float(np.log(draws))
+    """Log weight: how much worse than the best it predicts, less what its parameters cost, so that of two that predict alike the smaller
+    one wins. The nominal twin is no approximation: what it predicts worse counts in full."""
+    worse = float((fit.held_out - best.held_out).sum())
+    unit = max(1.0, float(best.held_out.mean()))
+    if not fit.effects:
+        return float(np.log(NONE_PRIOR)) - 0.5 * worse / unit
+    few, more = min(len(fit.theta), STIFF), max(0, len(fit.theta) - STIFF)
+    draws = best.held_out.size * unit / scale
+    second = (len(fit.effects) - 1) * float(np.log(PAIR_PRIOR))
+    return second - 0.5 * (worse + BENT * more * max(0.0, excess)) / scale - BEND * few * float(np.log(draws))
 
 
 def misfit(fit: EffectFit) -> float:
     """Chi-square that counts as one. What the best model leaves over beyond chance is its own error, which repeats itself from sample to
     sample: all of it is worth `BLOCKS` independent draws."""
-    rows = fit.held_out.size
-    beyond = float(fit.held_out.mean()) - 1.0 - CHANCE_SIGMA * float(np.sqrt(2.0 / rows))
-    return 1.0 + max(0.0, beyond) * rows / BLOCKS
+    return 1.0 + max(0.0, beyond_chance(fit)) * fit.held_out.size / BLOCKS
 
 
 def leftover(nominal: EffectFit, fit: EffectFit) -> float:
-    """Share of the nominal twin's excess over noise that a fit leaves on unseen motions."""
+    """Share of the nominal twin's excess over noise that a fit leaves on unseen motions; what may be chance does not count."""
     before = float(nominal.held_out.mean()) - 1.0
-    return max(0.0, float(fit.held_out.mean()) - 1.0) / max(before, 1e-9)
+    return max(0.0, beyond_chance(fit)) / max(before, 1e-9)
+
+
+def beyond_chance(fit: EffectFit) -> float:
+    """Chi-square per row that is left over, less what chance may leave."""
+    return float(fit.held_out.mean()) - 1.0 - CHANCE_SIGMA * float(np.sqrt(2.0 / fit.held_out.size))
 
 
 def _ties(windows: Windows, nominal: EffectFit, explained: tuple[tuple[EffectFit, float], ...], best: EffectFit) -> tuple[Tie, ...]:

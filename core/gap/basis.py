@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -68,7 +70,7 @@ def unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> Basis:
     spread = window_matrix(t, narrow, poses.t)
     g, a, B = (np.asarray(spread @ x.reshape(len(poses.t), -1)).reshape(len(t), *x.shape[1:]) for x in (poses.g, raw.a, raw.B))
     omega = np.column_stack([np.interp(t, poses.t, channel) for channel in motion.omega.T])
-    scene = scene_of(recording, poses, Motion(g, a, omega, axial(B)), segments, t)
+    scene = replace(scene_of(recording, poses, Motion(g, a, omega, axial(B)), segments, t), window=narrow)
     return Basis(poses, noise, segments, scene, np.asarray(spread @ wrench), regressor_of(a - g, B), spread, raw.difference)
 
 

@@ -64,7 +64,7 @@ class Evidence:
         attribution = self.attribution
         if not self.material:
             return "no_gap"
-        if attribution.unknown > EXPLAINED or not attribution.explained:
+        if not attribution.explained or attribution.unknown >= attribution.explained[0][1]:
             return "unknown"
         if attribution.ties or attribution.explained[0][1] < EXPLAINED:
             return "ambiguous"

@@ -6,14 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.gap.effect_fit import EffectFit
+from core.gap.limits import GAP, SHARES
 from core.gap.windows import Windows
 
 Array = NDArray[np.float64]
-
-GAP = 2.0
-"""Held-out gap, noise being 1, from which an effect is material."""
-SHARES = np.repeat([0.01, 0.01, 0.03], [1, 3, 6])
-"""(10,), of the mass, of the norm of the first moment, of the largest moment of inertia."""
 
 
 def is_material(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:

@@ -25,10 +25,14 @@ class Observed:
     parameters: dict[str, Value]
 
 
-def observed(recording: Recording, windows: Windows, fit: EffectFit) -> list[Observed]:
-    """Symptoms that stand clearly above chance, the clearest first."""
+def observed(recording: Recording, windows: Windows, nominal: EffectFit, fit: EffectFit) -> list[Observed]:
+    """Symptoms that stand clearly above chance, the clearest first.
+
+    Args:
+        nominal, fit: without and with what explains the wrench best; what that changes in the payload counts as its uncertainty.
+    """
     holds = tuple(part.rows for part in windows.basis.segments if part.is_hold)
-    view = View(holds, windows.basis.noise.std, fit.phi, fit.phi_std)
+    view = View(holds, windows.basis.noise.std, fit.phi, np.hypot(fit.phi_std, fit.phi - nominal.phi))
     found = []
     for symptom in symptoms():
         finding = symptom.observe(recording, view)

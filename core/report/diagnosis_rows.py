@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.gap.answer import Cell, Diagnosis, PayloadPart, Value
-from core.gap.materiality import SHARES
+from core.gap.limits import SHARES
 from core.report.charts import CHANNELS
 from core.report.rows import LABELS, rounded
 

@@ -6,7 +6,6 @@ import time
 from collections.abc import Callable
 from typing import Protocol
 
-
 LATE_S = 0.005
 """A sample that comes later than this was late."""
 PAUSE_S = 0.25

@@ -18,7 +18,8 @@ from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import Evidence
 from core.gap.fit_all import pair_of
-from core.gap.materiality import GAP, SHARES, is_material, sizes
+from core.gap.limits import GAP, SHARES
+from core.gap.materiality import is_material, sizes
 from core.gap.windows import PHI, Windows
 from core.recording import Recording
 

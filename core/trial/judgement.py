@@ -12,7 +12,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from core.gap.materiality import SHARES, sizes
+from core.gap.limits import SHARES
+from core.gap.materiality import sizes
 from core.trial.outcome import Outcome
 from core.trial.truth import Parameters
 

@@ -2,7 +2,23 @@
 
 from fastapi import APIRouter
 
-from server.routes import about, accounts, audit, cells, control, diagnoses, keys, live, runs, session, trials, twins, viewer, webhooks, zones
+from server.routes import (
+    about,
+    accounts,
+    audit,
+    cells,
+    control,
+    diagnoses,
+    keys,
+    live,
+    runs,
+    session,
+    trials,
+    twins,
+    viewer,
+    webhooks,
+    zones,
+)
 
 ROUTERS: tuple[APIRouter, ...] = (
     about.router,

@@ -89,7 +89,9 @@ def cancel_trials(trials: str, here: Here, asking: Asking, now: Now) -> TrialsAn
             raise Conflict(f"trials {trials}: are {row.state}; only those that wait or run can be cancelled")
         row.state, row.ended_at, row.reason = State.cancelled, now, f"cancelled by {asking.who}."
         audit.record(db, asking.who, "trials.cancel", {"trials": trials}, now=now)
-        return _answer(here, row)
+        found = _answer(here, row)
+    here.trials.drop(trials)
+    return found
 
 
 def _answer(here: Service, row: JobRow, *, whole: bool = True) -> TrialsAnswer:

@@ -62,7 +62,7 @@ class TwinEffect(Answer):
 class TwinAnswer(Answer):
     """What a cell's simulation has beyond the nominal one; nothing where `effects` is empty."""
 
-    effects: list[TwinEffect] = []
+    effects: tuple[TwinEffect, ...] = ()
 
 
 class AdditionBody(Body):

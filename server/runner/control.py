@@ -60,9 +60,11 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     run.twin = twin
     plan = _released(run, order, listener, speaker)
     procedure = carried_out(run, plan, order.payload, carried, order.folder / RECORDING)
-    outcome = _pumped(procedure, run, listener, speaker)
-    if isinstance(pace, RealTime):
-        speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s))
+    try:
+        outcome = _pumped(procedure, run, listener, speaker)
+    finally:
+        if isinstance(pace, RealTime):
+            speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s))
     page = order.folder / REPORT
     write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
     speaker.tell(Done(outcome.result(order.folder / RECORDING)))

@@ -6,13 +6,14 @@ from contextlib import suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
 
+from core.diagnosis_overlay import overlay_of
 from core.errors import HeftError
 from core.gap.diagnosis import examine
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll, Task, one_by_one
 from core.gap.windows import Windows
 from core.recording_folder import read_recording
-from core.report.diagnosis_page import overlay_of, write_diagnosis
+from core.report.diagnosis_page import write_diagnosis
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.work import give_way
 

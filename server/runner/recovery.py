@@ -1,4 +1,4 @@
-"""The samples of a run whose control process died with its server, made into a recording; in a process of its own, as that needs the engine."""
+"""Makes a recording of the samples of a run whose control process died with its server; in a process of its own, with the engine."""
 
 from __future__ import annotations
 

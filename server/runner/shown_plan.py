@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from hashlib import sha256
 
 import numpy as np
@@ -10,8 +9,9 @@ import numpy as np
 from core.cell import Box, Cell
 from core.plan import Plan, plan_summary
 from core.trajectory import JointTrajectory
-from server.run_schemas import PathPart, RunPlan, ThrowPart
+from server.run_schemas import PathPart, RunPlan
 from server.runner.release_hash import release_sha256
+from server.runner.shown_throws import throws_of
 
 SHOWN_PERIOD_S = 0.05
 
@@ -24,7 +24,7 @@ def shown(cell: Cell, payload_box: Box, plan: Plan) -> RunPlan:
         plan_digest=digest,
         summary=plan_summary(cell, plan),
         paths=[_path(leg.axis, leg.transfer.trajectory) for leg in plan.legs] + [_path("home", plan.home.trajectory)],
-        throws=list(_throws(plan)),
+        throws=list(throws_of(cell, payload_box, plan)),
     )
 
 
@@ -46,10 +46,3 @@ def _path(toward: str, trajectory: JointTrajectory) -> PathPart:
     every = max(1, round(SHOWN_PERIOD_S / trajectory.period))
     rows = np.unique(np.append(np.arange(0, len(trajectory), every), len(trajectory) - 1))
     return PathPart(toward=toward, period_s=every * trajectory.period, q_rad=np.round(trajectory.q[rows], 5).tolist())
-
-
-def _throws(plan: Plan) -> Iterator[ThrowPart]:
-    for leg in plan.legs:
-        throw = leg.start.throw
-        if throw is not None:
-            yield ThrowPart(axis=leg.axis, zone=throw.zone, distance_m=throw.distance_m, speed_m_s=throw.speed_m_s)

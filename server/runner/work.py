@@ -13,23 +13,37 @@ from server.runner.messages import Advanced, Failed, FromWork
 NICENESS = 10
 
 
+class Work:
+    """A process that calls `main(*arguments, connection)` of a module."""
+
+    def __init__(self, module: str, *arguments: Any) -> None:
+        self._connection, theirs = CONTEXT.Pipe(duplex=False)
+        self._process = started(module, *arguments, theirs, name=f"heft-{module.rpartition('.')[2]}", daemon=True)
+        theirs.close()
+
+    def words(self) -> Iterator[FromWork]:
+        """What it says, up to the first word that is no `Advanced`; a `Failed` of our own where it died. Closing this ends the process."""
+        try:
+            while True:
+                word: FromWork = self._connection.recv()
+                yield word
+                if not isinstance(word, Advanced):
+                    return
+        except EOFError:
+            yield Failed("WorkLost", "the process that did it ended unexpectedly; ask for it again. The service's log may know more.")
+        finally:
+            self.kill()
+            self._process.join()
+            self._connection.close()
+
+    def kill(self) -> None:
+        """Whatever it is at; from any thread."""
+        self._process.kill()
+
+
 def said(module: str, *arguments: Any) -> Iterator[FromWork]:
-    """What `main(*arguments, connection)` of a module says, up to its first word that is no `Advanced`. Closing the iterator ends the process."""
-    connection, theirs = CONTEXT.Pipe(duplex=False)
-    process = started(module, *arguments, theirs, name=f"heft-{module.rpartition('.')[2]}", daemon=True)
-    theirs.close()
-    try:
-        while True:
-            word: FromWork = connection.recv()
-            yield word
-            if not isinstance(word, Advanced):
-                return
-    except EOFError:
-        yield Failed("WorkLost", "the process that did it ended unexpectedly; ask for it again. The service's log may know more.")
-    finally:
-        process.kill()
-        process.join()
-        connection.close()
+    """The words of such a process that nobody ends before it is done."""
+    return Work(module, *arguments).words()
 
 
 def give_way() -> None:

@@ -74,7 +74,7 @@ class Gallery:
                 viewer.tell(Planned(plan, active.payload_box))
             if active is not None and active.newest is not None and active.newest.batch is not batch:
                 batch = active.newest.batch
-                viewer.tell(Moved(tuple(batch.q_rad), batch.nearest))
+                viewer.tell(Moved(batch))
             ticks += 1
             if ticks * PERIOD_S >= ZONES_S:
                 ticks = 0

@@ -11,7 +11,7 @@ from multiprocessing.connection import Connection
 import numpy as np
 
 from core.cell import Box, Cell
-from server.run_schemas import NearestPart, RunPlan
+from server.run_schemas import LiveBatch, RunPlan
 from server.runner.context import CONTEXT
 from server.runner.pipe import Speaker
 
@@ -20,10 +20,9 @@ NICENESS = 5
 
 @dataclass(frozen=True)
 class Moved:
-    """The robot is here now (rad)."""
+    """The robot is here now, and feels this."""
 
-    q_rad: tuple[float, ...]
-    nearest: NearestPart | None
+    batch: LiveBatch
 
 
 @dataclass(frozen=True)
@@ -77,10 +76,11 @@ class ViewerProcess:
 def _show(cell: Cell, connection: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.nice(NICENESS)
-    from server.viewer.scene import Scene, open_server  # noqa: PLC0415  no other process needs viser
+    from server.viewer.plots import Plots  # noqa: PLC0415  no other process needs viser
+    from server.viewer.scene import Scene, open_server  # noqa: PLC0415
 
     server = open_server()
-    scene = Scene(server, cell)
+    scene, plots = Scene(server, cell), Plots(server)
     connection.send(server.get_port())
     while True:
         try:
@@ -88,8 +88,9 @@ def _show(cell: Cell, connection: Connection) -> None:
         except (EOFError, OSError):
             os._exit(0)  # viser takes seconds to stop, and nobody looks any more
         match shown:
-            case Moved():
-                scene.move(np.array(shown.q_rad), shown.nearest)
+            case Moved(batch=batch):
+                scene.move(np.array(batch.q_rad), batch.nearest)
+                plots.append(batch)
             case Zones():
                 scene.show_zones(shown.cell)
             case Planned():

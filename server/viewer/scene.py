@@ -1,4 +1,4 @@
-"""What viser shows of a cell: robot, payload box, obstacles, protected zones, start configurations, path, and what is nearest."""
+"""What viser shows of a cell: robot, payload box, obstacles, zones, starts, path, where the load would fly, what is nearest."""
 
 from __future__ import annotations
 
@@ -13,15 +13,17 @@ from viser import _messages as messages
 from core.cell import Box, Cell
 from core.report.faces import Faces, arm_parts, joint_poses, shape_faces
 from core.robot import RobotModel
-from server.run_schemas import NearestPart, RunPlan
+from server.run_schemas import NearestPart, RunPlan, ThrowPart
 
 Array = NDArray[np.float64]
 Colour = tuple[int, int, int]
 
-STEEL, LOAD, SOLID, ZONE, GHOST, PATH, NEAR = (
-    (120, 126, 132), (70, 110, 150), (168, 172, 176), (214, 164, 40), (150, 156, 162), (60, 90, 130), (190, 120, 20),
+STEEL, LOAD, SOLID, ZONE, GHOST, PATH, NEAR, THROW = (
+    (120, 126, 132), (70, 110, 150), (168, 172, 176), (214, 164, 40), (150, 156, 162), (60, 90, 130), (190, 120, 20), (176, 70, 40),
 )  # fmt: skip
 """Grey ground; colour for what is to be minded."""
+ARROW_S = 1.5
+"""Length of the arrow that shows where the load would fly, as time at its speed."""
 
 
 def open_server() -> viser.ViserServer:
@@ -69,7 +71,7 @@ class Scene:
         segments = np.concatenate([np.stack(pair) for way in ways for pair in pairwise(way)]).reshape(-1, 2, 3)
         self._server.scene.add_line_segments("/plan/path", segments, PATH, thickness=0.004)
         for throw in plan.throws:
-            self._label_throw(throw.axis, f"let go in {throw.axis}: {throw.distance_m:.2f} m from {throw.zone}", plan)
+            self._show_throw(throw)
 
     def move(self, q: Array, nearest: NearestPart | None) -> None:
         """The robot at q (n,), and the line of the smallest distance."""
@@ -81,10 +83,17 @@ class Scene:
                 text = f"{nearest.distance_m:.3f} m to {nearest.second}"
                 self._server.scene.add_label("/nearest/label", text, position=tuple(ends[0].mean(axis=0)))
 
-    def _label_throw(self, axis: str, text: str, plan: RunPlan) -> None:
-        """Words at the place where a rotation about this axis goes on."""
-        q = next(pose.q_rad for pose in plan.summary.poses if pose.axis == axis)
-        self._server.scene.add_label(f"/plan/throw/{axis[0]}", text, position=tuple(self._robot.sensor_pose(np.array(q)).position))
+    def _show_throw(self, throw: ThrowPart) -> None:
+        """An arrow from where the load would fly off to where it would be some seconds later without gravity, and words at its end."""
+        begin = np.array(throw.point_m)
+        end = begin + ARROW_S * np.array(throw.velocity_m_s)
+        name = f"/plan/throw/{throw.axis[0]}"
+        if throw.speed_m_s > 0.0:
+            self._server.scene.add_arrows(
+                f"{name}/arrow", np.array([[begin, end]]), THROW, shaft_radius=0.006, head_radius=0.016, head_length=0.04
+            )
+        text = f"let go in {throw.axis}: {throw.distance_m:.2f} m from {throw.zone}"
+        self._server.scene.add_label(f"{name}/label", text, position=tuple(end))
 
     def _arm(self, root: str, colour: Colour, opacity: float) -> list[viser.FrameHandle]:
         """Frames of the joints with the bodies in them; the frames are what moves."""

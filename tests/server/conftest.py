@@ -20,6 +20,7 @@ from server.service import Service
 from server.settings import Settings
 from tests.server.people import HASH, As, Clock
 from tests.server.postgresql import Cluster, cluster
+from tests.server.real_service import RealService, real_service
 
 
 @pytest.fixture
@@ -55,6 +56,13 @@ def checker() -> Iterator[CellChecker]:
     shared = CellChecker()
     yield shared
     shared.close()
+
+
+@pytest.fixture(scope="session")
+def real(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
+    """A service in a process of its own: one for all tests, as each starts an engine beside it."""
+    with real_service(tmp_path_factory.mktemp("real")) as running:
+        yield running
 
 
 @pytest.fixture

@@ -94,8 +94,8 @@ def _numbers(schema: Any, path: str = "") -> list[str]:
 
 
 UNITS = r"_(s|ms|m|kg|rad|hz|days|hours|bytes|m_s|n|nm|m_s2|rad_s|rad_s2|kg_m|kg_m2)$"
-BARE = {"value", "limit", "progress", "inertia_std"}
-"""Numbers whose unit another field tells, or that are fractions."""
+BARE = {"value", "std", "limit", "progress", "inertia_std", "size", "gap_before", "gap_after"}
+"""Numbers whose unit another field tells, or that are fractions or multiples."""
 
 
 def _of_the_service(model: type[BaseModel]) -> set[str]:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import io
 import json
+import re
 import signal
 import threading
+import zipfile
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
@@ -13,15 +16,14 @@ import numpy as np
 import pytest
 
 from core.cell import load_cell
-from core.recording_folder import read_recording
+from core.recording_folder import read_recording, recording_sha256
 from core.robot import RobotModel
-from tests.server.real_service import ROOT, Console, RealService, real_service, wait_for
+from tests.server.real_service import ROOT, Console, RealService, wait_for
 
 
 @pytest.fixture(scope="module")
-def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
-    with real_service(tmp_path_factory.mktemp("service")) as running:
-        yield running
+def service(real: RealService) -> RealService:
+    return real
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +47,7 @@ def watch(console: Console, run: str, messages: list[dict]) -> None:
         messages.extend(json.loads(text) for text in live)
 
 
-def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_carries(service, console):
+def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_carries(service, console, tmp_path: Path):
     run = console.queue()
     assert console.run(run)["job_state"] == "NotAllowedToStart"
     console.wait(run, "Idle")
@@ -81,9 +83,35 @@ def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_ca
         "Resetting", "Idle", "Starting", "Execute", "Holding", "Held", "Unholding", "Execute", "Completing", "Complete",
     ]  # fmt: skip
     assert recorded(service, run) > 20_000
+    check_downloads(console, run, tmp_path)
+    check_figures(console)
 
 
-def test_a_release_is_void_when_it_is_not_for_the_plan_that_waits_or_nobody_is_in_control(console):
+def check_downloads(console: Console, run: str, folder: Path) -> None:
+    """The recording as a zip that the engine reads, the report as a page that may do nothing."""
+    sent = console.http.get(f"/api/runs/{run}/recording")
+    assert sent.headers["content-type"] == "application/zip"
+    with zipfile.ZipFile(io.BytesIO(sent.content)) as archive:
+        archive.extractall(folder)
+    [unpacked] = folder.iterdir()
+    kept = console.service.data / "recordings" / run / "recording"
+    assert recording_sha256(unpacked) == recording_sha256(kept)
+    page = console.http.get(f"/api/runs/{run}/report")
+    assert page.headers["content-type"].startswith("text/html")
+    assert "sandbox" in page.headers["content-security-policy"]
+    assert "Steel block" in page.text or "steel block" in page.text
+
+
+def check_figures(console: Console) -> None:
+    """What Prometheus reads of the one run so far."""
+    text = console.http.get("/metrics").text
+    assert 'heft_run_states_total{state="Held"} 1.0' in text
+    assert 'heft_runs_ended_total{job_state="Ended"} 1.0' in text
+    assert 'heft_run_motion_seconds_count{job_state="Ended"} 1.0' in text
+    assert 'heft_guard_stops_total{error="Held"} 1.0' in text
+
+
+def test_a_release_is_void_when_it_is_not_for_the_plan_that_waits_and_a_stop_ends_what_was_released(console):
     run = console.queue(seed=1)
     console.wait(run, "Idle")
     other = console.release(run, plan_sha256="0" * 64)
@@ -95,8 +123,18 @@ def test_a_release_is_void_when_it_is_not_for_the_plan_that_waits_or_nobody_is_i
     assert console.release(run, sent={**sent, "stamp_s": sent["stamp_s"] + 60}).status_code == 409
     assert console.release(run, sent={**sent, "fence": sent["fence"] - 1}).status_code == 409
     assert console.run(run)["state"] == "Idle"
-    assert console.http.delete(f"/api/runs/{run}").status_code == 200
-    assert console.wait(run, "Stopped")["job_state"] == "Ended"
+    check_a_stop_ends_the_motion(console, run)
+
+
+def check_a_stop_ends_the_motion(console: Console, run: str) -> None:
+    """Once it is released; its samples are kept."""
+    assert console.release(run).status_code == 200
+    console.wait(run, "Execute")
+    assert console.http.post(f"/api/runs/{run}/commands", json={"command": "stop"}).status_code == 200
+    stopped = console.wait(run, "Stopped")
+    assert stopped["job_state"] == "Ended"
+    assert "asked for by account:operator" in stopped["reason"]
+    assert recorded(console.service, run) > 0
 
 
 def test_the_robot_stops_when_the_console_goes_silent_and_only_a_clear_frees_the_cell(service, console):
@@ -112,24 +150,15 @@ def test_the_robot_stops_when_the_console_goes_silent_and_only_a_clear_frees_the
     assert lost["commands"] == ["clear"]
     assert recorded(service, run) > 0
     following = console.queue(seed=2)
+    begun = service.data / "recordings" / following
     assert console.run(following)["state"] == "Resetting"
+    assert not begun.exists()
     console.take_control()
     wait_for(lambda: console.command(run, "clear").status_code == 200, "the control process to end")
     assert console.run(run)["job_state"] == "Aborted"
-    console.wait(following, "Idle")
+    wait_for(begun.exists, "the following run to begin")
     assert console.command(following, "stop").status_code == 200
     console.wait(following, "Stopped")
-
-
-def test_a_stop_ends_the_motion_and_keeps_its_samples(service, console):
-    run = console.queue(seed=3)
-    console.wait(run, "Idle")
-    assert console.release(run).status_code == 200
-    console.wait(run, "Execute")
-    assert console.http.post(f"/api/runs/{run}/commands", json={"command": "stop"}).status_code == 200
-    stopped = console.wait(run, "Stopped")
-    assert "asked for by account:operator" in stopped["reason"]
-    assert recorded(service, run) > 0
 
 
 def test_a_zone_that_moves_into_the_way_stops_the_robot_and_the_rest_is_planned_anew_around_it(service, console):
@@ -159,6 +188,9 @@ def test_a_zone_that_moves_into_the_way_stops_the_robot_and_the_rest_is_planned_
     assert console.command(run, "abort").status_code == 200
     console.wait(run, "Aborted")
     wait_for(lambda: console.command(run, "clear").status_code == 200, "the control process to end")
+    figures = console.http.get("/metrics").text
+    assert re.search(r'heft_guard_stops_total\{error="TooClose"\} [1-9]', figures)
+    assert re.search(r"heft_control_ticks_total [1-9]", figures)
 
 
 def test_signing_out_ends_the_control_that_was_taken_before(service):
@@ -183,26 +215,38 @@ def test_one_key_makes_one_run_however_often_it_is_sent(console):
     assert console.http.delete(f"/api/runs/{runs.pop()}").status_code == 200
 
 
-@pytest.mark.parametrize("blow", [signal.SIGKILL, signal.SIGSTOP])
-def test_a_server_that_dies_or_freezes_leaves_a_robot_that_stands_and_a_run_that_is_aborted(tmp_path: Path, blow: signal.Signals):
-    with real_service(tmp_path) as service:
-        console = Console(service)
-        console.take_control()
-        run = console.queue(seed=4)
-        console.wait(run, "Idle")
-        assert console.release(run).status_code == 200
-        console.wait(run, "Execute")
-        service.send(blow)
-        recording = service.data / "recordings" / run / "recording"
-        wait_for(recording.is_dir, "the recording of the stopped run")
-        service.kill()
-        console.leave()
-        service.start()
-        console = Console(service)
-        found = console.run(run)
-        assert found["state"] == "Aborted"
-        assert "the service ended" in found["reason"]
-        assert recorded(service, run) > 0
-        still = read_recording(recording).q_cmd[-20:]
-        assert np.abs(np.diff(still[-2:], axis=0)).max() == 0.0
-        console.leave()
+def test_a_server_that_freezes_finds_a_robot_that_stands_when_it_goes_on(service, console):
+    run = console.queue(seed=4)
+    console.wait(run, "Idle")
+    assert console.release(run).status_code == 200
+    console.wait(run, "Execute")
+    service.send(signal.SIGSTOP)
+    wait_for((service.data / "recordings" / run / "recording").is_dir, "the recording of the stopped run")
+    service.send(signal.SIGCONT)
+    assert "nobody has been in control" in console.wait(run, "Aborted")["reason"]
+    check_standing(service, run)
+    console.take_control()
+    wait_for(lambda: console.command(run, "clear").status_code == 200, "the control process to end")
+
+
+def test_a_server_that_dies_leaves_a_robot_that_stands_and_a_run_that_is_aborted(service, console):
+    console.take_control()
+    run = console.queue(seed=4)
+    console.wait(run, "Idle")
+    assert console.release(run).status_code == 200
+    console.wait(run, "Execute")
+    service.kill()
+    wait_for((service.data / "recordings" / run / "recording").is_dir, "the recording of the stopped run")
+    service.start()
+    found = console.run(run)
+    assert found["state"] == "Aborted"
+    assert "the service ended" in found["reason"]
+    check_standing(service, run)
+    console.take_control()
+    wait_for(lambda: console.command(run, "clear").status_code == 200, "the control process to end")
+
+
+def check_standing(service: RealService, run: str) -> None:
+    """The robot was told the same place in the end."""
+    still = read_recording(service.data / "recordings" / run / "recording").q_cmd[-20:]
+    assert np.abs(np.diff(still[-2:], axis=0)).max() == 0.0

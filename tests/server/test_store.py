@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
-from sqlalchemy import text
+from sqlalchemy import create_engine, text
 
+from server import job_kinds, jobs
 from server.accounts import Account, add_account
+from server.migration import upgrade
 from server.roles import Role
 from server.service import utc_now
-from server.store import Store
+from server.store import MIGRATIONS, Store, up_to_date
 from server.tables import Table
 from tests.server.people import BOTH_STORES
 from tests.server.postgresql import Cluster
@@ -101,3 +104,23 @@ def test_sqlite_waits_for_the_disk(store: Store) -> None:
     with store.read() as db:
         asked = ("journal_mode", "synchronous", "foreign_keys", "busy_timeout")
         assert [db.scalar(text(f"PRAGMA {name}")) for name in asked] == ["wal", 2, 1, 5000]
+
+
+def test_diagnoses_of_an_older_version_are_jobs_now_and_the_newest_version_is_known_without_alembic(tmp_path: Path) -> None:
+    url = f"sqlite:///{tmp_path / 'older.sqlite'}"
+    engine = create_engine(url)
+    with engine.begin() as connection:
+        upgrade(connection, MIGRATIONS, "0002")
+        assert not up_to_date(connection)
+        values = "'1', '/data/r', 'run-1', 'done', '{}', NULL, 'account:anna', '2026-03-01 00:00:00.000000', NULL"
+        connection.execute(text(f"INSERT INTO diagnoses VALUES ({values})"))
+    store = Store(url)
+    store.migrate()
+    with store.read() as db:
+        row = jobs.load(db, job_kinds.DIAGNOSIS, "1")
+        assert (row.about, row.state, row.requested_at) == ("run-1", "done", datetime(2026, 3, 1, tzinfo=UTC))
+        assert job_kinds.DiagnosisOrder.model_validate_json(row.order).recording == Path("/data/r")
+    store.close()
+    with engine.begin() as connection:
+        assert up_to_date(connection)
+    engine.dispose()

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import inspect
 import socket
-from collections.abc import Iterator
 from pathlib import Path
 
 import httpx2 as httpx
@@ -17,20 +16,17 @@ from websockets.sync.client import connect
 
 from core.cell import load_cell
 from core.report.faces import box_faces
+from server.run_schemas import LiveBatch
 from server.viewer import scene
+from server.viewer.plots import SHOWN_S, Plots
 from server.viewer.scene import Scene, open_server, triangles_of
-from tests.server.real_service import ROOT, Console, RealService, real_service
+from tests.server.real_service import ROOT, Console, RealService
 
 VISER = "viser-v1.1.1"
 
 
-@pytest.fixture(scope="module")
-def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
-    with real_service(tmp_path_factory.mktemp("viewer")) as running:
-        yield running
-
-
-def test_the_viewer_comes_through_the_service_for_who_is_signed_in_and_nobody_else(service):
+def test_the_viewer_comes_through_the_service_for_who_is_signed_in_and_nobody_else(real: RealService):
+    service = real
     console = Console(service)
     page = console.http.get("/viewer/lwr4_bench/", timeout=60)
     assert page.status_code == 200
@@ -82,3 +78,29 @@ def test_the_triangles_of_a_box_enclose_its_volume():
     corners, triangles = triangles_of(box_faces(np.array([0.1, 0.2, 0.3])))
     a, b, c = (corners[triangles[:, k]] for k in range(3))
     assert np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 == pytest.approx(0.1 * 0.2 * 0.3)
+
+
+def batch_at(t_s: float, **known: object) -> LiveBatch:
+    unknown = {"reconstructed": None, "phi": [None] * 10, "phi_std": [None] * 10, "nearest": None, "eta_s": None}
+    wrench = [[0.0] * 6, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]]
+    return LiveBatch(**{"phase": "rotate:x", "t_s": [t_s - 0.001, t_s], "wrench": wrench, "q_rad": [], "progress": 0.5, **unknown, **known})
+
+
+def test_the_plots_show_the_last_seconds_measured_and_fitted_and_begin_anew_with_a_new_run():
+    server = open_server()
+    try:
+        plots = Plots(server)
+        for k in range(300):
+            plots.append(batch_at(0.05 * k))
+        assert np.isnan(plots._force.data[4:]).all()
+        plots.append(batch_at(20.0, reconstructed=[1.5, 2.5, 3.5, 4.5, 5.5, 6.5], phi=[2.0] + [None] * 9, phi_std=[0.01] + [None] * 9))
+        t, *force = plots._force.data
+        assert 0.0 < t[-1] - t[0] <= SHOWN_S
+        assert len(t) == len(force[0])
+        assert [row[-1] for row in force] == [1.0, 2.0, 3.0, 1.5, 2.5, 3.5]
+        assert [row[-1] for row in plots._torque.data[1:]] == [4.0, 5.0, 6.0, 4.5, 5.5, 6.5]
+        assert "2.000 ± 0.010 kg" in plots._mass.content
+        plots.append(batch_at(0.2))
+        assert list(plots._force.data[0]) == [0.2]
+    finally:
+        server.stop()

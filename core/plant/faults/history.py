@@ -17,7 +17,7 @@ class History:
 
     def __init__(self, longest_s: float, period: float) -> None:
         self._period = period
-        self._last: deque[Array] = deque(maxlen=int(longest_s / period) + 2)
+        self._last: deque[Array] = deque(maxlen=int(longest_s / period) + 3)
 
     def push(self, value: Array) -> None:
         """Takes the newest sample."""

@@ -41,6 +41,27 @@ def test_a_late_session_catches_up_instead_of_sleeping():
     assert wall.slept == [pytest.approx(0.0005)]
 
 
+def test_late_samples_are_counted_with_the_latest_of_them():
+    wall = WallClock()
+    pace = RealTime(clock=wall.time, sleep=wall.sleep)
+    for k, held_up in enumerate([0.0, 0.0, 0.02, 0.0, 0.0]):
+        wall.now += held_up
+        pace.wait_until(0.01 * k)
+    assert (pace.ticks, pace.late) == (5, 1)
+    assert pace.latest_s == pytest.approx(0.01)
+
+
+def test_a_pause_is_neither_late_nor_made_up_for():
+    wall = WallClock()
+    pace = RealTime(clock=wall.time, sleep=wall.sleep)
+    pace.wait_until(0.0)
+    wall.now += 30.0
+    pace.wait_until(0.001)
+    pace.wait_until(0.002)
+    assert wall.slept == [pytest.approx(0.001)]
+    assert pace.late == 0
+
+
 def test_real_time_starts_with_the_first_sample_whatever_its_clock_says():
     wall = WallClock()
     pace = RealTime(clock=wall.time, sleep=wall.sleep)

@@ -13,7 +13,8 @@ from core.collision import CollisionModel
 from core.plan import Plan, plan_procedure
 from core.robot import RobotModel
 from core.shapes import Pose
-from server.runner.shown_plan import plan_digest, release_sha256, shown
+from server.runner.release_hash import release_sha256
+from server.runner.shown_plan import plan_digest, shown
 
 ROOT = Path(__file__).parents[3]
 
@@ -71,3 +72,16 @@ def test_what_is_shown_begins_and_ends_where_the_robot_does(cell, plan):
         np.testing.assert_allclose(path.q_rad[-1], transfer.trajectory.q[-1], atol=1e-5)
     assert answer.safety_rated is False
     assert {throw.zone for throw in answer.throws} <= {zone.name for zone in cell.zones}
+
+
+def test_the_load_flies_off_square_to_axis_and_arm_at_the_speed_that_planning_found(cell, plan):
+    held, throw = shown(cell, cell.payload_box, plan).throws
+    leg = plan.legs[1]
+    sensor = RobotModel.of_cell(cell).sensor_pose(leg.start.q)
+    arm, velocity, axis = np.array(throw.point_m) - sensor.position, np.array(throw.velocity_m_s), sensor.rotation[:, 0]
+    assert (held.axis, held.speed_m_s, held.velocity_m_s) == ("x-", 0.0, [0.0, 0.0, 0.0])
+    assert throw.axis == "x+"
+    assert np.linalg.norm(velocity) == pytest.approx(leg.start.throw.speed_m_s, abs=1e-4)
+    assert abs(velocity @ axis) < 1e-4
+    assert abs(velocity @ arm) < 1e-4
+    assert np.abs(np.linalg.norm(arm) - np.linalg.norm(cell.payload_box.corners, axis=1)).min() < 1e-3
