@@ -54,12 +54,13 @@ class PayloadLoose(Effect):
         return np.asarray(w + np.hstack([f, cross(r, f) + tau]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """Where the residual's spectrum has peaks, and over the plausible range."""
+        """Sprung or hanging where the residual's spectrum has peaks, and sprung over the plausible range."""
         upper = self.parameters(scene)[0].upper
-        grid = [f for f in (1.0, 2.0, 4.0) if f < upper]
         peaks = spectral_peaks(residual, scene.period, 0.8, upper, 2)
-        rest = [0.05, *([0.05] * 7), *([0.0] * 9)]
-        return [np.array([f, *rest]) for f in (*peaks, *grid)]
+        grid = [f for f in (1.0, 2.0, 4.0) if f < upper]
+        kinds = {"sprung": 0.05 * np.array([1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0]), "hanging": 0.05 * np.eye(7)[6]}
+        tried = [*((f, kind) for f in peaks for kind in kinds), *((f, "sprung") for f in grid)]
+        return [np.array([f, 0.05, *kinds[kind], *[0.0] * 9]) for f, kind in tried]
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """See `Effect.advice`."""
