@@ -1,10 +1,18 @@
-# Two stages: the same steps as `make run`, then only what runs. Not root; recordings go to the volume.
+# Three stages: the console and the service by the same steps as `make run`, then only what runs. Not root; recordings go to the volume.
+FROM node:22-slim AS console
+WORKDIR /web
+COPY web/package.json web/package-lock.json web/.npmrc ./
+RUN npm ci
+COPY web ./
+RUN npm run build
+
 FROM python:3.11-slim AS build
 WORKDIR /heft
 COPY requirements.txt pyproject.toml README.md ./
 COPY core core
 COPY cells cells
 COPY server server
+COPY --from=console /web/dist server/console
 RUN python -m venv .venv \
     && .venv/bin/python -m pip install --no-cache-dir -r requirements.txt \
     && .venv/bin/python -m pip install --no-cache-dir --no-deps .

@@ -3,25 +3,56 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: run test check bench clean
+# The console is built with Node; the service runs without it.
+NODE_NEEDED := 20.19
+NODE_FITS := $(shell node -e 'const [a, b] = process.versions.node.split(".").map(Number); console.log(a > 20 || (a === 20 && b >= 19))' 2>/dev/null)
+CONSOLE := web/dist/index.html
+CONSOLE_SOURCES := $(shell find web/src -type f) web/index.html web/vite.config.ts web/tsconfig.json
 
-run: $(VENV)/.run
+.PHONY: run test check check-console bench wheel clean
+
+run: $(VENV)/.run $(if $(filter true,$(NODE_FITS)),$(CONSOLE),without-console)
 	$(BIN)/heft serve
 
-test: check
-	$(BIN)/python -m pytest -n 2
+test: check $(CONSOLE)
+	$(BIN)/python -m pytest -n 2 --ignore=tests/web
+	$(BIN)/python -m pytest tests/web  # alone: a browser in control has 220 ms to answer
 
 check: $(VENV)/.dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(MAKE) --no-print-directory check-console
+
+check-console: web/node_modules/.ready $(VENV)/.run
+	$(BIN)/heft openapi web/openapi.json
+	cd web && npm run --silent types -- --check && npm run --silent check
+
+wheel: $(VENV)/.run $(CONSOLE)
+	rm -rf server/console && cp -r web/dist server/console
+	$(BIN)/python -m pip wheel --quiet --no-deps --wheel-dir dist . ; rm -rf server/console
 
 bench: $(VENV)/.dev
 	$(BIN)/python -m bench
 
 clean:
-	rm -rf $(VENV)
+	rm -rf $(VENV) web/node_modules web/dist
+
+.PHONY: without-console node
+
+without-console:
+	@echo "The operator console is not built: that needs Node $(NODE_NEEDED) or later (nodejs.org). The service starts without it."
+
+node:
+	@[ "$(NODE_FITS)" = true ] || { echo "The operator console needs Node $(NODE_NEEDED) or later to be built and checked; found $$(node --version 2>/dev/null || echo none). Install it from nodejs.org."; exit 2; }
+
+web/node_modules/.ready: web/package-lock.json web/package.json | node
+	cd web && npm ci --loglevel=error
+	@touch $@
+
+$(CONSOLE): $(CONSOLE_SOURCES) web/node_modules/.ready
+	cd web && npm run --silent build
 
 $(VENV)/bin/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \

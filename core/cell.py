@@ -74,6 +74,8 @@ class Sensor(Model):
     noise_std: SixPositive
     range: SixPositive
     resolution: SixPositive
+    mount: Pose | None = None
+    """The sensor frame in the flange from which the robot's controller counts; None where nobody has said."""
 
 
 class Limits(Model):
@@ -132,6 +134,11 @@ class Cell(Model):
     def gravity(self) -> Array:
         """(3,), world frame, m/s2."""
         return np.array(self.gravity_m_s2)
+
+    @property
+    def gravity_in_base(self) -> Array:
+        """(3,), base frame, m/s2."""
+        return np.asarray(self.robot.base.rotation.T @ self.gravity)
 
     @cached_property
     def urdf(self) -> str:

@@ -28,7 +28,7 @@ class Chain(NamedTuple):
 
 
 @njit(cache=True)
-def _joint_frames(placements: Array, axes: Array, q: Array, R: Array, p: Array) -> None:
+def joint_frames(placements: Array, axes: Array, q: Array, R: Array, p: Array) -> None:
     """Fills R (n+1, 3, 3) and p (n+1, 3) with the joints' frames after their rotation, and the sensor's, in the world."""
     n = len(q)
     Rc = np.eye(3)
@@ -65,7 +65,7 @@ def _forward(placements: Array, axes: Array, q: Array) -> Array:
     n = len(q)
     R = np.empty((n + 1, 3, 3))
     p = np.empty((n + 1, 3))
-    _joint_frames(placements, axes, q, R, p)
+    joint_frames(placements, axes, q, R, p)
     T = np.zeros((4, 4))
     T[:3, :3] = R[n]
     T[:3, 3] = p[n]
@@ -86,7 +86,7 @@ def _jacobian(placements: Array, axes: Array, q: Array) -> Array:
     n = len(q)
     R = np.empty((n + 1, 3, 3))
     p = np.empty((n + 1, 3))
-    _joint_frames(placements, axes, q, R, p)
+    joint_frames(placements, axes, q, R, p)
     J = np.empty((6, n))
     w = np.empty(3)
     v = np.empty(3)

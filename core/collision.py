@@ -94,6 +94,11 @@ class CollisionModel:
         """The pairs that are watched: against obstacles and zones, and between links."""
         return self._environment.active, self._self.active
 
+    @property
+    def watched(self) -> NDArray[np.bool_]:
+        """Which pairs are watched: `move` may change it."""
+        return np.concatenate((self._environment.watched, self._self.watched))
+
     def nearest(self, q: Array) -> Nearest:
         """The pair with the smallest margin at q (n,)."""
         return min(self._environment.nearest(q), self._self.nearest(q), key=lambda pair: pair.margin_m)
@@ -101,6 +106,13 @@ class CollisionModel:
     def margin(self, q: Array) -> float:
         """Smallest distance minus required distance over all pairs at q (n,), m; negative if q is not finite."""
         return min(self._environment.margin(q), self._self.margin(q))
+
+    def margins(self, q: Array) -> Array:
+        """Distance minus required distance at q (n,) of every pair, obstacles and zones first, m; infinite where it is not watched.
+
+        `margins(q)[watched]` are those of `pairs`, in their order.
+        """
+        return np.concatenate((self._environment.margins(q), self._self.margins(q)))
 
     def is_free(self, q: Array, extra_m: float = 0.0) -> bool:
         """Whether every margin at q (n,) exceeds `extra_m`; cheaper than `margin`."""
@@ -134,7 +146,7 @@ class CollisionModel:
         """
         names = [item.name for item in _standing(self.cell)]
         if name not in names:
-            raise BadCell(f"{self.cell.folder}/cell.toml: obstacles and zones", repr(name), f"one of {names}")
+            raise BadCell(f"{self.cell.folder.name}/cell.toml: obstacles and zones", repr(name), f"one of {names}")
         self._environment.move(name, pin.SE3(pose.rotation, pose.translation))
         self._choose_pairs(name)
 
@@ -158,7 +170,8 @@ class _Pairs:
         for pair in bodies:
             self._geometry.addCollisionPair(pin.CollisionPair(*[self._add(body) for body in pair]))
         self._results = self._geometry.createData()
-        self._any = bool(bodies)
+        self.watched = np.ones(len(bodies), dtype=bool)
+        """(n_pairs,), which of `bodies` are taken into the computation."""
         self._extra_m = -inf
 
     def _add(self, body: Body) -> int:
@@ -173,12 +186,19 @@ class _Pairs:
         return int(pin.computeDistances(self._model, self._data, self._geometry, self._results, q))
 
     def margin(self, q: Array) -> float:
-        if not self._any:
+        if not self.watched.any():
             return inf
         return float(self._results.distanceResults[self._nearest_pair(q)].min_distance) - self.required_m
 
+    def margins(self, q: Array) -> Array:
+        """Of all `bodies`, infinite where a pair is left out."""
+        if self.watched.any():
+            pin.computeDistances(self._model, self._data, self._geometry, self._results, q)
+        distances = np.array([result.min_distance for result in self._results.distanceResults])
+        return np.where(self.watched, distances - self.required_m, inf)
+
     def nearest(self, q: Array) -> Nearest:
-        if not self._any:
+        if not self.watched.any():
             return Nearest(inf, self.required_m, "robot", "nothing", np.full(3, np.nan), np.full(3, np.nan))
         k = self._nearest_pair(q)
         result = self._results.distanceResults[k]
@@ -187,7 +207,7 @@ class _Pairs:
         return Nearest(float(result.min_distance), self.required_m, first.name, second.name, *points)
 
     def is_free(self, q: Array, extra_m: float) -> bool:
-        if not self._any:
+        if not self.watched.any():
             return True
         if extra_m != self._extra_m:
             for request in self._results.collisionRequests:
@@ -198,12 +218,12 @@ class _Pairs:
     def use(self, k: int, wanted: bool) -> None:
         """Takes pair k into the computation or leaves it out."""
         (self._results.activateCollisionPair if wanted else self._results.deactivateCollisionPair)(k)
-        self._any = any(self._results.activeCollisionPairs)
+        self.watched[k] = wanted
 
     @property
     def active(self) -> list[tuple[Body, Body]]:
         """The pairs that are taken into the computation."""
-        return [pair for pair, active in zip(self.bodies, self._results.activeCollisionPairs, strict=True) if active]
+        return [pair for pair, watched in zip(self.bodies, self.watched, strict=True) if watched]
 
     def _object(self, name: str) -> Any:
         """Geometry object of a fixed body."""
@@ -273,9 +293,10 @@ def _check_base(cell: Cell, bodies: list[Body], things: list[Body]) -> None:
             distance = _distance(base.geometry, base.placement, thing.geometry, thing.placement)
             if distance < -BASE_IN_OBSTACLE:
                 raise BadCell(
-                    f"{cell.folder}/cell.toml: {thing.name}",
+                    f"{cell.folder.name}/cell.toml: {thing.name}",
                     f"{base.name!r} of the robot {-distance:.3f} m inside it",
                     f"the robot's base outside (at most {BASE_IN_OBSTACLE} m sunk into what it is mounted on)",
+                    thing.name,
                 )
 
 
@@ -283,7 +304,8 @@ def _check_home(cell: Cell, collision: CollisionModel) -> None:
     nearest = collision.nearest(np.array(cell.robot.home_rad))
     if nearest.margin_m < 0.0:
         raise BadCell(
-            f"{cell.folder}/cell.toml: robot.home_rad",
+            f"{cell.folder.name}/cell.toml: robot.home_rad",
             f"{nearest.first!r} {nearest.distance_m:.3f} m from {nearest.second!r}",
             f"at least {nearest.required_m:.3f} m at home",
+            nearest.second,
         )

@@ -21,6 +21,7 @@ from core.errors import BadInput, BadPayload
 from core.estimation.identification import identify_recording
 from core.experiment.command import check_target, plan_next, read_request
 from core.experiment.run import measure_more
+from core.export.command import export
 from core.gap.diagnosis import examine
 from core.plan import plan_procedure, plan_summary
 from core.procedure import identify
@@ -32,7 +33,7 @@ from core.result import Result, SecondsPart, result_of
 from core.robot import RobotModel
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
-from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table, reason_lines
+from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table, reason_lines, verification_lines
 from core.terminal import HELP, answers, enter, messages
 from core.trial.command import trial
 from core.twin import NOMINAL
@@ -155,6 +156,7 @@ def diagnose_command(
 
 
 app.command()(trial)
+app.command()(export)
 app.add_typer(twin_commands.app, name="twin")
 
 
@@ -213,6 +215,8 @@ def _answer(result: Result, json: str | None) -> None:
         answers.print(line, highlight=False)
     if result.accounted:
         answers.print(f"Accounted for, as the cell's twin has it: {', '.join(result.accounted)}", highlight=False)
+    for line in verification_lines(result):
+        answers.print(line, highlight=False)
     for warning in result.warnings:
         answers.print(f"Warning: {warning}", highlight=False)
     answers.print(result.verdict, highlight=False)

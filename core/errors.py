@@ -34,6 +34,8 @@ class HeftError(Exception):
     """Root of all errors that a user can meet; `str(error)` is one sentence meant for them."""
 
     exit_code: ClassVar[int] = 1
+    in_the_way: str | None = None
+    """Name of the obstacle, zone or link that is in the way, where that is what it is about."""
 
 
 class BadInput(HeftError):
@@ -55,7 +57,15 @@ class BadInput(HeftError):
 
 
 class BadCell(BadInput):
-    """A cell.toml that is malformed or contradicts itself."""
+    """A cell.toml that is malformed or contradicts itself.
+
+    Args:
+        in_the_way: name of what stands where the robot is.
+    """
+
+    def __init__(self, where: str, found: str, expected: str, in_the_way: str | None = None) -> None:
+        super().__init__(where, found, expected)
+        self.in_the_way = in_the_way
 
 
 class BadRobot(BadInput):
@@ -104,7 +114,15 @@ class NoStartConfiguration(Refused):
 
 
 class NoPath(Refused):
-    """No collision-free path was found between two configurations, or none that keeps the limits."""
+    """No collision-free path was found between two configurations, or none that keeps the limits.
+
+    Args:
+        in_the_way: name of the obstacle, zone or link that was nearest, where distances were what kept it from being found.
+    """
+
+    def __init__(self, message: str, in_the_way: str | None = None) -> None:
+        super().__init__(message)
+        self.in_the_way = in_the_way
 
 
 class Stopped(HeftError):
@@ -145,7 +163,9 @@ class OverLoad(Stopped):
 
 
 class BadState(Stopped):
-    """The robot state is stale, not finite, or does not follow the command."""
+    """The robot's state or its wrench is stale or not finite, or does not follow the command: nobody may move on what is not seen."""
+
+    may_go_on = False
 
 
 class Held(Stopped):

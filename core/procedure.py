@@ -23,8 +23,9 @@ from core.errors import Held, Interrupted, Refused, Stopped
 from core.estimation.identification import identify_recording
 from core.estimation.online import OnlineEstimator
 from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped
+from core.motion_sequence import MotionSequence, PlanRequest, Procedure
 from core.outcome import Outcome
-from core.plan import POSES, Leg, Plan, plan_procedure
+from core.plan import Leg, Plan
 from core.plan_settings import Planner, Timing
 from core.recording import Recording
 from core.recording_folder import write_recording
@@ -75,7 +76,7 @@ def identify(
         Stopped: the guard stopped the robot more often than may be; the recording is written.
         Interrupted: Ctrl-C; the robot is stopped and the recording written.
     """
-    run = Run(cell, session, payload_box, timing or Timing(), mass_guess_kg, planner, seed)
+    run = Run(cell, session, payload_box, Procedure(timing or Timing(), mass_guess_kg), planner, seed)
     run.twin = twin
     plan = yield from run.planned(np.array(cell.robot.home_rad))
     return (yield from carried_out(run, plan, payload, reference, out))
@@ -95,26 +96,26 @@ def carry_out(
     twin: Twin = NOMINAL,
 ) -> Generator[Event, None, Outcome]:
     """The second half of `identify`, for a plan that starts where the robot stands. Arguments and errors as there."""
-    run = Run(cell, session, payload_box, plan.timing, mass_guess_kg, "rrt_connect", seed)
+    run = Run(cell, session, payload_box, Procedure(plan.timing, mass_guess_kg), "rrt_connect", seed)
     run.plan_s, run.twin = plan.plan_s, twin
     return (yield from carried_out(run, plan, payload, reference, out))
 
 
 def carried_out(run: Run, plan: Plan, payload: str | None, reference: Payload | None, out: Path | None) -> Generator[Event, None, Outcome]:
     """Moves, closes the recording whatever ended the motion, and estimates."""
-    log = SampleLog(run.cell, run.robot, payload=payload, reference=reference)
+    log = SampleLog(run.cell, run.robot, payload=payload, reference=reference, before=run.before)
     try:
         with run.session:
             plan = yield from run.moved(plan, log)
     except (Stopped, Refused):
-        yield from _written(run, log, out)
+        yield from _written(log, out)
         raise
     except KeyboardInterrupt:
-        yield from _written(run, log, out)
+        yield from _written(log, out)
         where = "" if out is None else f" and the recording so far closed in {out}"
         raise Interrupted(f"interrupted after {log.seconds:.1f} s of motion; the robot was stopped{where}.") from None
-    yield from _written(run, log, out)
-    recording = run.recording(log)
+    yield from _written(log, out)
+    recording = log.recording()
     began = time.perf_counter()
     identification = identify_recording(recording, run.twin)
     estimate_s = time.perf_counter() - began
@@ -135,28 +136,26 @@ def carried_out(run: Run, plan: Plan, payload: str | None, reference: Payload | 
     )
 
 
-def _written(run: Run, log: SampleLog, out: Path | None) -> Generator[Event, None, None]:
+def _written(log: SampleLog, out: Path | None) -> Generator[Event, None, None]:
     """The recording on disk, if it is wanted and there is anything to write."""
     if out is None or not len(log):
         return
-    recording = run.recording(log)
+    recording = log.recording()
     write_recording(recording, out)
     yield RecordingWritten(folder=str(out), samples=len(recording))
 
 
 class Run:
-    """One robot in one cell: plans, moves, and plans anew after a stop."""
+    """One robot in one cell: plans a sequence of motions, moves, and plans the rest anew after a stop."""
 
-    steps: int = len(POSES)
-    """How many legs there are to do."""
     twin: Twin = NOMINAL
     """What the estimate accounts for."""
+    before: Recording | None = None
+    """What the samples are appended to; of this robot as it stands here (`recording.check_same_robot`)."""
 
-    def __init__(
-        self, cell: Cell, session: RobotSession, payload_box: Box, timing: Timing, mass_guess_kg: float, planner: Planner, seed: int
-    ) -> None:
+    def __init__(self, cell: Cell, session: RobotSession, payload_box: Box, sequence: MotionSequence, planner: Planner, seed: int) -> None:
         self.cell, self.session, self.payload_box = cell, session, payload_box
-        self.timing, self.mass_guess_kg, self.planner, self.seed = timing, mass_guess_kg, planner, seed
+        self.sequence, self.planner, self.seed = sequence, planner, seed
         self.robot = RobotModel.of_cell(cell)
         self.collision = CollisionModel(cell, self.robot, payload_box)
         self.guard = Guard(cell, self.robot, self.collision, period=session.period)
@@ -170,25 +169,14 @@ class Run:
 
         Another seed after each stop gives other start configurations.
         """
-        plan = yield from plan_procedure(
-            self.cell,
-            self.robot,
-            self.collision,
-            self.payload_box,
-            start=start,
-            poses=POSES[done:],
-            period=self.session.period,
-            timing=self.timing,
-            mass_guess_kg=self.mass_guess_kg,
-            planner=self.planner,
-            seed=self.seed + self.restarts,
-        )
+        plan = yield from self.sequence.planned(self.plan_request(start, done), self.robot, self.collision)
         self.plan_s += plan.plan_s
         return plan
 
-    def recording(self, log: SampleLog) -> Recording:
-        """What is written and estimated from."""
-        return log.recording()
+    def plan_request(self, start: Array, done: int) -> PlanRequest:
+        """What `planned` plans, for whoever does it."""
+        seed = self.seed + self.restarts
+        return PlanRequest(self.cell, self.payload_box, start, done, self.session.period, self.planner, seed)
 
     def moved(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
         """Carries the plan out; after a stop by the guard the rest of it from new start configurations, as the paper says.
@@ -201,7 +189,7 @@ class Run:
                 for leg in plan.legs:
                     yield from self.leg(leg, log, plan, step=done + 1)
                     done += 1
-                yield from self.phase("transfer", "home", Playback(plan.home.trajectory), log, plan, step=self.steps + 1)
+                yield from self.phase("transfer", "home", Playback(plan.home.trajectory), log, plan, step=self.sequence.steps + 1)
             except Stopped as error:
                 final = self.restarts >= MAX_RESTARTS or not error.may_go_on
                 here = self._braked(log)
@@ -216,13 +204,13 @@ class Run:
 
     def _braked(self, log: SampleLog) -> Array:
         """Records the braking until the command stands still, and returns it."""
-        before = self.session.state()
+        before = None
         while True:
             state = self.session.state()
             log.extend([state], "transfer")
-            if np.array_equal(state.q_cmd, before.q_cmd, equal_nan=True):
+            if before is not None and np.array_equal(state.q_cmd, before, equal_nan=True):
                 return state.q_cmd
-            before = state
+            before = state.q_cmd
 
     def move_zone(self, name: str, pose: Pose) -> None:
         """A zone or an obstacle has moved (world frame): the guard sees it at its next look, later plans keep clear of it.
@@ -258,7 +246,7 @@ class Run:
 
     def phase(self, phase: str, toward: str, mover: Mover, log: SampleLog, plan: Plan, *, step: int) -> Generator[Event, None, None]:
         """One motion: its samples into the log, its progress as events."""
-        yield PhaseStarted(phase=phase, toward=toward, step=step, steps=self.steps + 1)
+        yield PhaseStarted(phase=phase, toward=toward, step=step, steps=self.sequence.steps + 1)
         size = max(1, round(BATCH_S / self.session.period))
         for batch in execute(self.session, self.guard, mover, phase, batch=size):
             known = self.learned(log.extend(batch.states, batch.phase))
@@ -268,4 +256,4 @@ class Run:
         """The estimate along the way, after some more samples; None where a parameter is not yet known."""
         for state in states:
             self.online.update(state.q, state.wrench)
-        return tuple(float(value) if np.isfinite(value) else None for value in self.online.estimate.phi)
+        return tuple(float(value) if np.isfinite(value) else None for value in self.online.so_far.phi)

@@ -85,6 +85,18 @@ BETWEEN_RUNS_S = 60.0
 COLUMNS = ("wrench", "q", "dq", "q_cmd", "tau", "orientation", "position", "temperature", "phase")
 
 
+def check_same_robot(first: Recording, robot: RobotDescription | None, gravity: Array) -> None:
+    """A recording can be continued by such a robot with gravity (3,) in its base frame.
+
+    Raises:
+        BadRecording: another robot, or another direction of gravity.
+    """
+    if first.robot != robot:
+        raise BadRecording("what is appended", "another robot", "the robot of the recording")
+    if not np.allclose(first.gravity, gravity, atol=1e-6):
+        raise BadRecording("what is appended: gravity", f"{gravity.tolist()}", f"that of the recording, {first.gravity.tolist()}")
+
+
 def appended(first: Recording, then: Recording) -> Recording:
     """Both as one recording with a gap in time; columns that one of them lacks are left out.
 
@@ -95,10 +107,7 @@ def appended(first: Recording, then: Recording) -> Recording:
     Raises:
         BadRecording: another robot, or another direction of gravity.
     """
-    if first.robot != then.robot:
-        raise BadRecording("what is appended", "another robot", "the robot of the recording")
-    if not np.allclose(first.gravity, then.gravity, atol=1e-6):
-        raise BadRecording("what is appended: gravity", f"{then.gravity.tolist()}", f"that of the recording, {first.gravity.tolist()}")
+    check_same_robot(first, then.robot, then.gravity)
     late = 0.0 if then.t[0] > first.t[-1] + PAUSE_S else first.t[-1] + BETWEEN_RUNS_S - then.t[0]
     pairs = {name: (getattr(first, name), getattr(then, name)) for name in COLUMNS}
     columns: dict[str, Any] = {name: None if a is None or b is None else np.concatenate((a, b)) for name, (a, b) in pairs.items()}

@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict
 from core.recording import Recording
 
 if TYPE_CHECKING:  # who only reads answers waits for no estimator
-    from core.estimation.estimate import Estimate, Identification
+    from core.estimation.estimate import Estimate, Identification, Verification
 
 Array = NDArray[np.float64]
 Numbers = list[float | None]
@@ -66,6 +66,23 @@ class ResidualPart(Part):
     noise_std: Numbers
 
 
+class VerificationPart(Part):
+    """A motion that was left out, predicted by a fit to all the rest.
+
+    Args:
+        windows: short averages that were compared; `rms` of measured minus predicted, force (N), then torque (N m).
+        noise_std: what noise alone makes of it; `expected` with the uncertainty of the prediction.
+        ratio: what is seen against what is expected, over all channels: near 1 where the estimate holds on something new.
+    """
+
+    phase: str
+    windows: int
+    rms: list[float]
+    noise_std: list[float]
+    expected: list[float]
+    ratio: float
+
+
 class SafetyPart(Part):
     """What the guard saw. Not a safety function: `safety_rated` is always false."""
 
@@ -100,6 +117,7 @@ class Result(Part):
     recording: str | None
     accounted: list[str] = []
     """Effects of the cell's twin that were taken off the wrench."""
+    verification: list[VerificationPart] = []
 
 
 def numbers(values: Array | None) -> Numbers:
@@ -130,6 +148,18 @@ def result_of(
         seconds=seconds,
         recording=None if folder is None else str(folder),
         accounted=list(identification.accounted),
+        verification=[_verification_part(each) for each in identification.verification],
+    )
+
+
+def _verification_part(found: Verification) -> VerificationPart:
+    return VerificationPart(
+        phase=found.phase,
+        windows=found.windows,
+        rms=found.rms.tolist(),
+        noise_std=found.noise.tolist(),
+        expected=found.expected.tolist(),
+        ratio=found.ratio,
     )
 
 

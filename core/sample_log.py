@@ -7,19 +7,26 @@ from collections.abc import Iterable
 import numpy as np
 
 from core.cell import Cell, Payload
-from core.recording import Recording, SensorDescription
+from core.recording import Recording, SensorDescription, appended
 from core.robot import RobotModel
 from core.sessions.session import RobotState
 
 
 class SampleLog:
-    """Robot states with the phase in which each was taken, in the order of time."""
+    """Robot states with the phase in which each was taken, in the order of time.
 
-    def __init__(self, cell: Cell, robot: RobotModel, *, payload: str | None, reference: Payload | None) -> None:
+    Args:
+        before: a recording of the same robot that they continue.
+    """
+
+    def __init__(
+        self, cell: Cell, robot: RobotModel, *, payload: str | None, reference: Payload | None, before: Recording | None = None
+    ) -> None:
         self.cell = cell
         self.robot = robot
         self.payload = payload
         self.reference = reference
+        self.before = before
         self.states: list[RobotState] = []
         self.phases: list[str] = []
 
@@ -49,14 +56,18 @@ class SampleLog:
         return later and bool(finite) and (state.tau is None or bool(np.isfinite(state.tau).all()))
 
     def recording(self) -> Recording:
-        """The samples so far. Gravity is turned into the base frame, which the recording's URDF starts from."""
+        """The samples so far, after those of the recording that they continue."""
+        return self._new() if self.before is None else appended(self.before, self._new())
+
+    def _new(self) -> Recording:
+        """Gravity is turned into the base frame, which the recording's URDF starts from."""
         states = self.states
         sensor = self.cell.sensor
         has_torque = bool(states) and all(state.tau is not None for state in states)
         has_temperature = bool(states) and all(state.temperature is not None for state in states)
         return Recording(
             t=np.array([state.t for state in states]),
-            gravity=self.cell.robot.base.rotation.T @ self.cell.gravity,
+            gravity=self.cell.gravity_in_base,
             wrench=np.array([state.wrench for state in states]),
             q=np.array([state.q for state in states]),
             dq=np.array([state.dq for state in states]),

@@ -13,6 +13,7 @@ from core.gap.answer import Diagnosis, Experiment
 from core.inertia import PHI_NAMES, PHI_UNITS
 from core.plan import Plan
 from core.result import Result
+from core.verification_words import verification_sentence
 
 Array = NDArray[np.float64]
 
@@ -70,6 +71,11 @@ def reason_lines(result: Result) -> list[str]:
     """Why parameters are not determined, those with the same reason in one line."""
     reasons = {} if result.estimate is None else result.estimate.reasons
     return [f"{', '.join(name for name in reasons if reasons[name] == why)}: {why}" for why in dict.fromkeys(reasons.values())]
+
+
+def verification_lines(result: Result) -> list[str]:
+    """How well each rotation is predicted by a fit to all the rest."""
+    return [verification_sentence(each.phase, each.rms, each.expected, each.ratio) for each in result.verification]
 
 
 def plan_table(plan: Plan) -> Table:

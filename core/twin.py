@@ -136,7 +136,7 @@ def effect_of(identifier: str) -> Effect:
 def standing(cell: Cell) -> Scene:
     """The cell's robot at home for a day, with all that a scene can know: the scene that is asked what an effect's parameters may be."""
     n = len(cell.robot.home_rad)
-    gravity = cell.robot.base.rotation.T @ cell.gravity
+    gravity = cell.gravity_in_base
     return Scene(
         t=np.array([0.0, LONGEST_RUN_S]),
         phase=np.array(["hold:free"] * 2),

@@ -125,7 +125,7 @@ def _entries(evidence: Evidence, fit: EffectFit, source: dict[str, Any], where: 
             found = f"{effect.id} not determined: no parameter is more than {away.max():.1f} standard deviations from its absence"
             raise BadTwin(where, found, f"at least {SEEN_SIGMA:g}; a longer or livelier run shows more")
         values = zip(fit.parameters[rows], fit.theta[rows], fit.theta_std[rows], strict=True)
-        covariance = fit.covariance[len(fit.beta) :, len(fit.beta) :][rows, rows]
+        covariance = fit.uncertainty[len(fit.beta) :, len(fit.beta) :][rows, rows]
         yield Entry(
             effect=effect.id,
             parameters={p.name: Fitted(value=float(value), std=float(std), unit=p.unit) for p, value, std in values},

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import time
 from collections.abc import Callable, Iterable
 from datetime import datetime
 from pathlib import Path
@@ -13,15 +12,17 @@ from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from core.cell import Cell
-from core.events import Event, PhaseStarted, Progress, RobotStopped
-from core.plan_settings import Timing
+from core.events import Event, Progress
 from core.sessions.leased import Renewal
 from server import run_ledger
 from server.broadcast import Broadcast
-from server.packml import Command, State
+from server.event_schemas import EventMessage, PlanShown
+from server.packml import MOVING, Command, State
+from server.plan_schemas import RunPlan
 from server.run_ledger import Step
 from server.run_metrics import RunMetrics
-from server.run_schemas import EventMessage, PlanShown, RunOrder, RunPlan
+from server.run_order import order_of
+from server.run_steps import after, from_states, in_the_way
 from server.run_tables import RunRow
 from server.runner.messages import (
     Done,
@@ -31,7 +32,6 @@ from server.runner.messages import (
     Happened,
     Hold,
     MotionEnded,
-    Order,
     Paced,
     Ready,
     Release,
@@ -41,14 +41,12 @@ from server.runner.messages import (
 )
 from server.runner.process import ControlProcess
 from server.store import Store
+from server.store_watch import StoreWatch
 
 log = logging.getLogger("heft.runs")
 
-STORE_LATE_S = 0.15
-"""A write of the run's state that takes longer withholds the lease: the robot does not go on while its state cannot be kept."""
 GRACE_S = 15.0
 """What a control process may take to end when it is told to: braking, and writing the recording."""
-DONE: Step = None
 
 
 class ActiveRun:
@@ -71,7 +69,7 @@ class ActiveRun:
         self.plan: RunPlan | None = None
         self._store, self._now, self._metrics = store, now, metrics
         self._steps = asyncio.Lock()
-        self._writing_since: float | None = None
+        self._watch = StoreWatch(store, lambda: self.state in MOVING, self._end)
         folder.mkdir(parents=True, exist_ok=True)
         order = order_of(row, cell, folder)
         self.payload_box = order.payload_box
@@ -79,24 +77,26 @@ class ActiveRun:
 
     async def carry(self) -> None:
         """Until the run is over."""
+        looking = asyncio.create_task(self._watch.look())
         try:
             async for message in self._process.messages():
                 await self._hear(message)
         except SQLAlchemyError as error:
-            self._process.tell(End(f"the run's state could not be written ({type(error).__name__}); the robot was stopped."))
+            self._end(f"the run's state could not be written ({type(error).__name__}); the robot was stopped.")
             async for _ in self._process.messages():
                 pass
             raise
-
-    @property
-    def in_charge(self) -> bool:
-        """Whether what happens can be written down."""
-        return self._writing_since is None or time.monotonic() - self._writing_since < STORE_LATE_S
+        finally:
+            looking.cancel()
+            self._watch.close()
 
     def renew(self, renewal: Renewal) -> None:
         """Hands a sign of life on."""
-        if self.in_charge:
-            self._process.tell(renewal)
+        self._process.tell(renewal)
+
+    def _end(self, reason: str) -> None:
+        """Tells the robot to stop for good; nothing is written."""
+        self._process.tell(End(reason))
 
     def zone_moved(self, moved: ZoneMoved) -> None:
         """Hands a zone's new place on."""
@@ -122,7 +122,7 @@ class ActiveRun:
             IllegalCommandError: not in this state.
         """
         if command in (Command.STOP, Command.ABORT):
-            self._process.tell(End(reason))
+            self._end(reason)
             asyncio.get_running_loop().call_later(GRACE_S, self._process.kill)
         elif command is Command.HOLD and self.state is State.EXECUTE:
             self._process.tell(Hold())
@@ -142,21 +142,27 @@ class ActiveRun:
             case Happened(event=Progress()):
                 pass  # stands in the samples
             case Happened(event=event):
-                await self._step(lambda state: after(event, state), [event])
+                await self._happened(event)
             case Ready(plan=plan):
                 self.plan = plan
                 shown = PlanShown(sha256=plan.sha256, robot_s=plan.summary.robot_s)
-                await self._step(_from(State.RESETTING), [shown], lambda row: setattr(row, "plan", plan.model_dump_json()))
+                await self._step(from_states(State.RESETTING), [shown], lambda row: setattr(row, "plan", plan.model_dump_json()))
             case Paced():
                 self._metrics.paced(message)
             case MotionEnded():
-                await self._step(_from(State.EXECUTE))
+                await self._step(from_states(State.EXECUTE))
             case Done(result=result):
                 text = result.model_dump_json()
-                path = _from(State.COMPLETING, State.STOPPING, State.ABORTING)
+                path = from_states(State.COMPLETING, State.STOPPING, State.ABORTING)
                 await self._step(path, change=lambda row: setattr(row, "result", text))
             case Failed():
                 await self._fail(message)
+
+    async def _happened(self, event: Event) -> None:
+        def change(row: RunRow) -> None:
+            row.in_the_way = in_the_way(event, row.in_the_way)
+
+        await self._step(lambda state: after(event, state), [event], change)
 
     async def _fail(self, failed: Failed) -> None:
         """The end of a run that did not come through: where it was told to end, as told; before any motion Stopped; else Aborted."""
@@ -167,7 +173,7 @@ class ActiveRun:
             else:
                 row.aborted, row.reason, row.in_the_way = True, failed.message, failed.in_the_way
 
-        await self._step(after_failure, change=change)
+        await self._step(run_ledger.ending, change=change)
 
     async def _step(
         self,
@@ -187,56 +193,8 @@ class ActiveRun:
                 return row, told
 
         async with self._steps:
-            self._writing_since = time.monotonic()
-            row, messages = await asyncio.to_thread(write)
-            self._writing_since = None
+            row, messages = await self._watch.written(write)
             self.state = State(row.state)
             self._metrics.told(messages, row)
             for message in messages:
                 self.broadcast.event(message.sequence, message.model_dump_json())
-
-
-def _from(*states: State) -> Callable[[State], list[Step]]:
-    """These states are completed; no other is left."""
-    return lambda state: [DONE] if state in states else []
-
-
-def after(event: Event, state: State) -> list[Step]:
-    """Where an event of the procedure leads."""
-    match event:
-        case PhaseStarted():
-            return {State.STARTING: [DONE], State.UNHOLDING: [DONE], State.SUSPENDED: [Command.UNSUSPEND, DONE]}.get(state, [])
-        case RobotStopped(final=True):
-            return [] if state in (State.STOPPING, State.ABORTING) else [Command.ABORT]
-        case RobotStopped():
-            suspended: list[Step] = [Command.SUSPEND, DONE]
-            begun: list[Step] = [DONE, *suspended]
-            return {
-                State.HOLDING: [DONE], State.EXECUTE: suspended, State.STARTING: begun, State.UNHOLDING: begun,
-            }.get(state, [])  # fmt: skip
-    return []
-
-
-def after_failure(state: State) -> list[Step]:
-    """Where a run ends that did not come through: as it was told to; Stopped before any motion; else Aborted."""
-    if state in (State.STOPPING, State.ABORTING):
-        return [DONE]
-    return [Command.STOP if state in (State.RESETTING, State.IDLE) else Command.ABORT, DONE]
-
-
-def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
-    """What the control process is told."""
-    asked = RunOrder.model_validate_json(row.order)
-    payload = asked.payload or next(iter(cell.payloads))
-    return Order(
-        run=row.id,
-        cell=cell,
-        payload=payload,
-        payload_box=asked.payload_box or cell.payloads[payload].box,
-        timing=Timing(hold_s=asked.hold_s, settle_s=asked.settle_s, robot_s=asked.robot_s, inertia_std=asked.inertia_std),
-        planner=asked.planner,
-        seed=asked.seed,
-        mass_guess_kg=asked.mass_guess_kg,
-        pace=asked.pace,
-        folder=folder,
-    )

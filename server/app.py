@@ -64,7 +64,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
         redoc_url=None,
         generate_unique_id_function=operation_id,
     )
-    app.openapi = lambda: describe(app)  # type: ignore[method-assign]
+    app.openapi = lambda: describe(app)  # type: ignore[method-assign]  # how FastAPI documents it
     app.state.service = service
     answer_with_problems(app)
     for router in ROUTERS:

@@ -15,6 +15,8 @@ SIGNED_IN = frozenset(Role)
 AT_THE_CELL = frozenset({operator, engineer})
 
 AUTHORITY: dict[str, frozenset[Role] | None] = {
+    "GET /": ANYBODY,
+    "GET /assets/{path:path}": ANYBODY,
     "GET /health": ANYBODY,
     "GET /openapi.json": ANYBODY,
     "GET /problems/{kind}": ANYBODY,
@@ -39,6 +41,7 @@ AUTHORITY: dict[str, frozenset[Role] | None] = {
     "GET /api/cells/{cell}/twin": SIGNED_IN,
     "POST /api/cells/{cell}/twin": frozenset({engineer}),
     "GET /api/cells/{cell}/twin/additions/{addition}": SIGNED_IN,
+    "DELETE /api/cells/{cell}/twin/additions/{addition}": frozenset({engineer}),
     "DELETE /api/cells/{cell}/twin/{effect}": frozenset({engineer}),
     "POST /api/control": frozenset({operator}),
     "GET /api/control/{cell}": SIGNED_IN,
@@ -51,6 +54,10 @@ AUTHORITY: dict[str, frozenset[Role] | None] = {
     "POST /api/runs/{run}/release": frozenset({operator}),
     "POST /api/runs/{run}/commands": AT_THE_CELL,
     "GET /api/runs/{run}/result": SIGNED_IN,
+    "POST /api/runs/{run}/acceptance": frozenset({operator}),
+    "GET /api/runs/{run}/comparison/{other}": SIGNED_IN,
+    "GET /api/runs/{run}/exports": SIGNED_IN,
+    "GET /api/runs/{run}/exports/{target}": SIGNED_IN,
     "GET /api/runs/{run}/recording": SIGNED_IN,
     "GET /api/runs/{run}/report": SIGNED_IN,
     "GET /api/runs/{run}/events": SIGNED_IN,
@@ -62,7 +69,10 @@ AUTHORITY: dict[str, frozenset[Role] | None] = {
     "POST /api/diagnoses/uploads": AT_THE_CELL,
     "GET /api/diagnoses": SIGNED_IN,
     "GET /api/diagnoses/{diagnosis}": SIGNED_IN,
+    "DELETE /api/diagnoses/{diagnosis}": AT_THE_CELL,
+    "GET /api/diagnoses/{diagnosis}/overlay": SIGNED_IN,
     "GET /api/diagnoses/{diagnosis}/report": SIGNED_IN,
+    "POST /api/diagnoses/{diagnosis}/motion": frozenset({operator, mes}),
     "POST /api/trials": frozenset({engineer}),
     "GET /api/trials": SIGNED_IN,
     "GET /api/trials/{trials}": SIGNED_IN,

@@ -10,6 +10,7 @@ from pathlib import Path, PurePosixPath
 
 from core.cell import CELL_FILE
 from core.errors import BadCell
+from server.zip_file import opened_zip, write_entry
 
 MAX_FILES = 200
 MAX_BYTES = 60_000_000  # of all files together, unpacked
@@ -21,7 +22,6 @@ UPLOAD, CELL = "upload.zip", "cell"
 """In the folder of one upload: the archive, and what it is unpacked to."""
 
 _PART = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}", re.ASCII)
-_CHUNK = 1 << 16
 
 
 def unpack(archive: Path, folder: Path) -> None:
@@ -33,18 +33,15 @@ def unpack(archive: Path, folder: Path) -> None:
     Raises:
         BadCell: no zip, or an entry that no honest cell has.
     """
-    try:
-        with zipfile.ZipFile(archive) as opened:
-            files = [entry for entry in opened.infolist() if not entry.is_dir()]
-            _check_amount(files)
-            names = [_checked_name(entry) for entry in files]
-            _check_unique(names)
-            shared = _shared_folder(names)
-            folder.mkdir()
-            for entry, name in zip(files, names, strict=True):
-                _write(opened, entry, folder / name.relative_to(shared))
-    except (zipfile.BadZipFile, NotImplementedError, EOFError, OSError, ValueError, RuntimeError) as error:
-        raise BadCell("upload", f"a zip that cannot be unpacked ({str(error)[:120]})", "a plain zip of a cell's folder") from error
+    with opened_zip(archive, BadCell, "a plain zip of a cell's folder") as opened:
+        files = [entry for entry in opened.infolist() if not entry.is_dir()]
+        _check_amount(files)
+        names = [_checked_name(entry) for entry in files]
+        _check_unique(names)
+        shared = _shared_folder(names)
+        folder.mkdir()
+        for entry, name in zip(files, names, strict=True):
+            _write(opened, entry, folder / name.relative_to(shared))
 
 
 def _check_amount(files: list[zipfile.ZipInfo]) -> None:
@@ -89,10 +86,5 @@ def _shared_folder(names: list[PurePosixPath]) -> PurePosixPath:
 
 def _write(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, target: Path) -> None:
     target.parent.mkdir(parents=True, exist_ok=True)
-    left = entry.file_size
-    with opened.open(entry) as source, target.open("xb") as sink:
-        while chunk := source.read(_CHUNK):
-            left -= len(chunk)
-            if left < 0:
-                raise BadCell(f"upload: {entry.filename[:80]!r}", "more bytes than the zip says", f"{entry.file_size}")
-            sink.write(chunk)
+    lie = BadCell(f"upload: {entry.filename[:80]!r}", "more bytes than the zip says", f"{entry.file_size}")
+    write_entry(opened, entry, target, most=entry.file_size, too_much=lie)

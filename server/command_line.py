@@ -26,7 +26,7 @@ class WithEngine(TyperGroup):
 
     @cached_property
     def _engine(self) -> TyperGroup:
-        from core.command_line import app as engine  # noqa: PLC0415
+        from core.command_line import app as engine  # noqa: PLC0415  its imports take a second, which the service need not wait for
 
         return get_group(engine)
 
@@ -53,13 +53,21 @@ def serve(
     start(host=host, port=port, cells=cells, data=data)
 
 
+@app.command(hidden=True)
+def openapi(file: Annotated[Path, typer.Argument(metavar="FILE", help="Where to write it; it appears only when it is whole.")]) -> None:
+    """Write the OpenAPI description, from which clients are generated. Nothing is started."""
+    from server.serve import write_openapi  # noqa: PLC0415  the other commands need no web
+
+    write_openapi(file)
+
+
 @audit.command()
 def verify(
     data: DataOption = None,
     expect: Annotated[str | None, typer.Option(metavar="HASH", help="A hash seen earlier, which the chain must still contain.")] = None,
 ) -> None:
     """Check that nothing in the audit log was changed, removed or put in between."""
-    from server.serve import verify_audit  # noqa: PLC0415
+    from server.serve import verify_audit  # noqa: PLC0415  the other commands need no store
 
     answers.print(verify_audit(data, expect), highlight=False, soft_wrap=True)
 

@@ -7,6 +7,7 @@ import logging
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 
 from sqlalchemy.exc import SQLAlchemyError
@@ -20,15 +21,16 @@ from server import run_ledger
 from server.active_run import ActiveRun
 from server.broadcast import Broadcast
 from server.cell_folder import CellFolder
+from server.crashed_runs import Left, close_crashed, recover
 from server.errors import Conflict
+from server.idle_runs import IdleRuns
 from server.packml import Command, IllegalCommandError, State
 from server.request_context import run_id
 from server.run_metrics import RunMetrics
 from server.run_tables import RunRow
 from server.runner.context import warm_up
-from server.runner.messages import Recovered, ZoneMoved
+from server.runner.messages import ZoneMoved
 from server.runner.run_folder import free
-from server.runner.work import said
 from server.store import Store
 from server.zones import positions, with_zones_where_they_are
 
@@ -49,6 +51,7 @@ class Conductor:
         self.store, self.cells, self.folder, self.now, self._metrics = store, cells, folder, now, metrics
         self.active: dict[str, ActiveRun] = {}
         """By cell."""
+        self._idle = IdleRuns(store, now, metrics)
         self._broadcasts: dict[str, Broadcast] = {}
         self._tasks: set[asyncio.Task[None]] = set()
         self._wake = asyncio.Event()
@@ -60,9 +63,9 @@ class Conductor:
         self._loop = asyncio.get_running_loop()
         warm_up()
         with self.store.write() as db:
-            crashed = run_ledger.close_crashed(db, self.now())
+            crashed = close_crashed(db, self.now())
         for run in crashed:
-            self._spawn(asyncio.to_thread(self._recover, run))
+            self._spawn(asyncio.to_thread(recover, self.folder / run, partial(self._left_of, run)))
         self._spawn(self._queue())
 
     async def close(self) -> None:
@@ -111,6 +114,12 @@ class Conductor:
         cell = self.cells.load(name)
         return with_zones_where_they_are(cell, positions(db, name))
 
+    def _left_of(self, run: str) -> Left:
+        with self.store.read() as db:
+            row = run_ledger.load(db, run)
+            motion = run_ledger.motion_of(row)
+            return Left(self.cell_now(db, row.cell), None if motion is None else motion.recording)
+
     async def command(self, run: str, command: Command, reason: str, also: Callable[[Session], object]) -> None:
         """Passes a command on; a run that has no process is changed in the store alone.
 
@@ -119,25 +128,17 @@ class Conductor:
             Conflict: not in its state, or its robot has not been let go of yet.
         """
         active = self.of_run(run)
+        if command is Command.CLEAR and ((active is not None and active.state is State.ABORTED) or not free(self.folder / run)):
+            raise Conflict(f"run {run}: its control process still closes the recording; ask again in some seconds", ["clear"])
         try:
             if active is not None:
                 await active.command(command, reason, also)
             else:
-                await asyncio.to_thread(self._command_stored, run, command, reason, also)
+                await asyncio.to_thread(self._idle.command, run, command, reason, also)
                 self._over(run)
         except IllegalCommandError:
             with self.store.read() as db:
                 raise run_ledger.refusal(run_ledger.load(db, run), run_ledger.OFFERED.get(command, command)) from None
-
-    def _command_stored(self, run: str, command: Command, reason: str, also: Callable[[Session], object]) -> None:
-        if command is Command.CLEAR and not free(self.folder / run):
-            raise Conflict(f"run {run}: its control process still closes the recording; ask again in some seconds", ["clear"])
-        with self.store.write() as db:
-            row = run_ledger.load(db, run)
-            row.reason = row.reason or reason
-            told = run_ledger.steps(db, row, [command, None], self.now())
-            also(db)
-        self._metrics.told(told, row)
 
     async def _queue(self) -> None:
         while not self._closing:
@@ -150,11 +151,7 @@ class Conductor:
             await self._wake.wait()
 
     async def _begin_waiting(self) -> None:
-        def read() -> list[RunRow]:
-            with self.store.read() as db:
-                return run_ledger.waiting(db)
-
-        for row in await asyncio.to_thread(read):
+        for row in await asyncio.to_thread(self._idle.first):
             if row.state == State.RESETTING and row.cell not in self.active and not self._closing:
                 await self._begin(row)
 
@@ -164,7 +161,7 @@ class Conductor:
                 cell = self.cell_now(db, row.cell)
             active = ActiveRun(self.store, row, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
         except (HeftError, OSError) as error:
-            await asyncio.to_thread(self._end_stored, row.id, str(error))
+            await asyncio.to_thread(self._idle.end, row.id, str(error))
             self._over(row.id)
             return
         self.active[row.cell] = active
@@ -185,32 +182,11 @@ class Conductor:
         """Tries to write the end of a run until the store can be written again."""
         while not self._closing:
             try:
-                await asyncio.to_thread(self._end_stored, run, "the run's state could not be written; the robot was stopped.")
+                await asyncio.to_thread(self._idle.end, run, "the run's state could not be written; the robot was stopped.")
             except SQLAlchemyError:
                 await asyncio.sleep(RETRY_S)
             else:
                 return
-
-    def _end_stored(self, run: str, reason: str) -> None:
-        with self.store.write() as db:
-            row = run_ledger.load(db, run)
-            row.aborted, row.reason = True, reason
-            state = State(row.state)
-            if state in (State.STOPPING, State.ABORTING):
-                run_ledger.steps(db, row, [None], self.now())
-            else:
-                end = Command.STOP if state in (State.RESETTING, State.IDLE) else Command.ABORT
-                run_ledger.steps(db, row, [end, None], self.now())
-
-    def _recover(self, run: str) -> None:
-        """The samples of a run whose control process died with its server, as a recording."""
-        with self.store.read() as db:
-            cell = self.cell_now(db, run_ledger.load(db, run).cell)
-        for word in said("server.runner.recovery", self.folder / run, cell):
-            if isinstance(word, Recovered):
-                log.info("recovered %d samples of run %s", word.samples, run)
-            else:
-                log.error("the samples of run %s could not be recovered: %s", run, word)
 
     def _spawn(self, work: Coroutine[None, None, None]) -> None:
         task = asyncio.create_task(work)

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from fastapi.responses import FileResponse, StreamingResponse
+from fastapi.responses import FileResponse, Response, StreamingResponse
 
 from server.errors import Conflict
 
 CHUNK = 1 << 18
 ZIPPED: dict[int | str, dict[str, Any]] = {200: {"content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}}}}
+TEXT: dict[int | str, dict[str, Any]] = {200: {"content": {"application/octet-stream": {"schema": {"type": "string"}}}}}
 PAGE: dict[int | str, dict[str, Any]] = {200: {"content": {"text/html": {"schema": {"type": "string"}}}}}
 HARMLESS = {"Content-Security-Policy": "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:"}
 """Names in a report come from cells and recordings that somebody sent in."""
@@ -40,6 +41,12 @@ def page(file: Path, name: str, missing: str) -> FileResponse:
     if not file.is_file():
         raise Conflict(missing)
     return FileResponse(file, media_type="text/html", filename=f"{name}.html", headers=HARMLESS)
+
+
+def text(content: str, name: str) -> Response:
+    """Some lines as a file that is saved, whatever they look like."""
+    headers = {"Content-Disposition": f'attachment; filename="{name}"'}
+    return Response(content, media_type="application/octet-stream", headers=headers)
 
 
 def _chunks(folder: Path, name: str) -> Iterator[bytes]:

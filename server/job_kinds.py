@@ -19,10 +19,11 @@ DIAGNOSIS, ADDITION, TRIALS = "diagnosis", "addition", "trials"
 
 
 class DiagnosisOrder(Body):
-    """A recording to be diagnosed; that of a run, or an uploaded one."""
+    """A recording to be diagnosed; that of a run, or an uploaded one. `cell` is the one it was made in, where that is known."""
 
     recording: Path
     run: str | None = None
+    cell: str | None = None
 
 
 class AdditionOrder(Body):
@@ -46,11 +47,18 @@ def report_of(settings: Settings, diagnosis: str) -> Path:
     return settings.reports_folder / f"{diagnosis}.html"
 
 
-def diagnoses(settings: Settings) -> Kind:
+def overlay_of(settings: Settings, diagnosis: str) -> Path:
+    """Where a diagnosis leaves what it compared."""
+    return settings.reports_folder / f"{diagnosis}.overlay.json"
+
+
+def diagnoses(settings: Settings, cells: CellFolder) -> Kind:
     """What parts simulation and recording."""
 
     def arguments(row: JobRow) -> tuple[object, ...]:
-        return DiagnosisOrder.model_validate_json(row.order).recording, report_of(settings, row.id).absolute()
+        order = DiagnosisOrder.model_validate_json(row.order)
+        cell = None if order.cell is None else cells.load(order.cell)
+        return order.recording, cell, report_of(settings, row.id).absolute(), overlay_of(settings, row.id).absolute()
 
     return Kind(DIAGNOSIS, "server.runner.diagnosing", arguments)
 

@@ -15,7 +15,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from core.errors import HeftError
-from server.errors import NotFound
+from server.errors import Conflict, NotFound
 from server.run_ledger import new_id
 from server.run_tables import JobRow
 from server.runner.messages import Advanced, Answered, Failed
@@ -79,6 +79,20 @@ def load(db: Session, kind: str, job: str) -> JobRow:
     row = db.get(JobRow, job)
     if row is None or row.kind != kind:
         raise NotFound(kind, job)
+    return row
+
+
+def cancel(db: Session, kind: str, job: str, who: str, now: datetime) -> JobRow:
+    """A job that nobody wants any more; `Worker.drop` ends its process.
+
+    Raises:
+        NotFound: there is none of that kind.
+        Conflict: it is over.
+    """
+    row = load(db, kind, job)
+    if row.state not in UNDER_WAY:
+        raise Conflict(f"{kind} {job}: it is {row.state}; only what waits or runs can be cancelled")
+    row.state, row.ended_at, row.reason = State.cancelled, now, f"cancelled by {who}."
     return row
 
 

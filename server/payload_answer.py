@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from core.result import Numbers, PaperPart, ReferencePart, ResidualPart, Result, SafetyPart, SecondsPart
+from core.result import Numbers, PaperPart, ReferencePart, ResidualPart, Result, SafetyPart, SecondsPart, VerificationPart
 from server.schemas import Answer
 
 
@@ -36,6 +36,7 @@ class PayloadAnswer(Answer):
     reference: ReferencePart | None
     paper: PaperPart
     residual: ResidualPart | None
+    verification: list[VerificationPart]
     safety: SafetyPart | None
     seconds: SecondsPart
     safety_rated: Literal[False] = False
@@ -65,6 +66,7 @@ def payload_answer(run: str, result: Result) -> PayloadAnswer:
         reference=result.reference,
         paper=result.paper,
         residual=result.residual,
+        verification=result.verification,
         safety=result.safety,
         seconds=result.seconds,
     )

@@ -11,12 +11,11 @@ from hashlib import sha256
 
 from core.sessions.leased import Renewal
 from server import audit, run_ledger
-from server.active_run import order_of
 from server.conductor import Conductor
 from server.control_lease import Control
 from server.errors import Conflict
 from server.packml import Command, IllegalCommandError, State
-from server.run_schemas import RunPlan
+from server.plan_schemas import RunPlan
 from server.runner.release_hash import release_sha256
 
 OFFER_S = 60.0
@@ -78,7 +77,7 @@ class Releases:
         if active is None or row.plan is None or row.state != State.IDLE:
             raise run_ledger.refusal(row, "release")
         waiting = RunPlan.model_validate_json(row.plan)
-        now_sha256 = release_sha256(waiting.plan_digest, cell, order_of(row, cell, active.folder).payload_box)
+        now_sha256 = release_sha256(waiting.plan_digest, cell, active.payload_box)
         if plan_sha256 != waiting.sha256 or now_sha256 != waiting.sha256:
             raise Conflict(f"plan {plan_sha256[:12]}: void, the plan or the cell has changed since; look at the plan again (GET plan)")
         self._offers.check(run, plan_sha256, offer)

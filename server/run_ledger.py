@@ -5,18 +5,20 @@ from __future__ import annotations
 import secrets
 from collections.abc import Iterable, Sequence
 from datetime import datetime
-from hashlib import sha256
 
 from pydantic import TypeAdapter
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from core.events import Event
+from core.result import Result
 from server import webhooks
-from server.errors import Conflict, NotFound, Unprocessable
-from server.packml import COMPLETED, FINAL, Command, State, commanded, job_state, legal_commands
-from server.run_schemas import EventMessage, Happening, RunAnswer, RunOrder, StateChanged
-from server.run_tables import IdempotencyKey, RunEventRow, RunRow
+from server.errors import Conflict, NotFound
+from server.event_schemas import EventMessage, Happening, StateChanged
+from server.packml import COMPLETED, FINAL, Command, IllegalCommandError, State, commanded, job_state, legal_commands
+from server.result_summary import summary_of
+from server.run_schemas import ProposedMotion, RunAnswer, RunOrder
+from server.run_tables import RunEventRow, RunRow
 
 Step = Command | None
 """A command, or None where an acting state has done what it does."""
@@ -35,38 +37,21 @@ def new_id(now: datetime) -> str:
 
 
 def offered(state: State) -> list[str]:
-    """What a person may command in this state."""
-    return [OFFERED[command] for command in legal_commands(state) if command in OFFERED]
+    """What a person may command in this state; nothing of a run that is over."""
+    return [] if state in FINAL else [OFFERED[command] for command in legal_commands(state) if command in OFFERED]
 
 
-def queue(db: Session, order: RunOrder, who: str, now: datetime) -> RunRow:
-    """A new run, which waits for its cell."""
-    row = RunRow(id=new_id(now), cell=order.cell, order=order.model_dump_json(), state=State.RESETTING, requested_by=who, requested_at=now)
+def queue(db: Session, order: RunOrder, who: str, now: datetime, motion: ProposedMotion | None = None) -> RunRow:
+    """A new run of the procedure, or of a motion that a diagnosis proposes; it waits for its cell."""
+    row = RunRow(id=new_id(now), cell=order.cell, payload=order.payload, order=order.model_dump_json(), state=State.RESETTING)
+    row.requested_by, row.requested_at = who, now
     row.released = row.aborted = False
+    row.motion = None if motion is None else motion.model_dump_json()
     row.sequence = 0
     db.add(row)
     db.flush()
     tell(db, row, [_state_changed(row)], now)
     return row
-
-
-def once(db: Session, who: str, key: str, body: bytes, made: str, now: datetime) -> None:
-    """Remembers what a request made, in the transaction that makes it."""
-    db.add(IdempotencyKey(caller=who, key=key, body_sha256=sha256(body).hexdigest(), made=made, made_at=now))
-
-
-def made_before(db: Session, who: str, key: str, body: bytes) -> str | None:
-    """What the same request has made already.
-
-    Raises:
-        Unprocessable: the key came with another body.
-    """
-    row = db.get(IdempotencyKey, (who, key))
-    if row is None:
-        return None
-    if row.body_sha256 != sha256(body).hexdigest():
-        raise Unprocessable(f"Idempotency-Key {key[:60]!r}: was used for another body already; take a new key for a new request")
-    return row.made
 
 
 def load(db: Session, run: str) -> RunRow:
@@ -81,6 +66,22 @@ def load(db: Session, run: str) -> RunRow:
     return row
 
 
+def motion_of(row: RunRow) -> ProposedMotion | None:
+    """What the run does instead of the procedure."""
+    return None if row.motion is None else ProposedMotion.model_validate_json(row.motion)
+
+
+def result_of(row: RunRow) -> Result:
+    """The result of a run.
+
+    Raises:
+        Conflict: it has none.
+    """
+    if row.result is None:
+        raise Conflict(f"run {row.id}: there is no result, it is in {row.state}" + ("" if row.reason is None else f" ({row.reason})"))
+    return Result.model_validate_json(row.result)
+
+
 def steps(db: Session, row: RunRow, path: Iterable[Step], now: datetime) -> list[EventMessage]:
     """Takes a run through states; each is an event.
 
@@ -90,6 +91,8 @@ def steps(db: Session, row: RunRow, path: Iterable[Step], now: datetime) -> list
     messages: list[EventMessage] = []
     for step in path:
         state = State(row.state)
+        if step is not None and state in FINAL:  # the machine may begin anew, this run may not
+            raise IllegalCommandError(state, step, ())
         row.state = COMPLETED[state] if step is None else commanded(state, step)
         row.aborted = row.aborted or row.state == State.ABORTED
         messages += tell(db, row, [_state_changed(row)], now)
@@ -97,6 +100,19 @@ def steps(db: Session, row: RunRow, path: Iterable[Step], now: datetime) -> list
             row.ended_at = now
             webhooks.enqueue(db, answer(row), new_id, now)
     return messages
+
+
+def end(db: Session, row: RunRow, reason: str, now: datetime) -> None:
+    """Closes a run that no process carries: as it was told to end; Stopped before any motion; else Aborted."""
+    row.aborted, row.reason = True, reason
+    steps(db, row, ending(State(row.state)), now)
+
+
+def ending(state: State) -> list[Step]:
+    """How a run that does not come through ends."""
+    if state in (State.STOPPING, State.ABORTING):
+        return [None]
+    return [Command.STOP if state in (State.RESETTING, State.IDLE) else Command.ABORT, None]
 
 
 def tell(db: Session, row: RunRow, events: Sequence[Event], now: datetime) -> list[EventMessage]:
@@ -124,27 +140,21 @@ def waiting(db: Session) -> list[RunRow]:
     return list(first.values())
 
 
-def close_crashed(db: Session, now: datetime) -> list[str]:
-    """Aborts the runs that an earlier service left under way; those that only waited go on waiting. Returns which had begun to move."""
-    closed = []
-    for row in db.scalars(select(RunRow).where(RunRow.state.not_in((*FINAL, State.ABORTED, State.RESETTING)))):
-        row.reason = f"the service ended while the run was in {row.state}; the robot was stopped. Look at the cell, then clear the run."
-        moved = row.released
-        if row.state == State.CLEARING:
-            steps(db, row, [None], now)
-        else:
-            steps(db, row, [None] if row.state == State.ABORTING else [Command.ABORT, None], now)
-        if moved:
-            closed.append(row.id)
-    return closed
+def in_the_way(db: Session, cell: str) -> str | None:
+    """What the cell's run has in its way: of the first that is not over, else of the last."""
+    query = select(RunRow).where(RunRow.cell == cell)
+    carried = db.scalar(query.where(RunRow.state.not_in(FINAL)).order_by(RunRow.id).limit(1))
+    row = carried or db.scalar(query.order_by(RunRow.id.desc()).limit(1))
+    return None if row is None else row.in_the_way
 
 
 def answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None) -> RunAnswer:
     """The run as it leaves the service."""
-    state = State(row.state)
+    state, motion = State(row.state), motion_of(row)
     return RunAnswer(
         run=row.id,
         cell=row.cell,
+        payload=row.payload,
         order=RunOrder.model_validate_json(row.order),
         state=state,
         job_state=job_state(state, released=row.released, aborted=row.aborted),
@@ -160,6 +170,11 @@ def answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None) -> Ru
         released_by=row.released_by,
         released_at=row.released_at,
         ended_at=row.ended_at,
+        result=None if row.result is None else summary_of(Result.model_validate_json(row.result)),
+        accepted_by=row.accepted_by,
+        accepted_at=row.accepted_at,
+        continues=None if motion is None else motion.continues,
+        diagnosis=None if motion is None else motion.diagnosis,
     )
 
 

@@ -7,12 +7,14 @@ from collections.abc import Iterable
 from prometheus_client import CollectorRegistry, Counter, Histogram
 
 from core.events import RobotStopped
+from server.event_schemas import EventMessage, StateChanged
 from server.packml import FINAL, State
-from server.run_schemas import EventMessage, StateChanged
 from server.run_tables import RunRow
 from server.runner.messages import Paced
 
 SECONDS = (1, 2, 5, 10, 20, 30, 45, 60, 90, 120, 180, 300, 600)
+
+LATENESS = (0.0001, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1)
 
 
 class RunMetrics:
@@ -30,8 +32,11 @@ class RunMetrics:
         self._latest = Histogram(
             "heft_control_latest_tick_seconds",
             "How late the latest tick of each run came.",
-            buckets=(0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1),
+            buckets=LATENESS,
             registry=registry,
+        )
+        self._median = Histogram(
+            "heft_control_median_tick_seconds", "How late the ticks of each run came in the median.", buckets=LATENESS, registry=registry
         )
 
     def told(self, messages: Iterable[EventMessage], row: RunRow) -> None:
@@ -52,3 +57,4 @@ class RunMetrics:
         self._ticks.inc(paced.ticks)
         self._late.inc(paced.late)
         self._latest.observe(paced.latest_s)
+        self._median.observe(paced.median_s)

@@ -1,95 +1,21 @@
-"""What a run shows while it is planned and while it moves. SI; joints in the robot's order; world frame unless a name says otherwise."""
+"""A run as it is asked for and as it stands."""
 
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Annotated, Literal
+from pathlib import Path
+from typing import Literal
 
 from pydantic import Field
 
-from core.events import Event, Finished, PhaseStarted, Planned, RecordingWritten, RobotStopped, StartConfigurationFound, TransferPlanned
+from core.gap.experiment import Stop
 from core.plan_settings import Planner
-from core.plan_summary import PlanSummary
-from core.result import Numbers
 from core.shapes import Box
 from server.packml import JobState, State
+from server.result_summary import ResultSummary
 from server.schemas import Answer, Body, Name
 
 Pace = Literal["real_time", "as_fast_as_possible"]
-
-
-class NearestPart(Answer):
-    """The nearest pair of the robot and what stands around it."""
-
-    distance_m: float
-    first: str
-    second: str
-    point_first_m: list[float]
-    point_second_m: list[float]
-
-
-class LiveBatch(Answer):
-    """Newest samples of a run.
-
-    Args:
-        t_s: robot's clock, one per row of `wrench`.
-        wrench: rows of fx fy fz (N) tx ty tz (N m), raw, sensor frame.
-        reconstructed: what the estimate so far says the last row should be; null while nothing is known.
-        phi, phi_std: the estimate so far in the paper's order, with its standard uncertainty.
-        q_rad: joint positions at the last row.
-        progress: share of the robot time, 0 to 1; `eta_s` what is left of it by the wall clock.
-    """
-
-    kind: Literal["samples"] = "samples"
-    phase: str
-    t_s: list[float]
-    wrench: list[list[float]]
-    reconstructed: list[float] | None
-    phi: Numbers
-    phi_std: Numbers
-    q_rad: list[float]
-    nearest: NearestPart | None
-    progress: float
-    eta_s: float | None
-
-
-class PathPart(Answer):
-    """A planned transfer: joint positions every `period_s`, to look at; what is commanded lies between them."""
-
-    toward: str
-    period_s: float
-    q_rad: list[list[float]]
-
-
-class ThrowPart(Answer):
-    """Where the load would come nearest to a protected zone if it let go during a rotation.
-
-    Args:
-        point_m, velocity_m_s: of its fastest corner at that moment; `speed_m_s` is the same as one number.
-    """
-
-    axis: str
-    zone: str
-    distance_m: float
-    speed_m_s: float
-    point_m: list[float]
-    velocity_m_s: list[float]
-
-
-class RunPlan(Answer):
-    """A plan as it is shown before its release.
-
-    Args:
-        sha256: of all that is going to happen: the plan's every set point, the cell with its zones and limits, the payload box.
-        plan_digest: of the set points alone.
-    """
-
-    sha256: str
-    plan_digest: str
-    summary: PlanSummary
-    paths: list[PathPart]
-    throws: list[ThrowPart]
-    safety_rated: Literal[False] = False
 
 
 class RunOrder(Body):
@@ -117,6 +43,19 @@ class RunOrder(Body):
     pace: Pace = "real_time"
 
 
+class ProposedMotion(Body):
+    """What a run does instead of the procedure: the motion that a diagnosis proposes.
+
+    Args:
+        continues: the run whose recording it is appended to; null where that was uploaded. `recording` is its folder.
+    """
+
+    diagnosis: str
+    continues: str | None
+    recording: Path
+    stops: tuple[Stop, ...]
+
+
 class RunAnswer(Answer):
     """A run as it stands now.
 
@@ -125,10 +64,14 @@ class RunAnswer(Answer):
         commands: what may be asked of it now.
         reason: why it did not come through, or why it stands.
         progress: share of the robot time, 0 to 1; `eta_s` what is left of it.
+        result: what it found, in a few numbers; null until it is known.
+        accepted_by: who took the result for good.
+        diagnosis: whose proposed motion it makes, null for the procedure; its recording begins with that of the run that it `continues`.
     """
 
     run: str
     cell: str
+    payload: str | None
     order: RunOrder
     state: State
     job_state: JobState
@@ -144,58 +87,9 @@ class RunAnswer(Answer):
     released_by: str | None
     released_at: datetime | None
     ended_at: datetime | None
+    result: ResultSummary | None
+    accepted_by: str | None
+    accepted_at: datetime | None
+    continues: str | None
+    diagnosis: str | None
     safety_rated: Literal[False] = False
-
-
-class StateChanged(Event):
-    """The run went into another state."""
-
-    kind: Literal["state_changed"] = "state_changed"
-    state: State
-    job_state: JobState
-    commands: list[str]
-    reason: str | None = None
-
-
-class PlanShown(Event):
-    """A plan waits for its release, `GET /api/runs/{run}/plan`; one that was shown before is void."""
-
-    kind: Literal["plan_shown"] = "plan_shown"
-    sha256: str
-    robot_s: float
-
-
-class WaitingForZone(Event):
-    """The robot stands, and there is no safe way on before a zone moves: `in_the_way` where planning knows it."""
-
-    kind: Literal["waiting_for_zone"] = "waiting_for_zone"
-    message: str
-    in_the_way: str | None = None
-
-
-Happening = Annotated[
-    StateChanged
-    | PlanShown
-    | WaitingForZone
-    | StartConfigurationFound
-    | TransferPlanned
-    | Planned
-    | PhaseStarted
-    | RobotStopped
-    | RecordingWritten
-    | Finished,
-    Field(discriminator="kind"),
-]
-
-
-class EventMessage(Answer):
-    """Something that happened to a run; `sequence` counts from 1 without gaps."""
-
-    kind: Literal["event"] = "event"
-    sequence: int
-    at: datetime
-    event: Happening
-
-
-LiveMessage = Annotated[EventMessage | LiveBatch, Field(discriminator="kind")]
-"""What `/api/runs/{run}/live` sends."""

@@ -11,14 +11,17 @@ from server.store import Table
 
 
 class RunRow(Table):
-    """One run. `order`, `plan` and `result` are JSON (`RunOrder`, `RunPlan`, `core.result.Result`)."""
+    """One run. `order`, `motion`, `plan` and `result` are JSON (`RunOrder`, `ProposedMotion`, `RunPlan`, `core.result.Result`)."""
 
     __tablename__ = "runs"
 
     id: Mapped[str] = mapped_column(String(32), primary_key=True)
     """Sorts by the time of its making."""
     cell: Mapped[str] = mapped_column(String(64), index=True)
+    payload: Mapped[str | None] = mapped_column(String(64), index=True)
     order: Mapped[str] = mapped_column("run_order", Text)
+    motion: Mapped[str | None] = mapped_column(Text)
+    """None for the procedure."""
     state: Mapped[str] = mapped_column(String(16), index=True)
     released: Mapped[bool] = mapped_column(default=False)
     aborted: Mapped[bool] = mapped_column(default=False)
@@ -34,6 +37,8 @@ class RunRow(Table):
     released_by: Mapped[str | None] = mapped_column(String(80))
     released_at: Mapped[datetime | None]
     ended_at: Mapped[datetime | None]
+    accepted_by: Mapped[str | None] = mapped_column(String(80))
+    accepted_at: Mapped[datetime | None]
 
 
 class RunEventRow(Table):

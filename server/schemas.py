@@ -5,10 +5,16 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Annotated
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, StringConstraints
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, SecretStr, StringConstraints
 
 Name = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
 """Of a cell, a zone, an account: safe in a path, a URL and a log line."""
+
+
+Password = Annotated[SecretStr, Field(max_length=200)]
+"""As it is typed in."""
+NewPassword = Annotated[SecretStr, Field(min_length=12, max_length=200)]
+"""One from now on: long enough not to be guessed."""
 
 
 class Body(BaseModel):

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import fcntl
+import json
 import secrets
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import uvicorn
 from pydantic import ValidationError
@@ -54,14 +56,21 @@ def serve(*, host: str | None = None, port: int | None = None, cells: Path | Non
         )
 
 
-def read_settings(**options: object) -> Settings:
+def write_openapi(file: Path) -> None:
+    """The description of the API as JSON; the file appears complete or not at all."""
+    part = file.with_name(file.name + ".part")
+    part.write_text(json.dumps(create_app(read_settings()).openapi(), indent=2) + "\n", encoding="utf-8")
+    part.replace(file)
+
+
+def read_settings(**options: Any) -> Settings:
     """The options that are given, then the environment, then what stands in `Settings`.
 
     Raises:
         BadInput: one of them cannot be used.
     """
     try:
-        return Settings(**{name: value for name, value in options.items() if value is not None})  # type: ignore[arg-type]
+        return Settings(**{name: value for name, value in options.items() if value is not None})
     except ValidationError as error:
         flaw = error.errors()[0]
         name = str(flaw["loc"][0])

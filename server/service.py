@@ -11,6 +11,7 @@ from server import job_kinds
 from server.cell_folder import CellFolder
 from server.cell_uploads import CellChecker
 from server.conductor import Conductor
+from server.console import Console
 from server.control_lease import Control
 from server.jobs import Worker
 from server.metrics import Metrics
@@ -38,6 +39,7 @@ class Service:
     now: Callable[[], datetime] = field(default=utc_now)
     control: Control = field(default_factory=Control)
     offers: Offers = field(default_factory=Offers)
+    console: Console = field(default_factory=Console)
 
     @cached_property
     def conductor(self) -> Conductor:
@@ -47,7 +49,7 @@ class Service:
     @cached_property
     def diagnoses(self) -> Worker:
         """All diagnoses."""
-        return Worker(self.store, self.now, job_kinds.diagnoses(self.settings))
+        return Worker(self.store, self.now, job_kinds.diagnoses(self.settings, self.cells))
 
     @cached_property
     def additions(self) -> Worker:

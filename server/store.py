@@ -34,11 +34,11 @@ class UtcTime(TypeDecorator[datetime]):
     impl = DateTime(timezone=True)
     cache_ok = True
 
-    def process_bind_param(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002
+    def process_bind_param(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002  SQLAlchemy passes it
         """To UTC."""
         return None if value is None else value.astimezone(UTC)
 
-    def process_result_value(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002
+    def process_result_value(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002  SQLAlchemy passes it
         """From UTC."""
         return None if value is None else value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)
 
@@ -47,7 +47,7 @@ class Table(DeclarativeBase):
     """Root of all tables."""
 
     metadata = MetaData(naming_convention=NAMES)
-    type_annotation_map = {datetime: UtcTime}  # noqa: RUF012
+    type_annotation_map = {datetime: UtcTime}  # noqa: RUF012  SQLAlchemy's own, read once and never changed
 
 
 class Store:
@@ -88,6 +88,11 @@ class Store:
         """Raises SQLAlchemy's error where the database does not answer."""
         with self._engine.connect() as connection:
             connection.execute(text("SELECT 1"))
+
+    def check_writable(self) -> None:
+        """Waits for the turn to write, as `write` does, and writes nothing; raises SQLAlchemy's error where the turn does not come."""
+        with self._writing.connect() as connection, connection.begin():
+            _wait_for_turn(connection, WRITE_LOCK)
 
     def close(self) -> None:
         """Closes all connections."""

@@ -14,13 +14,22 @@ class Seal(Answer):
     sha256: str
 
 
+class NamedEffect(Answer):
+    """An effect that the diagnosis named; `closure` is the share of the gap that goes away with it."""
+
+    id: str
+    probability: float
+    closure: float
+
+
 class OpenedTrial(Answer):
     """A finished trial.
 
     Args:
         sealed: the text whose SHA-256 is the seal: cell, payload, faults and their parameters.
         planted: the faults in words, `size` in plausible sizes of them.
-        verdict, named: what the diagnosis said; `named` is its first effect.
+        verdict, named: what the diagnosis said; `named` is its first effect, `effects` are all of them, the most probable first.
+        gap_before, gap_after: root mean square of measured minus simulated, in multiples of the noise, on motions that no fit saw.
         mark: whether that was right, in words.
     """
 
@@ -30,6 +39,11 @@ class OpenedTrial(Answer):
     size: float
     verdict: str
     named: str | None
+    effects: list[NamedEffect]
+    none_probability: float
+    unknown_probability: float
+    gap_before: float | None
+    gap_after: float | None
     mark: str
 
 

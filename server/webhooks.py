@@ -7,9 +7,10 @@ import hmac
 import logging
 from collections.abc import Callable
 from datetime import datetime, timedelta
+from functools import cached_property
 from hashlib import sha256
+from typing import TYPE_CHECKING
 
-import httpx2
 from sqlalchemy import select
 from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
@@ -17,6 +18,9 @@ from sqlalchemy.orm import Session
 from server.run_schemas import RunAnswer
 from server.run_tables import Delivery, Webhook
 from server.store import Store
+
+if TYPE_CHECKING:  # the service starts sooner without it
+    import httpx2
 
 log = logging.getLogger("heft.webhooks")
 
@@ -43,9 +47,14 @@ class Deliverer:
     """Sends what is due."""
 
     def __init__(self, store: Store, now: Callable[[], datetime], transport: httpx2.AsyncBaseTransport | None = None) -> None:
-        self._store, self._now = store, now
-        self._client = httpx2.AsyncClient(timeout=TIMEOUT_S, follow_redirects=False, transport=transport, trust_env=False)
+        self._store, self._now, self._transport = store, now, transport
         self._task: asyncio.Task[None] | None = None
+
+    @cached_property
+    def _client(self) -> httpx2.AsyncClient:
+        import httpx2  # noqa: PLC0415  nothing may ever be due
+
+        return httpx2.AsyncClient(timeout=TIMEOUT_S, follow_redirects=False, transport=self._transport, trust_env=False)
 
     async def start(self) -> None:
         """Goes on until `close`."""
@@ -56,7 +65,8 @@ class Deliverer:
         if self._task is not None:
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
-        await self._client.aclose()
+        if "_client" in vars(self):  # there was something to send
+            await self._client.aclose()
 
     async def _forever(self) -> None:
         while True:
@@ -82,6 +92,8 @@ class Deliverer:
         timestamp = str(round(self._now().timestamp()))
         signed = f"sha256={signature(webhook.secret, timestamp, delivery.body)}"
         headers = {"Content-Type": "application/json", DELIVERY: delivery.id, TIMESTAMP: timestamp, SIGNATURE: signed}
+        import httpx2  # noqa: PLC0415  see `_client`
+
         try:
             answer = await self._client.post(webhook.url, content=delivery.body, headers=headers)
             error = None if answer.is_success else f"HTTP {answer.status_code}"

@@ -85,7 +85,7 @@ class Findings(NamedTuple):
 
 @njit(cache=True)
 def _finite(values: Array) -> bool:
-    for value in values:  # noqa: SIM110  compiled
+    for value in values:  # noqa: SIM110 - compiled: Numba knows no `any` of a generator
         if not np.isfinite(value):
             return False
     return True
@@ -117,7 +117,7 @@ def _motion(reach: Array, q_a: Array, q_b: Array) -> float:
 
 
 @njit(cache=True)
-def _check(  # noqa: PLR0911, PLR0912  one return per fault, in the order of `Fault`
+def _check(  # noqa: PLR0911, PLR0912 - one return per fault, in the order of `Fault`
     placements: Array,
     axes: Array,
     joint: NDArray[np.int64],

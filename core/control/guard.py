@@ -123,14 +123,13 @@ class Guard:
         self._max_speed, self._fastest = 0.0, "nothing"
         self._nearest: Nearest | None = None
         self._min_margin = math.inf
+        self._wrench, self._still_s = np.full(6, np.nan), 0.0  # a sensor that dies may do so between two phases
         self._warm_up()
         self.begin()
 
     def begin(self) -> None:
         """A phase begins: the clock may have gone on since the last state, obstacles and zones may have moved."""
         self._t = math.nan
-        self._wrench = np.full(6, np.nan)
-        self._alive = math.nan  # when the wrench changed last
         self._until_sample = 0
         self._found.known_margin[:] = -math.inf
 
@@ -152,7 +151,7 @@ class Guard:
         self._t = state.t
         if self._found.speed[0] > self._max_speed:
             self._max_speed, self._fastest = float(self._found.speed[0]), self.collision.points.owner[index]
-        self._check_wrench_lives(state)
+        self._check_wrench_lives(state, 0.0 if math.isnan(dt) else dt)
         self._check_distance(state)
 
     @property
@@ -166,11 +165,12 @@ class Guard:
         home, still = np.array(self.cell.robot.home_rad), np.zeros(self.robot.n)
         _check(*self._fixed, math.nan, home, still, home, np.zeros(6), home)
 
-    def _check_wrench_lives(self, state: RobotState) -> None:
+    def _check_wrench_lives(self, state: RobotState, dt: float) -> None:
+        self._still_s += dt
         if state.wrench[0] != self._wrench[0] or (state.wrench != self._wrench).any():
-            self._wrench, self._alive = state.wrench, state.t
-        elif state.t - self._alive >= self._frozen_after:
-            raise frozen(state.t - self._alive, self._frozen_after, self._history)
+            self._wrench, self._still_s = state.wrench, 0.0
+        elif self._still_s >= self._frozen_after:
+            raise frozen(self._still_s, self._frozen_after, self._history)
 
     def _check_distance(self, state: RobotState) -> None:
         """Today's margin and that of the predicted stop, exact where the motion bound does not settle it."""

@@ -101,7 +101,7 @@ def _exchange(T: Array, value: Array, width: Array, basis: NDArray[np.int64], at
 
 
 @njit(cache=True)
-def _largest_scale(J: Array, x: Array, lower: Array, upper: Array, dq: Array) -> float:  # noqa: PLR0912  compiled: loops instead of array expressions
+def _largest_scale(J: Array, x: Array, lower: Array, upper: Array, dq: Array) -> float:  # noqa: PLR0912 - compiled: loops instead of array expressions
     """Fills dq (n,) and returns s; -1 where no s in [0, 1] can be had within the bounds."""
     m, n = J.shape
     T = np.empty((m, n + 1))

@@ -20,10 +20,12 @@ from core.control.sns import RANK_TOLERANCE, TOLERANCE, JointVelocities
 Array = NDArray[np.float64]
 
 _PIVOT = RANK_TOLERANCE**2  # J W J^T squares the singular values
+_ACHIEVED = 1e-7
+"""Of 1 and the task's size: what rounding may leave between J dq and the task. Without pivoting a small pivot can hide a lost rank."""
 
 
 @njit(cache=True)
-def _solve_free(J: Array, free: NDArray[np.bool_], L: Array, y: Array) -> bool:  # noqa: PLR0912  compiled: loops instead of array expressions
+def _solve_free(J: Array, free: NDArray[np.bool_], L: Array, y: Array) -> bool:  # noqa: PLR0912 - compiled: loops instead of array expressions
     """Solves `J W J^T Y = y` in place for both columns of y (m, 2); False where the rank is less than m."""
     m, n = J.shape
     largest = 0.0
@@ -83,6 +85,19 @@ def _critical_joint(a: Array, b: Array, lower: Array, upper: Array) -> int:
 
 
 @njit(cache=True)
+def _achieves(J: Array, dq: Array, x: Array, s: float) -> bool:
+    """Whether `J dq = s x` but for rounding."""
+    size = np.abs(x).max()
+    for r in range(len(x)):
+        missing = s * x[r]
+        for j in range(len(dq)):
+            missing -= J[r, j] * dq[j]
+        if not abs(missing) <= _ACHIEVED * (1.0 + size):
+            return False
+    return True
+
+
+@njit(cache=True)
 def _sns(J: Array, x: Array, lower: Array, upper: Array, dq: Array) -> float:
     """Algorithm 7; fills dq (n,) and returns the scale."""
     m, n = J.shape
@@ -108,12 +123,14 @@ def _sns(J: Array, x: Array, lower: Array, upper: Array, dq: Array) -> float:
         if not outside:
             for j in range(n):
                 dq[j] = min(max(dq[j], lower[j]), upper[j])
-            return 1.0
+            if _achieves(J, dq, x, 1.0):
+                return 1.0
+            break
         j_c = _critical_joint(a, b, lower, upper)
         free[j_c] = False
         dq_N[j_c] = upper[j_c] if dq[j_c] > upper[j_c] else lower[j_c]
     s = _largest_scale(J, x, lower, upper, dq)
-    if s <= 0.0:
+    if s <= 0.0 or not _achieves(J, dq, x, s):
         for j in range(n):
             dq[j] = min(max(0.0, lower[j]), upper[j])
         return 0.0

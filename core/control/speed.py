@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.chain import Chain, _joint_frames
+from core.chain import Chain, joint_frames
 from core.collision import SpeedPoints
 
 Array = NDArray[np.float64]
@@ -25,7 +25,7 @@ class FastestPoint(NamedTuple):
 def _fastest_point(placements: Array, axes: Array, joint: NDArray[np.int64], local: Array, q: Array, dq: Array) -> tuple[float, int]:
     n = len(q)
     R, p = np.empty((n + 1, 3, 3)), np.empty((n + 1, 3))
-    _joint_frames(placements, axes, q, R, p)
+    joint_frames(placements, axes, q, R, p)
     w, v = np.empty((n, 3)), np.empty((n, 3))  # angular velocity of each link, velocity of its joint's origin
     for j in range(n):
         for r in range(3):

@@ -36,7 +36,8 @@ class CableDrag(Effect):
 
     `F = f max(0, 1 - s/|f|) - mu v / sqrt(v^2 + v_c^2)` with `f = c - k (p - p_0)`, base axes; p and v are of the point r. c is the pull
     in the first sample if there were no slack, so the fixed point is `p_0 + c / k`, and `s / k` is the free length: a hose has `s = 0`.
-    Guides along the base's axes rub each on its own, by `mu_g v_i / sqrt(v_i^2 + v_c^2)`.
+    Friction that acts on each axis of the base on its own, `mu_g v_i / sqrt(v_i^2 + v_c^2)`, has no mechanism behind it that we know
+    of, but simulators have it, and linear guides along those axes would look like it.
     About the last joint, `T = -(k_1 x + k_2 x^2 + k_3 x^3) - mu_t z` with x the angle since the first sample (the constant is an offset)
     and z from -1 to 1 what a play of 0.1 rad holds back. The sensor reads `-F` and `-r x F - T`.
     """

@@ -122,6 +122,8 @@ class Symptom(ABC):
     """Symptoms that come along with this one, and are not named beside it."""
     disturbs: ClassVar[bool] = False
     """Whether by itself it makes the wrench disagree with the twin."""
+    resembled_by: ClassVar[tuple[str, ...]] = ()
+    """Effects whose trace in the recording looks like this symptom: beside them it is not named."""
 
     @abstractmethod
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:

@@ -17,14 +17,19 @@ from core.effects.memory import Past
 
 Array = NDArray[np.float64]
 
+ROWS = 6
+"""That a value between samples is interpolated from: with four, what is left of a sharp delay looks like a filter."""
 BACKWARD = np.array([11 / 6, -3.0, 3 / 2, -1 / 3])
 """Derivative at the newest of four samples, third order in the period."""
 
 
 def delayed(w: Array, samples: float, past: Past | None = None) -> Array:
-    """`w` (N, n) late by a number of samples >= 0, whole or not: cubic (Lagrange) through four rows, none newer than the row itself."""
-    whole = (past or Past()).before(np.ascontiguousarray(w), math.ceil(samples) + 3)
-    return cast(Array, _delayed(whole, float(samples), len(whole) - len(w)))
+    """`w` (N, n) late by a number of samples >= 0, whole or not: quintic (Lagrange) through six rows, none newer than the row itself."""
+    newest = max(0, math.floor(samples) - ROWS // 2 + 1)
+    lags = newest + np.arange(ROWS)
+    weights = np.array([np.prod([(samples - other) / (lag - other) for other in lags if other != lag]) for lag in lags])
+    whole = (past or Past()).before(np.ascontiguousarray(w), newest + ROWS)
+    return cast(Array, _delayed(whole, weights, newest, len(whole) - len(w)))
 
 
 def low_passed(w: Array, time_constant: complex, period: float, past: Past | None = None) -> Array:
@@ -65,20 +70,14 @@ def play(w: Array, radius: Array, past: Past | None = None) -> Array:
 
 
 @numba.njit(cache=True)
-def _delayed(w: Array, samples: float, begin: int) -> Array:
+def _delayed(w: Array, weights: Array, newest: int, begin: int) -> Array:
     N, n = w.shape
-    out = np.empty((N - begin, n))
+    out = np.zeros((N - begin, n))
     for k in range(begin, N):
-        p = k - samples
-        base = min(int(np.floor(p)) - 1, k - 3)
-        x = p - base
-        c0 = -(x - 1) * (x - 2) * (x - 3) / 6
-        c1 = x * (x - 2) * (x - 3) / 2
-        c2 = -x * (x - 1) * (x - 3) / 2
-        c3 = x * (x - 1) * (x - 2) / 6
-        i0, i1, i2, i3 = max(base, 0), max(base + 1, 0), max(base + 2, 0), max(base + 3, 0)
-        for j in range(n):
-            out[k - begin, j] = c0 * w[i0, j] + c1 * w[i1, j] + c2 * w[i2, j] + c3 * w[i3, j]
+        for i in range(len(weights)):
+            row = max(k - newest - i, 0)
+            for j in range(n):
+                out[k - begin, j] += weights[i] * w[row, j]
     return out
 
 

@@ -22,6 +22,8 @@ BANDS = np.geomspace(COARSEST, FINEST, 9)
 """Of the ratio, in each of which the same rows are slow enough to show a ripple."""
 PER_CYCLE = 8
 """Bins of the angle in the shortest wave, which is half a turn of the wave generator long."""
+LEAST_BINS = 1024
+"""Zeros are appended up to here, so that each band has ratios of its own where a joint hardly turns."""
 
 
 class Peak(NamedTuple):
@@ -72,7 +74,7 @@ class RippleSearch:
         """The highest peak for a residual (N, 6)."""
         per_rad = PER_CYCLE * FINEST / np.pi
         bins = ((self.angle - self.angle.min()) * per_rad).astype(int)
-        size = 1 << int(np.ceil(np.log2(2.0 * bins.max() + 2.0)))
+        size = max(LEAST_BINS, 1 << int(np.ceil(np.log2(2.0 * bins.max() + 2.0))))
         ratio = np.fft.rfftfreq(size, 1.0 / per_rad) * np.pi  # from cycles per rad: 2 N = 2 pi f
         seen = np.einsum("ni,ni->n", self.response, residual)
         best = Peak(0.0, BANDS[0])

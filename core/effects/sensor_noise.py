@@ -37,6 +37,7 @@ class SensorNoise(Symptom):
     id = "sensor_noise"
     title = "noise of the sensor above what is stated"
     stage = "sensor"
+    resembled_by = ("payload_loose", "joint_elasticity", "tool_flexibility")  # what swings after a motion, swings in the hold
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""

@@ -15,10 +15,15 @@ COARSER = 1.4
 """Times the stated resolution; less is a question of rounding."""
 VISIBLE = 0.5
 """Standard deviation of the rounding, `d / sqrt(12)`, against that of the noise."""
+RESTING = 0.5
+"""Share of rows that repeat the one before; noise on a grid as fine as half of its usual step repeats itself less often."""
+JUMPS = 20
+"""Fewer changes of a value do not tell a dead band."""
 
 
 class SensorQuantization(Symptom):
-    """`round(W / d) d`: the step `d` read off the distinct values of each channel.
+    """`round(W / d) d`: the step `d` read off the distinct values of each channel, over the run or in the hold in which they are coarsest
+    (a number with few digits is coarse where it is large). A channel that rests until it has moved by `d` (a dead band) has steps as well.
 
     Material where `d` is coarser than stated and its rounding is more than half of the noise: finer steps are dithered away by the noise
     itself.
@@ -28,6 +33,7 @@ class SensorQuantization(Symptom):
     title = "coarse steps of the sensor's signal"
     stage = "sensor"
     explains = ("sensor_noise",)
+    disturbs = True
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""
@@ -41,7 +47,7 @@ class SensorQuantization(Symptom):
         if recording.wrench is None:
             return None
         sensor = recording.sensor
-        step = np.array([step_of(channel) or 0.0 for channel in recording.wrench.T])
+        step = np.array([_coarsest(channel, view.holds) for channel in recording.wrench.T])
         stated = np.zeros(6) if sensor.resolution is None else np.asarray(sensor.resolution)
         noise = _noise(view.noise_std, sensor.noise_std, step)
         rounding = step / np.sqrt(12)
@@ -68,6 +74,23 @@ class SensorQuantization(Symptom):
         )
 
 
+def _coarsest(channel: Array, holds: tuple[slice, ...]) -> float:
+    """The largest of the steps by which a channel (N,) was seen to move; 0 where none was seen."""
+    parts = (channel, *(channel[hold] for hold in holds))
+    return max(dead_band(channel), *(step_of(part) or 0.0 for part in parts))
+
+
+def dead_band(channel: Array) -> float:
+    """What a channel (N,) has to change by before it is seen to, the median of its changes; 0 where it does not rest between them.
+
+    At the ends of its range, where it may be clipped, it does not count.
+    """
+    inside = (channel > channel.min()) & (channel < channel.max())
+    changes = np.abs(np.diff(channel))[inside[1:] & inside[:-1]]
+    jumps = changes[changes > 0]
+    return float(np.median(jumps)) if JUMPS <= len(jumps) < (1.0 - RESTING) * len(changes) else 0.0
+
+
 def step_of(channel: Array) -> float | None:
     """The step between neighbouring values of a channel (N,); None where its values are not repeated enough to tell.
 
@@ -75,10 +98,10 @@ def step_of(channel: Array) -> float | None:
     gaps of two sizes, whose mean is the coarser step.
     """
     values = np.unique(np.round(channel, 9))
-    if len(values) < 4 or len(values) > len(channel) / 3:
+    if len(values) < 3 or len(values) > len(channel) / 3:
         return None
     gaps = np.diff(values)
-    smallest = float(np.quantile(gaps, 0.1))  # a stray value beside the steps does not count
+    smallest = float(np.quantile(gaps, 0.1, method="nearest"))  # a stray value beside the steps does not count
     return float(gaps[np.abs(gaps / smallest - 1.3) < 0.5].mean())
 
 

@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 class TimeDelay(Effect):
-    """`W(t - tau)`, between samples by a cubic. A wrench that is early means joints that are late, which is `kinematic_lag`."""
+    """`W(t - tau)`, between samples by a quintic. A wrench that is early means joints that are late, which is `kinematic_lag`."""
 
     id = "time_delay"
     title = "a delay of the wrench against the joints"

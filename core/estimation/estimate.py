@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -9,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.estimation.segments import Segment
-from core.inertia import InertialParameters, Motion, six_of
+from core.inertia import InertialParameters, Motion
+from core.uncertain_parameters import UncertainParameters
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -61,12 +63,10 @@ class Drift:
 
 
 @dataclass(frozen=True)
-class Estimate:
+class Estimate(UncertainParameters):
     """All ten parameters from all samples, sensor frame, SI.
 
     Args:
-        phi: (10,), the paper's order; NaN where not determined.
-        covariance: (10, 10), of `phi`; NaN in the rows and columns of what is not determined.
         determined: (10,).
         reasons: name of the parameter -> why it is not determined.
         offset, offset_std: (6,), mean over the recording.
@@ -77,8 +77,6 @@ class Estimate:
         residual_rms, noise_std: (6,), per sample, N and N m.
     """
 
-    phi: Array
-    covariance: Array
     determined: Bools
     reasons: dict[str, str]
     offset: Array
@@ -94,63 +92,9 @@ class Estimate:
     delay_std: float | None = None
 
     @cached_property
-    def std(self) -> Array:
-        """(10,), standard uncertainty; NaN where not determined."""
-        return np.sqrt(np.diag(self.covariance))
-
-    @cached_property
     def parameters(self) -> InertialParameters | None:
         """The payload; None unless all ten are determined."""
         return InertialParameters(self.phi) if bool(self.determined.all()) else None
-
-    @cached_property
-    def com_m(self) -> Array:
-        """(3,), centre of mass; NaN where not determined."""
-        return np.asarray(self.phi[1:4] / self.phi[0])
-
-    @cached_property
-    def com_covariance(self) -> Array:
-        """(3, 3), m2, by first-order propagation."""
-        J = np.column_stack((-self.com_m / self.phi[0], np.eye(3) / self.phi[0]))
-        return _propagate(J, self.covariance[:4, :4])
-
-    @property
-    def com_std(self) -> Array:
-        """(3,), m."""
-        return np.sqrt(np.diag(self.com_covariance))
-
-    @cached_property
-    def inertia_com(self) -> Array:
-        """(6,), `[Ixx, Ixy, Ixz, Iyy, Iyz, Izz]` about the centre of mass, kg m2; NaN where not determined."""
-        return self.phi[4:] - six_of(_steiner(self.phi[:4]))
-
-    @cached_property
-    def inertia_com_std(self) -> Array:
-        """(6,), kg m2, by first-order propagation."""
-        m, mc = self.phi[0], self.phi[1:4]
-        J = np.zeros((6, 10))
-        J[:, 4:] = np.eye(6)
-        J[:, 0] = six_of(_steiner(self.phi[:4])) / m
-        for i, e in enumerate(np.eye(3)):
-            J[:, 1 + i] = -six_of(2.0 * mc[i] * np.eye(3) - np.outer(mc, e) - np.outer(e, mc)) / m
-        return np.sqrt(np.diag(_propagate(J, self.covariance)))
-
-
-def _steiner(moments: Array) -> Array:
-    """3x3 share of the offset centre of mass in the inertia, from `[m, mc]`."""
-    m, mc = moments[0], moments[1:]
-    return np.asarray((mc @ mc * np.eye(3) - np.outer(mc, mc)) / m)
-
-
-def _propagate(J: Array, covariance: Array) -> Array:
-    """J S J^T in which a NaN spoils only the outputs that depend on it."""
-    unknown = np.isnan(np.diag(covariance))
-    S = np.where(np.isnan(covariance), 0.0, covariance)
-    result = np.where(np.isnan(J), 0.0, J) @ S @ np.where(np.isnan(J), 0.0, J).T
-    spoilt = np.isnan(J).any(axis=1) | (np.abs(np.where(np.isnan(J), 1.0, J)) @ unknown > 0)
-    result[spoilt, :] = np.nan
-    result[:, spoilt] = np.nan
-    return np.asarray(result)
 
 
 @dataclass(frozen=True)
@@ -171,6 +115,30 @@ class TimeSeries:
 
 
 @dataclass(frozen=True)
+class Verification:
+    """One motion, predicted by a fit to all the rest.
+
+    Args:
+        phase: of the motion.
+        windows: averages of 25 ms and more that were compared.
+        rms: (6,), of measured minus predicted, N and N m.
+        noise: (6,), what noise alone makes of it.
+        expected: (6,), noise and the uncertainty of the prediction together.
+    """
+
+    phase: str
+    windows: int
+    rms: Array
+    noise: Array
+    expected: Array
+
+    @property
+    def ratio(self) -> float:
+        """Root mean square over the channels of what is seen against what is expected: near 1 where the estimate holds."""
+        return float(np.sqrt(np.mean((self.rms / self.expected) ** 2)))
+
+
+@dataclass(frozen=True)
 class Identification:
     """The answer to one recording.
 
@@ -183,6 +151,7 @@ class Identification:
         series: for the report; None where the recording has no motion to show.
         bounds: what can be said all the same, in words, for recordings without a wrench.
         accounted: identifiers of the twin's effects that were taken off the wrench.
+        verified: finds the verification, which takes as long as a fit for each; nothing where there is no motion to leave out.
     """
 
     paper: PaperEstimate
@@ -193,3 +162,9 @@ class Identification:
     series: TimeSeries | None = None
     bounds: tuple[str, ...] = field(default=())
     accounted: tuple[str, ...] = ()
+    verified: Callable[[], tuple[Verification, ...]] = tuple
+
+    @cached_property
+    def verification(self) -> tuple[Verification, ...]:
+        """Each rotation, predicted by a fit to all the rest."""
+        return self.verified()

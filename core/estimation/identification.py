@@ -17,6 +17,7 @@ from core.estimation.segments import Segment, motionless, parted, segments_of_mo
 from core.estimation.torque_only import torque_only
 from core.estimation.twin_effects import TwinEffects, effects_on, fit_with_effects
 from core.estimation.verdict import verdict_of, warnings_of
+from core.estimation.verification import LeaveOneOut
 from core.estimation.weak_form import WeakForm
 from core.inertia import Motion, is_consistent, regressor
 from core.recording import Recording
@@ -65,7 +66,8 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     series = None if rows_only else _series(recording.t, wrench, motion, found, change)
     warnings = (*warnings_of(recording, estimate, found, static=rows_only), *_not_accounted(effects))
     verdict = verdict_of(estimate, static=rows_only)
-    return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids)
+    verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found.noise, segments).verifications
+    return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, verified=verified)
 
 
 def _fitted(form: WeakForm, wrench: Array, noise: SensorNoise, effects: TwinEffects) -> tuple[Fit, Array]:

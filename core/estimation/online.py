@@ -9,6 +9,7 @@ from core.estimation.estimate import PaperEstimate
 from core.estimation.kinematics import KinematicFilter
 from core.estimation.offset import OpposedPoses
 from core.estimation.regression import RecursiveRegression, Thresholds
+from core.estimation.still_poses import StillPoses
 from core.inertia import Motion
 from core.robot import RobotModel
 
@@ -36,6 +37,7 @@ class OnlineEstimator:
         thresholds = Thresholds.of_noise(float(omega_std), float(v_std), self._alpha_std)
         self._regression = RecursiveRegression(thresholds, noise_std**2)
         self._opposed = OpposedPoses()
+        self._still = StillPoses(noise_std)
         self._settling = round(0.3 / period)
 
     def update(self, q: Array, wrench: Array) -> None:
@@ -50,6 +52,7 @@ class OnlineEstimator:
         twist, alpha, g = kf.twist, kf.alpha, self._gravity @ kf.rotation
         if self._regression.update(g, twist[3:], twist[:3], alpha, wrench):
             self._opposed.add(g, wrench)
+            self._still.add(g, wrench)
 
     @property
     def motion(self) -> Motion:
@@ -58,7 +61,16 @@ class OnlineEstimator:
 
     @property
     def estimate(self) -> PaperEstimate:
-        """What is known so far; NaN where nothing is."""
+        """What the paper's method knows so far; NaN where nothing is: its offsets need every axis both ways."""
         offset = self._opposed.offset
         phi, std = self._regression.found.parameters(offset, torque_std=self._noise_std[3:], alpha_std=self._alpha_std)
+        return PaperEstimate(phi, std, offset)
+
+    @property
+    def so_far(self) -> PaperEstimate:
+        """The same, with mass, first moment and offsets from whatever poses were held, until the paper's method has them."""
+        paper, (still, still_std) = self.estimate, self._still.found
+        phi, std, offset = paper.phi.copy(), paper.std.copy(), np.where(np.isnan(paper.offset), still[4:], paper.offset)
+        early = np.isnan(phi[:4])
+        phi[:4], std[:4] = np.where(early, still[:4], phi[:4]), np.where(early, still_std[:4], std[:4])
         return PaperEstimate(phi, std, offset)

@@ -106,10 +106,12 @@ class WeakForm:
     Args:
         poses: of all samples.
         still_only: rows of averaged or motionless samples; each row is then a window of its own and nothing moves.
+        within: (N,), the samples that windows may touch; all where absent.
     """
 
-    def __init__(self, poses: Poses, *, still_only: NDArray[np.bool_] | None = None) -> None:
+    def __init__(self, poses: Poses, *, still_only: NDArray[np.bool_] | None = None, within: NDArray[np.bool_] | None = None) -> None:
         self.poses = poses
+        self._within = np.ones(len(poses.t), dtype=bool) if within is None else within
         self.static = still_only is not None
         t = poses.t
         rotation = poses.rotation
@@ -136,8 +138,9 @@ class WeakForm:
         gaps = np.flatnonzero(np.diff(t) > 4.0 * self.poses.period)
         reach = 2.0 * self._step + MARGIN_S + 3.0 * self.poses.period
         keep = np.ones(count, dtype=bool)
-        for k in gaps:
-            keep &= (centres < t[k] - reach) | (centres > t[k + 1] + reach)
+        barred = [(t[k], t[k + 1]) for k in gaps] + [(t[part][0], t[part][-1]) for part in _runs(~self._within)]
+        for start, stop in barred:
+            keep &= (centres < start - reach) | (centres > stop + reach)
         self._kept = keep
         return np.asarray(centres[keep])
 
@@ -234,6 +237,12 @@ def whiten(bands: Array, x: Array) -> Array:
     if info != 0:
         raise FloatingPointError("the covariance of the windows is singular")
     return np.asarray(solved)
+
+
+def _runs(flags: NDArray[np.bool_]) -> list[slice]:
+    """Stretches of True."""
+    edges = np.flatnonzero(np.diff(flags.astype(int), prepend=0, append=0))
+    return [slice(a, b) for a, b in edges.reshape(-1, 2)]
 
 
 def _features(values: Array, gravity: Array) -> Features:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from core.gap.answer import Cell, Change, Diagnosis, Explanation, GapPart, Minor, Pair, Payload, PayloadPart, Tied, Value, Verdict, Where
-from core.gap.attribution import Tie
+from core.gap.attribution import LAPSE, Tie
 from core.gap.closure import closure_of, gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.evidence import EXPLAINED, Evidence
@@ -15,7 +15,7 @@ from core.gap.symptoms import Observed, observed
 from core.gap.windows import OFFSET, Windows
 from core.recording import Recording
 
-SEEN = 0.95
+SEEN = 1.0 - LAPSE
 """Probability of what is plain in the recording itself."""
 UNKNOWN_CONSEQUENCE = "What it does to the payload cannot be told as long as its cause is not known: use these numbers with care."
 READ_OFF_CONSEQUENCE = "It is read off the recording itself; the wrench that the payload asks of the sensor is not changed by it."
@@ -24,7 +24,7 @@ READ_OFF_CONSEQUENCE = "It is read off the recording itself; the wrench that the
 def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
     """The evidence, and what is plain in the recording itself."""
     seen = observed(recording, evidence.windows, evidence.nominal, evidence.best)
-    told = [it for it in seen if it.finding.material and _concerns(it, evidence)]
+    told = [it for it in seen if it.finding.material and concerns(it, evidence)]
     fitted = _fitted(recording, evidence)
     if evidence.verdict in ("no_gap", "unknown"):
         answered = _read_off(fitted, told) if told else fitted
@@ -33,16 +33,18 @@ def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
     return answered.model_copy(update={"minor": [*answered.minor, *(_noted(it) for it in seen if it.symptom.id not in _names(answered))]})
 
 
-def _concerns(it: Observed, evidence: Evidence) -> bool:
+def concerns(it: Observed, evidence: Evidence) -> bool:
     """Whether a symptom is an answer, or stands among the minor findings.
 
     A gap in the wrench that nothing explains may come from samples that were lost, but not from the joints' friction, a wrong reference
     or noise, which is its consequence. Where an effect explains it, the estimated payload hangs on that effect, and is no proof against
-    the reference.
+    the reference; nor is what looks like the effect itself.
     """
     if evidence.verdict == "unknown":
         return it.symptom.disturbs
-    return evidence.verdict == "no_gap" or it.symptom.stage != "payload"
+    if evidence.verdict == "no_gap":
+        return True
+    return it.symptom.stage != "payload" and not set(it.symptom.resembled_by) & {effect.id for effect in evidence.best.effects}
 
 
 def _names(diagnosis: Diagnosis) -> set[str]:
@@ -58,8 +60,8 @@ def _fitted(recording: Recording, evidence: Evidence) -> Diagnosis:
         verdict=verdict,
         summary=_summary(verdict, evidence),
         effects=[_explanation(windows, nominal, fit, p) for fit, p in explained if len(fit.effects) == 1],
-        none_probability=attribution.none if material else 1.0,
-        unknown_probability=attribution.unknown if material else 0.0,
+        none_probability=attribution.none if material else 1.0 - LAPSE,
+        unknown_probability=attribution.unknown if material else LAPSE,
         pairs=[_pair(windows, nominal, fit, p) for fit, p in explained if len(fit.effects) == 2],
         minor=[] if material else _minor(evidence),
         indistinguishable=[_tied(tie, evidence.proposals) for tie in attribution.ties] if material else [],

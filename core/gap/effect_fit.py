@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
+from core.gap.clustered import enlarged
 from core.gap.problem import Problem
 from core.gap.quadratic import bounded_minimum, inverse, solved
+from core.gap.spared_noise import spared
 from core.gap.windows import PHI, Windows
 
 Array = NDArray[np.float64]
@@ -32,11 +34,13 @@ class EffectFit:
         effects: in the order in which they act; none for the nominal twin.
         theta: parameters of all of them; `parameters` says which is which.
         beta: payload, offsets, small imperfections.
-        covariance: of beta and theta together.
+        covariance: of beta and theta together, as far as noise goes.
+        uncertainty: the same with what the model gets wrong.
         residual: (6, K), whitened.
         cost: chi-square plus the priors.
         log_evidence: Laplace's.
-        held_out: (6, K), chi-square of each row predicted from the other motions, its own prediction's uncertainty counted.
+        held_out: (6, K), chi-square of each row predicted from the other motions, its own prediction's uncertainty counted, and what
+            the effects spare themselves by smoothing noise given back.
         change: (6, K), what the effects add, whitened.
     """
 
@@ -45,6 +49,7 @@ class EffectFit:
     theta: Array
     beta: Array
     covariance: Array
+    uncertainty: Array
     residual: Array
     cost: float
     log_evidence: float
@@ -64,12 +69,12 @@ class EffectFit:
     @property
     def phi_std(self) -> Array:
         """(10,)."""
-        return np.sqrt(np.diag(self.covariance)[PHI])
+        return np.sqrt(np.diag(self.uncertainty)[PHI])
 
     @property
     def theta_std(self) -> Array:
         """Standard uncertainty of theta."""
-        return np.sqrt(np.diag(self.covariance)[len(self.beta) :])
+        return np.sqrt(np.diag(self.uncertainty)[len(self.beta) :])
 
 
 def fit_nominal(windows: Windows) -> EffectFit:
@@ -119,13 +124,16 @@ def _finished(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     here = np.concatenate((beta, theta))
     free = (here > problem.bounds[0]) & (here < problem.bounds[1])
     held_out = _held_out(problem.windows, columns[:, free], r, normal[np.ix_(free, free)], (problem.precision * away)[free])
+    held_out += spared(problem, theta, beta)
+    covariance = inverse(normal)
     shape = problem.windows.target.shape
     return EffectFit(
         problem.effects,
         problem.parameters,
         theta,
         beta,
-        inverse(normal),
+        covariance,
+        enlarged(covariance, columns, r, problem.windows.centres),
         r.reshape(shape),
         cost,
         log_evidence,

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from core.effects.effect import Effect
 from core.gap.answer import Verdict
-from core.gap.attribution import Attribution, Tie, attribute, distance_sigma, leftover
+from core.gap.attribution import Attribution, Tie, attribute, distance_sigma, leftover, probabilities
 from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.materiality import is_material
@@ -98,7 +98,10 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
 def _pairs(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
     """Two effects at once, where one leaves something to explain; each pair once, as well as it was fitted from either side."""
     ranked = sorted(singles, key=lambda fit: float(fit.held_out.sum()))
-    if not ranked or leftover(nominal, ranked[0]) < ONE_IS_ENOUGH or attribute(windows, nominal, singles).none > EXPLAINED:
+    if not ranked or leftover(nominal, ranked[0]) < ONE_IS_ENOUGH:
+        return []
+    none, *_ = probabilities(nominal, singles)
+    if none > EXPLAINED:
         return []
     tasks = [task for first in ranked[:FIRSTS] for task in partners(windows, first, effects, SECONDS)]
     enough = SECOND_EXPLAINS * leftover(nominal, ranked[0])

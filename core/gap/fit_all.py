@@ -46,7 +46,7 @@ _shared: Windows
 
 
 def _share(windows: Windows) -> None:
-    global _shared  # noqa: PLW0603  set once for each worker
+    global _shared  # noqa: PLW0603 - set once for each worker
     _shared = windows
     threadpool_limits(1)
 

@@ -28,14 +28,14 @@ def joint_side(recording: Recording, offset: Array) -> list[JointGap]:
     if q is None or robot is None or (recording.q_cmd is None and recording.tau is None):
         return []
     rows = slice(0, None, max(1, len(q) // ROWS))
-    rate = np.gradient(q, recording.t, axis=0)[rows]
-    tracking = None if recording.q_cmd is None else (recording.q_cmd - q)[rows]
+    moving = np.abs(np.gradient(q, recording.t, axis=0)[rows]) > MOVING_RAD_S
+    tracking = None if recording.q_cmd is None else recording.q_cmd - q
     torque = _unaccounted(recording, RobotModel(robot), rows, offset)
     return [
         JointGap(
             joint=name,
-            tracking_rms_rad=None if tracking is None else _rms(tracking[np.abs(rate[:, j]) > MOVING_RAD_S, j]),
-            tracking_noise_rad=None if tracking is None else _noise(recording.q_cmd - q, j) if recording.q_cmd is not None else None,
+            tracking_rms_rad=None if tracking is None else _rms(tracking[rows, j][moving[:, j]]),
+            tracking_noise_rad=None if tracking is None else _noise(tracking[:, j]),
             torque_rms_n_m=None if torque is None else _rms(torque[:, j]),
         )
         for j, name in enumerate(robot.joints)
@@ -46,9 +46,9 @@ def _rms(values: Array) -> float | None:
     return float(np.sqrt(np.mean(values**2))) if len(values) else None
 
 
-def _noise(error: Array, j: int) -> float:
-    """Of one sample: from third differences, which motion hardly reaches."""
-    return float(np.sqrt(np.mean(np.diff(error[:, j], n=3) ** 2) / 20.0))
+def _noise(error: Array) -> float:
+    """Of one sample of a joint's error (N,): from third differences, which motion hardly reaches."""
+    return float(np.sqrt(np.mean(np.diff(error, n=3) ** 2) / 20.0))
 
 
 def _unaccounted(recording: Recording, robot: RobotModel, rows: slice, offset: Array) -> Array | None:

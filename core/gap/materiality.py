@@ -6,28 +6,42 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.gap.effect_fit import EffectFit
-from core.gap.limits import GAP, SHARES
-from core.gap.windows import Windows
+from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
+from core.gap.windows import PHI, Windows
 
 Array = NDArray[np.float64]
 
 
+DOUBT = 2.0
+"""A reference is doubted only where the payload's difference from it moves the wrench by more than so many times the gap."""
+
+
 def is_material(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
-    """Whether the best explanation lifts the gap above 2 or moves the payload beyond its uncertainty and these shares."""
+    """Whether what is there lifts the gap above 2, or moves the payload: by what the best explanation does to the estimate, or, explained
+    or not, away from the reference."""
     gap = np.sqrt(max(0.0, 1.0 + (float(nominal.held_out.mean()) - 1.0) / windows.samples_per_row))
-    return bool(gap > GAP) or bool(moved(nominal, best).any())
+    return bool(gap > GAP) or bool(moved(nominal, best).any()) or _led_astray(windows, nominal, best)
 
 
 def moved(nominal: EffectFit, best: EffectFit) -> NDArray[np.bool_]:
     """(10,), which payload parameters the effect moves materially."""
-    shift = np.abs(best.phi - nominal.phi)
-    beyond = shift > 2.0 * best.phi_std
-    return np.asarray((shift > SHARES * sizes(best.phi)) & beyond)
+    return _apart(best.phi - nominal.phi, best.phi, best.phi_std)
 
 
-def sizes(phi: Array) -> Array:
-    """(10,), what the shares refer to."""
-    return np.concatenate(([abs(phi[0])], np.full(3, np.linalg.norm(phi[1:4])), np.full(6, np.abs(phi[[4, 7, 9]]).max())))
+def _led_astray(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
+    """Whether the estimate is materially off the reference by so little that the gap, which is there for certain, may be why."""
+    reference = windows.basis.reference
+    if reference is None or not best.effects:
+        return False
+    off = nominal.phi - reference
+    signature = float(np.square(windows.X[:, :, PHI] @ off).mean())
+    excess = float(nominal.held_out.mean()) - 1.0
+    return bool(_apart(off, reference, nominal.phi_std).any()) and signature < DOUBT**2 * excess
+
+
+def _apart(difference: Array, phi: Array, std: Array) -> NDArray[np.bool_]:
+    """(10,), which payload parameters differ by more than matters and more than their uncertainty."""
+    return np.asarray((np.abs(difference) > SHARES * sizes(phi)) & (np.abs(difference) > BEYOND_STD * std))
 
 
 def payload_shift(nominal: EffectFit, best: EffectFit) -> str:

@@ -57,19 +57,24 @@ class Problem:
         Args:
             known: wrenches behind the first effects, by their parameters, for calls in which the rest moves; filled here.
         """
-        w = scene.nominal
+        return self._behind(theta, scene, scene.nominal, {} if known is None else known) - scene.nominal
+
+    def passed(self, theta: Array, scene: Scene, changes: Array) -> Array:
+        """(M, N, 6), what the effects make of M small changes of the nominal wrench (M, N, 6)."""
+        without = self._behind(theta, scene, scene.nominal, {})
+        return np.stack([self._behind(theta, scene, scene.nominal + change, {}) - without for change in changes])
+
+    def _behind(self, theta: Array, scene: Scene, w: Array, known: dict[bytes, Array]) -> Array:
+        """(N, 6), the wrench w behind all effects."""
         end = 0
         for effect, free, fixed in self._chain:
             end += free
             values = theta[end - free : end] if fixed is None else fixed
             key = effect.id.encode() + theta[:end].tobytes()
-            if known is None or key not in known:
-                w = effect.wrench(scene, w, values)
-                if known is not None:
-                    known[key] = w
-            else:
-                w = known[key]
-        return w - scene.nominal
+            if key not in known:
+                known[key] = effect.wrench(scene, w, values)
+            w = known[key]
+        return w
 
     def linearised(self, theta: Array, phi: Array) -> tuple[Array, Array]:
         """Rows of the change (6K,), and their derivatives by theta (6K, n)."""

@@ -34,6 +34,8 @@ PHI = slice(0, 10)
 OFFSET = slice(10, 16)
 BACKGROUND = slice(16, 26)
 """Small imperfections that every cell has: two tilts, a delay, a blur, six gains. Always in the model, with tight priors."""
+LATE, BLUR = 18, 19
+"""The delay, s, and the blur, a variance in s2."""
 
 PHI_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0)))
 OFFSET_STD = np.full(6, 1e3)
@@ -41,6 +43,8 @@ BACKGROUND_STD = np.concatenate((np.full(2, 4e-4), [3e-4, 2e-6], np.full(6, 5e-4
 """0.02 deg, 0.3 ms, a blur of 2 ms (interpolation between samples, jitter), 0.05 %."""
 PART_OFFSET_STD = np.repeat([1.0, 0.05], 3)
 """N and N m, of the offsets of what was recorded after a pause against those before it: a sensor drifts between two runs."""
+NOISE_DRAWS = 16
+"""Of the noise of the kinematics; a mean over them is right to a few units of chi-square."""
 FORGOTTEN_S = 0.5
 """Time after which delays and filters have forgotten what was before."""
 
@@ -59,6 +63,7 @@ class Basis:
         scene: nominal run on the fine grid, N rows.
         wrench: (N, 6), measured, on the fine grid.
         V: (N, 6, 10), nominal regressor, likewise.
+        reference: (10,), the payload as somebody else knows it, None where nobody does.
         spread: (N, samples), the narrow windows; `difference`: (samples, samples), second differences of the poses.
     """
 
@@ -68,6 +73,7 @@ class Basis:
     scene: Scene
     wrench: Array
     V: Array
+    reference: Array | None
     spread: csr_array
     difference: csr_array
 
@@ -181,6 +187,16 @@ class Windows:
         """(K,), label of each window."""
         names = np.array([part.phase for part in self.basis.segments])
         return names[self.group]
+
+    @cached_property
+    def acceleration_noise(self) -> Array:
+        """(M, N, 6), linear and angular acceleration on the grid as the noise of the poses alone would make them, M draws of it; always
+        the same."""
+        basis = self.basis
+        values, vectors = np.linalg.eigh(basis.poses.noise)
+        noise = np.random.default_rng(0).standard_normal((NOISE_DRAWS, len(basis.poses.t), 6))
+        noise = noise @ (vectors * np.sqrt(np.maximum(values, 0.0))).T
+        return np.stack([basis.spread @ (basis.difference @ draw) for draw in noise])
 
     @cached_property
     def samples_per_row(self) -> float:

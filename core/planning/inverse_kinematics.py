@@ -11,7 +11,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.chain import Chain, _joint_frames
+from core.chain import Chain, joint_frames
 
 Array = NDArray[np.float64]
 
@@ -115,7 +115,7 @@ def _solve(placements: Array, axes: Array, lower: Array, upper: Array, q: Array,
     for i in range(count):
         watched = np.inf
         for iteration in range(ITERATIONS):
-            _joint_frames(placements, axes, q[i], R, p)
+            joint_frames(placements, axes, q[i], R, p)
             _pose_error(R[n], p[n], rotations[i], positions[i], e)
             largest, E = 0.0, 0.0
             for r in range(6):

@@ -6,10 +6,7 @@ turning base. Certifying pair by pair therefore needs far fewer samples than cer
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
 
 from core.bodies import Body
@@ -20,34 +17,20 @@ Array = NDArray[np.float64]
 
 
 class PairMargins:
-    """The pairs of a collision model, those against obstacles and zones first.
+    """The pairs that a collision model watches now, those against obstacles and zones first; to be made anew after `CollisionModel.move`.
 
     Attributes:
         reach: (n_pairs, n); the margin of pair k changes by at most `reach[k] @ |dq|` along a straight joint-space line.
     """
 
     def __init__(self, collision: CollisionModel) -> None:
-        self._groups = (collision._environment, collision._self)
-        self._active = [np.array([bool(on) for on in group._results.activeCollisionPairs]) for group in self._groups]
-        pairs = [
-            pair
-            for group, active in zip(self._groups, self._active, strict=True)
-            for pair, on in zip(group.bodies, active, strict=True)
-            if on
-        ]
+        self._collision, self._watched = collision, collision.watched
+        pairs = [pair for group in collision.pairs for pair in group]
         self.reach = np.array([_pair_reach(collision.robot, *pair) for pair in pairs]).reshape(-1, collision.robot.n)
 
     def __call__(self, q: Array) -> Array:
         """(n_pairs,), distance minus required distance of every pair at q (n,), m."""
-        return np.concatenate(
-            [_margins(group, active, q) for group, active in zip(self._groups, self._active, strict=True) if active.any()] or [np.empty(0)]
-        )
-
-
-def _margins(group: Any, active: NDArray[np.bool_], q: Array) -> Array:
-    pin.computeDistances(group._model, group._data, group._geometry, group._results, q)
-    distances = np.array([result.min_distance for result in group._results.distanceResults])
-    return np.asarray(distances[active] - group.required_m)
+        return np.asarray(self._collision.margins(q)[self._watched])
 
 
 def _pair_reach(robot: RobotModel, first: Body, second: Body) -> Array:

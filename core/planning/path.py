@@ -153,7 +153,8 @@ def _check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel
     if nearest.margin_m < 0.0:
         raise NoPath(
             f"at the {name} of the path {nearest.first!r} is {nearest.distance_m:.4f} m from {nearest.second!r} "
-            f"(limit {nearest.required_m:.3f} m). Choose another {name} configuration or clear the cell."
+            f"(limit {nearest.required_m:.3f} m). Choose another {name} configuration or clear the cell.",
+            nearest.second,
         )
 
 
@@ -161,7 +162,7 @@ def _searched(room: Room, collision: CollisionModel, ends: Array, planner: Plann
     """Paths (M, n) from the first row of `ends` to any other: the first that is found, and one more that may be shorter in time."""
     first = _search(room, ends, planner, seed, seconds)
     if not first.arrived:
-        raise NoPath(_not_found(collision, first, ends, planner, seconds))
+        raise _not_found(collision, first, ends, planner, seconds)
     if planner == "rrt_star":
         return [first.q]
     second = _search(room, ends, planner, seed + 1, seconds)
@@ -215,7 +216,7 @@ class _Edges(base.MotionValidator):
         super().__init__(information)
         self._room, self._n = room, n
 
-    def checkMotion(self, first: base.State, second: base.State) -> bool:  # noqa: N802  OMPL's name
+    def checkMotion(self, first: base.State, second: base.State) -> bool:  # noqa: N802 - OMPL's name
         return bool(self._room.has_all(np.array([first[0 : self._n], second[0 : self._n]])))
 
 
@@ -230,11 +231,12 @@ def _bounds(room: Room, ends: Array) -> base.RealVectorBounds:
     return bounds
 
 
-def _not_found(collision: CollisionModel, best: _Found, ends: Array, planner: Planner, seconds: float) -> str:
+def _not_found(collision: CollisionModel, best: _Found, ends: Array, planner: Planner, seconds: float) -> NoPath:
     tight = min((collision.nearest(q) for q in ends), key=lambda pair: pair.margin_m)
     left, whole = (float(np.linalg.norm(ends[1:] - q, axis=1).min()) for q in (best.q[-1], ends[0]))
-    return (
+    return NoPath(
         f"no path found in {seconds:.1f} s by {planner}: the search from the start came within {left:.2f} rad of the goal, "
         f"{whole:.2f} rad away; the tighter end has {tight.first!r} {tight.distance_m:.3f} m from "
-        f"{tight.second!r} (limit {tight.required_m:.3f} m). Give it more time, choose another start configuration, or clear the cell."
+        f"{tight.second!r} (limit {tight.required_m:.3f} m). Give it more time, choose another start configuration, or clear the cell.",
+        tight.second,
     )

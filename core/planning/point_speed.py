@@ -7,7 +7,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from core.bodies import SpeedPoints
-from core.chain import Chain, _joint_frames
+from core.chain import Chain, joint_frames
 
 Array = NDArray[np.float64]
 
@@ -19,7 +19,7 @@ def _positions(placements: Array, axes: Array, joint: NDArray[np.int64], local: 
     p = np.empty((n + 1, 3))
     out = np.empty((len(q), len(joint), 3))
     for k in range(len(q)):
-        _joint_frames(placements, axes, q[k], R, p)
+        joint_frames(placements, axes, q[k], R, p)
         for i in range(len(joint)):
             j = joint[i]
             for r in range(3):
@@ -36,7 +36,7 @@ def _speeds(placements: Array, axes: Array, joint: NDArray[np.int64], local: Arr
     drift = np.zeros((n, 3))  # velocity of the material point of that body at the world's origin
     out = np.empty((len(q), len(joint)))
     for k in range(len(q)):
-        _joint_frames(placements, axes, q[k], R, p)
+        joint_frames(placements, axes, q[k], R, p)
         wx = wy = wz = vx = vy = vz = 0.0
         for j in range(n):
             ax = (R[j, 0, 0] * axes[j, 0] + R[j, 0, 1] * axes[j, 1] + R[j, 0, 2] * axes[j, 2]) * dq[k, j]

@@ -14,7 +14,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from core.cell import Cell
-from core.chain import Chain, _joint_frames
+from core.chain import Chain, joint_frames
 from core.collision import CollisionModel
 from core.planning.inverse_kinematics import _damped_step, _fill_jacobian, _pose_error
 from core.planning.point_speed import point_speeds
@@ -81,7 +81,7 @@ def _track(placements: Array, axes: Array, q0: Array, axis: Array, angle: Array,
     e, y, step = np.empty(6), np.empty(6), np.empty(n)
     twist = np.zeros(6)
     twist[3:] = axis
-    _joint_frames(placements, axes, q0, R, p)
+    joint_frames(placements, axes, q0, R, p)
     origin, R0 = p[n].copy(), R[n].copy()
     K = np.zeros((3, 3))
     K[0, 1], K[0, 2], K[1, 2] = -axis[2], axis[1], -axis[0]
@@ -91,13 +91,13 @@ def _track(placements: Array, axes: Array, q0: Array, axis: Array, angle: Array,
         k = start
         while 0 <= k < len(angle):
             goal = R0 @ (np.eye(3) + np.sin(angle[k]) * K + (1.0 - np.cos(angle[k])) * (K @ K))
-            _joint_frames(placements, axes, here, R, p)  # back onto the task
+            joint_frames(placements, axes, here, R, p)  # back onto the task
             _pose_error(R[n], p[n], goal, origin, e)
             _fill_jacobian(R, p, axes, J)
             _damped_step(J, e, _DAMPING, A, y, step)
             for j in range(n):
                 here[j] += step[j]
-            _joint_frames(placements, axes, here, R, p)
+            joint_frames(placements, axes, here, R, p)
             _pose_error(R[n], p[n], goal, origin, e)
             if not np.max(np.abs(e)) < 1e-5:
                 return False
@@ -108,7 +108,7 @@ def _track(placements: Array, axes: Array, q0: Array, axis: Array, angle: Array,
                 return False
             width = angle[1] - angle[0] if len(angle) > 1 else 0.0
             middle = here + 0.5 * direction * width * step
-            _joint_frames(placements, axes, middle, R, p)
+            joint_frames(placements, axes, middle, R, p)
             _fill_jacobian(R, p, axes, J)
             _damped_step(J, twist, _DAMPING, A, y, step)
             for j in range(n):

@@ -94,7 +94,8 @@ def plan_transfer(
             return Transfer(trajectory, least.margin_m, least.bound_m, names, path.length_rad)
         failure = NoPath(
             f"the timed path comes {-least.margin_m:.4f} m too close ({nearest_names(collision, least)}) where its corners are rounded. "
-            "Plan again with another seed, or give the path more room."
+            "Plan again with another seed, or give the path more room.",
+            collision.nearest(least.q).second,
         )
     raise failure
 
@@ -112,7 +113,8 @@ def _resting(collision: CollisionModel, q: Array, period: float) -> Transfer:
     if nearest.margin_m < 0.0:
         raise NoPath(
             f"the robot stands with {nearest.first!r} {nearest.distance_m:.4f} m from {nearest.second!r} "
-            f"(limit {nearest.required_m:.3f} m). Clear the cell."
+            f"(limit {nearest.required_m:.3f} m). Clear the cell.",
+            nearest.second,
         )
     trajectory = JointTrajectory(period, np.array([q], dtype=float))
     return Transfer(trajectory, nearest.margin_m, nearest.margin_m, f"{nearest.first} - {nearest.second}", 0.0)

@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from core.estimation.segments import Segment
+from core.gap.limits import GAP
 from core.inertia import Motion
 
 Array = NDArray[np.float64]
@@ -23,7 +24,6 @@ Array = NDArray[np.float64]
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 UNITS = ("N", "N", "N", "N m", "N m", "N m")
 POINTS = 2000  # of a line
-MATERIAL = 2.0  # times the noise: a gap that matters
 
 # stand-ins that become variables of the style sheet, so that a picture follows the page's light and dark
 COLOURS = {"ink": "#0a0a01", "muted": "#0a0a02", "rule": "#0a0a03", "band": "#0a0a04", "alarm": "#0a0a05"}
@@ -127,7 +127,7 @@ def gap_chart(gaps: Mapping[str, tuple[float, float]], floor: float) -> str:
         top = max(2.0 * floor, *(max(pair) for pair in gaps.values()))
         for row, (before, after) in enumerate(gaps.values()):
             for value, offset, height, colour in ((before, -0.19, 0.3, MUTED), (after, 0.19, 0.3, INK)):
-                abnormal = value > MATERIAL * floor and colour == INK
+                abnormal = value > GAP * floor and colour == INK
                 axes.barh(row + offset, value, height, color=ALARM if abnormal else colour, alpha=0.55 if colour == MUTED else 1.0)
                 axes.annotate(f"{value:.2f}", (value, row + offset), (4, 0), textcoords="offset points", va="center", fontsize=8)
         axes.axvline(floor, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
@@ -169,7 +169,7 @@ def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_
 
 def _simulated(upper: Axes, lower: Axes, t: Array, values: Array, sigmas: Array, *, dashed: bool) -> None:
     """A simulated line with what it leaves below; in alarm colour where that is more than noise can be."""
-    colour = ALARM if float(np.sqrt(np.mean(sigmas**2))) > MATERIAL else INK
+    colour = ALARM if float(np.sqrt(np.mean(sigmas**2))) > GAP else INK
     for axes, line in ((upper, values), (lower, sigmas)):
         x, y = decimated(t, line)
         axes.plot(x, y, color=colour, linewidth=1.1, linestyle=(0, (5, 2)) if dashed else "-")

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-import uuid
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import jinja2
 import numpy as np
 from numpy.typing import NDArray
 
 from core.gap.answer import Diagnosis, GapPart, JointGap, Minor, Tied, Where
-from core.report.charts import CHANNELS, MATERIAL, gap_chart, overlay_chart
+from core.gap.limits import GAP
+from core.report.charts import CHANNELS, gap_chart, overlay_chart
 from core.report.diagnosis_rows import explanation_rows, heat_map, leading, parameter_texts, payload_rows, percent, rest_sentences, title_of
-from core.report.page import TEMPLATE as IDENTIFICATION
+from core.report.html_file import write_html
 from core.report.rows import Fact, sentence
 
 Array = NDArray[np.float64]
 
-TEMPLATE = Path(__file__).with_name("diagnosis.html")
 HEADLINES = {
     "no_gap": "No gap that matters",
     "explained": "Gap explained",
@@ -62,21 +60,12 @@ def write_diagnosis(file: Path, *, diagnosis: Diagnosis, overlay: Overlay | None
         diagnosis: the answer, whose parts may be lacking.
         overlay: what the worst motion is drawn from; None where there is nothing to draw.
     """
-    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
-    page = environment.from_string(TEMPLATE.read_text(encoding="utf-8"))
-    text = page.render(_content(diagnosis, overlay))
-    partial = file.with_name(f".{file.name}.{uuid.uuid4().hex[:8]}.partial")
-    try:
-        partial.write_text(text, encoding="utf-8")
-        partial.replace(file)
-    finally:
-        partial.unlink(missing_ok=True)
+    write_html(file, "diagnosis.html", _content(diagnosis, overlay))
 
 
 def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
     titles = {effect.id: effect.title for effect in diagnosis.effects}
     return {
-        "style": _style(),
         "headline": HEADLINES[diagnosis.verdict],
         "verdict": diagnosis.verdict,
         "summary": sentence(diagnosis.summary),
@@ -100,20 +89,15 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
     }
 
 
-def _style() -> str:
-    """The style sheet of the identification's report: the two look alike."""
-    return IDENTIFICATION.read_text(encoding="utf-8").partition("<style>")[2].partition("</style>")[0]
-
-
 def _facts(diagnosis: Diagnosis) -> list[Fact]:
     gap, where = diagnosis.gap, diagnosis.where
     found = []
     first = leading(diagnosis)
     if gap is not None:
-        found.append(Fact("Gap", f"{gap.before:.2f}", "noise alone is 1", alarm=gap.before > MATERIAL * gap.floor))
+        found.append(Fact("Gap", f"{gap.before:.2f}", "noise alone is 1", alarm=gap.before > GAP * gap.floor))
         if first is not None:
             name = "Gap with the effect added" if diagnosis.verdict == "explained" else "Gap with the best effect"
-            found.append(Fact(name, f"{gap.after:.2f}", "on unseen motions", alarm=gap.after > MATERIAL * gap.floor))
+            found.append(Fact(name, f"{gap.after:.2f}", "on unseen motions", alarm=gap.after > GAP * gap.floor))
     if first is not None:
         unknown = diagnosis.verdict == "unknown"
         of = "of an unknown effect" if unknown else f"of {first.title}"
@@ -244,7 +228,7 @@ def _experiment(diagnosis: Diagnosis, titles: dict[str, str]) -> dict[str, Any] 
     splits = [" from ".join(title_of(name, titles) for name in pair) for pair in experiment.splits]
     return {
         "motion": sentence(experiment.motion),
-        "seconds": f"{experiment.seconds:.0f} s" if experiment.stops else "",
+        "seconds": f"{experiment.seconds:.0f} s" if experiment.seconds > 0.0 else "",
         "splits": "; ".join(splits),
         "sigma": f"{experiment.sigma_before:.1f} σ now, {experiment.sigma_after:.0f} σ expected with both recordings",
         "planned": "It is planned in the cell." if experiment.planned else sentence(f"It is not yet planned: {experiment.refused}"),

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.gap.answer import Cell, Diagnosis, PayloadPart, Value
-from core.gap.limits import SHARES
+from core.gap.limits import BEYOND_STD, SHARES, sizes
 from core.report.charts import CHANNELS
 from core.report.rows import LABELS, rounded
 
@@ -258,12 +258,12 @@ def _count(number: int, noun: str) -> str:
 def payload_rows(payload: PayloadPart) -> list[PayloadRow]:
     """All ten parameters in kg, g m and g m² with standard deviations."""
     before, after = np.array(payload.before.phi), np.array(payload.after.phi)
-    sizes = np.concatenate(([abs(after[0])], np.full(3, np.linalg.norm(after[1:4])), np.full(6, np.abs(after[[4, 7, 9]]).max())))
+    size = sizes(after)
     rows = []
     for k, (a, a_std, b, b_std) in enumerate(zip(before, payload.before.std, after, payload.after.std, strict=True)):
         factor, unit = (1.0, "kg") if k == 0 else (1e3, "g m") if k < 4 else (1e3, "g m²")
         shift = float(a - b)
-        share = abs(shift) / sizes[k] if sizes[k] > 0 else 0.0
+        share = abs(shift) / size[k] if size[k] > 0 else 0.0
         rows.append(
             PayloadRow(
                 name=LABELS[k],
@@ -272,9 +272,9 @@ def payload_rows(payload: PayloadPart) -> list[PayloadRow]:
                 before_std=rounded(factor * a_std, factor * a_std),
                 after=rounded(factor * float(b), factor * b_std),
                 after_std=rounded(factor * b_std, factor * b_std),
-                change=f"{-100 * shift / sizes[k]:+.2f} %" if sizes[k] > 0 else "",
+                change=f"{-100 * shift / size[k]:+.2f} %" if size[k] > 0 else "",
                 sigmas=f"{-shift / b_std:+.1f}" if b_std > 0 else "",
-                material=bool(share > SHARES[k] and abs(shift) > 2.0 * b_std),
+                material=bool(share > SHARES[k] and abs(shift) > BEYOND_STD * b_std),
             )
         )
     return rows

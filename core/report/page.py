@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import uuid
 from pathlib import Path
 from typing import Any
 
-import jinja2
 import numpy as np
 
 from core.estimation.estimate import Identification
 from core.recording import Recording
 from core.report.charts import distance_chart, rotation_chart, wrench_chart
-from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines
+from core.report.html_file import write_html
+from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
 from core.report.scene import scene
 from core.report.summary import RunSummary
 from core.robot import RobotModel
-
-TEMPLATE = Path(__file__).with_name("template.html")
 
 
 def write_report(file: Path, *, recording: Recording, identification: Identification, run: RunSummary | None = None) -> None:
@@ -28,15 +25,7 @@ def write_report(file: Path, *, recording: Recording, identification: Identifica
         identification: the answer.
         run: what the guard and the plan saw; None for a recording from elsewhere.
     """
-    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
-    page = environment.from_string(TEMPLATE.read_text(encoding="utf-8"))
-    text = page.render(_content(recording, identification, run))
-    partial = file.with_name(f".{file.name}.{uuid.uuid4().hex[:8]}.partial")
-    try:
-        partial.write_text(text, encoding="utf-8")
-        partial.replace(file)
-    finally:
-        partial.unlink(missing_ok=True)
+    write_html(file, "template.html", _content(recording, identification, run))
 
 
 def _content(recording: Recording, identification: Identification, run: RunSummary | None) -> dict[str, Any]:
@@ -55,6 +44,7 @@ def _content(recording: Recording, identification: Identification, run: RunSumma
         "has_outside": any(row.outside for row in rows),
         "reference_source": recording.reference_source,
         "channels": channel_rows(identification.estimate) if identification.estimate is not None else [],
+        "unseen": unseen_rows(identification),
         "drift": sentence(identification.estimate.drift.description) if identification.estimate is not None else "",
         **_charts(identification),
         "starts": [] if run is None else _starts(run),

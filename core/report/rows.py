@@ -13,6 +13,7 @@ from core.planning.start_configuration import StartConfiguration
 from core.recording import Recording
 from core.report.charts import CHANNELS, UNITS
 from core.report.summary import RunSummary
+from core.verification_words import HOLDS_UP_TO, verification_sentence
 
 Array = NDArray[np.float64]
 
@@ -134,6 +135,22 @@ def channel_rows(estimate: Estimate) -> list[ChannelRow]:
             )
         )
     return rows
+
+
+@dataclass(frozen=True)
+class UnseenRow:
+    """A motion that was left out of the fit."""
+
+    sentence: str
+    alarm: bool
+
+
+def unseen_rows(identification: Identification) -> list[UnseenRow]:
+    """How well each rotation is predicted by a fit to all the rest."""
+    return [
+        UnseenRow(verification_sentence(each.phase, each.rms, each.expected, each.ratio), each.ratio > HOLDS_UP_TO)
+        for each in identification.verification
+    ]
 
 
 def facts(identification: Identification, run: RunSummary | None) -> list[Fact]:

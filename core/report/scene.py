@@ -99,7 +99,7 @@ def _near(things: list[Thing], base: Array, reach: float) -> list[Thing]:
     for name, kind, faces in things:
         corners = np.concatenate(faces)
         if len(faces) == 6:
-            faces = [np.clip(face, low, high) for face in faces]  # noqa: PLW2901  a box stays a box
+            faces = [np.clip(face, low, high) for face in faces]  # noqa: PLW2901 - a box stays a box
             visible = bool((np.ptp(np.concatenate(faces), axis=0) > 0).all())
         else:
             visible = bool(((corners > low) & (corners < high)).all(axis=1).any())

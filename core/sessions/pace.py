@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import time
+from array import array
 from collections.abc import Callable
+from statistics import median
 from typing import Protocol
 
 LATE_S = 0.005
@@ -46,18 +48,34 @@ class RealTime:
         self._clock = clock
         self._sleep = sleep
         self._zero: float | None = None
-        self.ticks, self.late, self.latest_s = 0, 0, 0.0
-        """How often it was asked, how often it came more than `LATE_S` too late, and by how much at most."""
+        self._late_s = array("d")
 
     def wait_until(self, t: float) -> None:
         """Sleeps until the wall clock has come to `t`; counts how late it then is."""
         early = self._due(t) - self._clock()
         if early > 0:
             self._sleep(early)
-        late_s = self._clock() - self._due(t)
-        self.ticks += 1
-        self.late += late_s > LATE_S
-        self.latest_s = max(self.latest_s, late_s)
+        self._late_s.append(self._clock() - self._due(t))
+
+    @property
+    def ticks(self) -> int:
+        """How often it was asked."""
+        return len(self._late_s)
+
+    @property
+    def late(self) -> int:
+        """How often it came more than `LATE_S` too late."""
+        return sum(late_s > LATE_S for late_s in self._late_s)
+
+    @property
+    def latest_s(self) -> float:
+        """How late it came at most, s."""
+        return max(self._late_s, default=0.0)
+
+    @property
+    def median_s(self) -> float:
+        """How late it came in the median, s."""
+        return median(self._late_s) if self._late_s else 0.0
 
     def _due(self, t: float) -> float:
         """When the wall clock comes to `t`; after a pause it is now."""

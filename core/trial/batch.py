@@ -58,14 +58,14 @@ def on_cluster(address: str) -> Iterator[Executor]:
         BadInput: Dask is not installed, or nothing answers there.
     """
     try:
-        from distributed import Client  # noqa: PLC0415  an optional extra
+        from distributed import Client  # noqa: PLC0415 - an optional extra
     except ImportError:
         raise BadInput("--dask", "no package `distributed`", "it to be installed: pip install 'heft[dask]'") from None
     try:
-        client = Client(address, timeout=CONNECT_S)  # type: ignore[no-untyped-call]
+        client = Client(address, timeout=CONNECT_S)  # type: ignore[no-untyped-call]  # Dask ships few types
     except (OSError, ValueError) as error:
         raise BadInput(f"--dask {address}", f"no scheduler ({error})", "the address of a running Dask scheduler") from None
-    with client, client.get_executor() as executor:  # type: ignore[no-untyped-call]
+    with client, client.get_executor() as executor:  # type: ignore[no-untyped-call]  # Dask ships few types
         yield executor
 
 

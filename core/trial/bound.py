@@ -18,15 +18,12 @@ from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.evidence import Evidence
 from core.gap.fit_all import pair_of
-from core.gap.limits import GAP, SHARES
-from core.gap.materiality import is_material, sizes
+from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
+from core.gap.materiality import is_material
 from core.gap.windows import PHI, Windows
 from core.recording import Recording
 
 Array = NDArray[np.float64]
-
-BEYOND = 2.0
-"""Standard deviations beyond which a moved payload parameter is material, as in `core.gap.materiality`."""
 
 
 class Bound(BaseModel):
@@ -41,6 +38,8 @@ class Bound(BaseModel):
         undescribed_sigma: what the library's best single effect leaves over beyond the run without the fault.
         second_sigma: two faults: what the weaker one adds to the fit of the other.
         second_material: two faults: whether leaving out the weaker one matters.
+        added_noise: faults that are read off the recording directly: what they add to the readings, root mean square over the run in the
+            channel that has most of it, in standard deviations of a sample's noise.
     """
 
     model_config = ConfigDict(frozen=True)
@@ -51,6 +50,7 @@ class Bound(BaseModel):
     undescribed_sigma: float | None = None
     second_sigma: float | None = None
     second_material: bool | None = None
+    added_noise: float | None = None
 
     @property
     def materiality(self) -> float | None:
@@ -60,18 +60,20 @@ class Bound(BaseModel):
         return self.fault_sigma / self.material_sigma
 
 
-def bound_of(ids: tuple[str, ...], evidence: Evidence, clean: Recording, nominal: Array, payload: Array) -> Bound:
+def bound_of(ids: tuple[str, ...], recording: Recording, evidence: Evidence, clean: Recording, nominal: Array, payload: Array) -> Bound:
     """The bound of one trial.
 
     Args:
         ids: what was planted.
-        evidence: of the recording with the fault.
+        recording, evidence: with the fault.
         clean: the same run without it.
         nominal, payload: (10,), as the cell has it, and as it truly was.
     """
-    if not ids or set(ids) <= {symptom.id for symptom in symptoms()}:
+    if not ids:
         return Bound()
     windows = Windows(basis_of(clean))
+    if set(ids) <= {symptom.id for symptom in symptoms()}:
+        return Bound(added_noise=_added_noise(recording, clean, windows.basis.noise.std))
     if len(windows) != len(evidence.windows):  # the guard has stopped one of them: other motions, nothing to compare
         return _fitted(ids, evidence, None)
     seen = copy(evidence.windows)  # its kinematics, which a fault may have made wrong
@@ -83,6 +85,18 @@ def bound_of(ids: tuple[str, ...], evidence: Evidence, clean: Recording, nominal
     found = _fitted(ids, evidence, fit_nominal(windows).cost)
     material = sigma / max(_materiality(seen, fooled, payload, std), 1e-12)
     return found.model_copy(update={"fault_sigma": sigma, "material_sigma": material})
+
+
+def _added_noise(recording: Recording, clean: Recording, noise_std: Array) -> float | None:
+    """What a fault adds to the readings of a run; None where the guard has stopped one of the two.
+
+    Args:
+        noise_std: (6,), of a sample without the fault, N and N m; what the sensor states counts first.
+    """
+    if recording.wrench is None or clean.wrench is None or len(recording) != len(clean):
+        return None
+    stated = noise_std if clean.sensor.noise_std is None else np.asarray(clean.sensor.noise_std)
+    return float((np.sqrt(np.square(recording.wrench - clean.wrench).mean(axis=0)) / stated).max())
 
 
 def _residual(windows: Windows, nominal: Array) -> Array:
@@ -98,7 +112,7 @@ def _materiality(windows: Windows, fooled: EffectFit, payload: Array, std: Array
         payload, std: (10,), as it truly was, and how well the true effect's fit knows it.
     """
     gap = float(fooled.held_out.mean()) / windows.samples_per_row / (GAP**2 - 1.0)
-    limit = np.maximum(SHARES * sizes(payload), BEYOND * std)
+    limit = np.maximum(SHARES * sizes(payload), BEYOND_STD * std)
     return max(_root(gap), float((np.abs(fooled.phi - payload) / limit).max()))
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 from scipy.special import expit, ndtr
 
-from core.gap.materiality import sizes
+from core.gap.limits import sizes
 from core.trial.judgement import CLEAR_SIGMA, SIZED_SIGMA, TIE_SIGMA, counts, forecast, right, truth_class
 from core.trial.outcome import Outcome
 

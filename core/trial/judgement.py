@@ -3,7 +3,8 @@
 A trial counts where any method could answer it. One fault is to be named from twice the size at which it can be told from nothing, and when
 it is material; below that "no gap" is the right answer. A fault that the library does not have counts when it is material and no effect of
 the library describes it. Two faults count when the weaker one shows beside the other, and matters. Faults that are read off the recording
-directly have no distance in the wrench: they count when they are material by the effect's own measure, as far as the seal tells it.
+directly have no distance in the wrench: they count when they are material by the effect's own measure, by their parameters or by what
+they add to the readings against the same run without them.
 """
 
 from __future__ import annotations
@@ -12,8 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from core.gap.limits import SHARES
-from core.gap.materiality import sizes
+from core.gap.limits import SHARES, sizes
 from core.trial.outcome import Outcome
 from core.trial.truth import Parameters
 
@@ -36,8 +36,12 @@ def material(outcome: Outcome) -> bool:
 
 
 def own_measure(outcome: Outcome) -> float:
-    """Materiality, 1 where it begins, of a fault that is read off the recording directly; 1 where the seal does not tell it."""
-    return max((_MEASURES[name](truth, outcome) for name, truth in outcome.truth.items() if name in _MEASURES), default=1.0)
+    """Materiality, 1 where it begins, of a fault that is read off the recording directly: from its parameters where its shape has them,
+    else from what it adds to the readings; 1 where neither is known."""
+    told = {name: _MEASURES[name](truth, outcome) for name, truth in outcome.truth.items() if name in _MEASURES}
+    added = outcome.bound.added_noise
+    seen = {name: added / limit for name, limit in _LIMITS.items() if name in outcome.sealed.ids and added is not None}
+    return max((seen | told).values(), default=1.0)
 
 
 def _mismatch(truth: Parameters, outcome: Outcome) -> float:
@@ -52,6 +56,8 @@ _MEASURES: dict[str, Callable[[Parameters, Outcome], float]] = {
     "payload_mismatch": _mismatch,
 }
 """As the effects' docstrings say."""
+_LIMITS = {"sensor_interference": 1.0, "sensor_quantization": 0.5, "sensor_noise": float(np.sqrt(1.3**2 - 1.0))}
+"""The same for what is added to the readings, in standard deviations of their noise."""
 
 
 def counts(outcome: Outcome) -> bool:

@@ -65,6 +65,7 @@ class Outcome(Part):
         payload: None where no payload was estimated.
         seconds: of the diagnosis, on one core.
         version: of the program.
+        second: after the motion that the answer asked for; None where it asked for none.
     """
 
     sealed: Sealed
@@ -83,6 +84,12 @@ class Outcome(Part):
     bound: Bound = Bound()
     seconds: float = 0.0
     version: str = ""
+    second: Outcome | None = None
+
+    @property
+    def final(self) -> Outcome:
+        """The last answer."""
+        return self.second or self
 
     @property
     def first(self) -> str | None:

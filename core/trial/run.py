@@ -9,6 +9,7 @@ from core.errors import Stopped
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
+from core.motion_sequence import Procedure
 from core.plant.faults import Fault, Setting
 from core.plant.mechanics import Drives
 from core.procedure import Run
@@ -20,6 +21,7 @@ from core.sessions.simulated import SimulatedSession
 from core.trial.bound import Bound, bound_of
 from core.trial.draw import Drawn, returned
 from core.trial.outcome import Outcome, answered, unanswered
+from core.trial.second_look import second_look
 from core.trial.truth import Parameters, difference_of, parameters_of, payload_of
 
 SMOOTH = Drives(damping_s=0.0, friction=0.0)
@@ -42,8 +44,11 @@ def run_trial(drawn: Drawn, keep: Path | None = None) -> Outcome:
     diagnosis, evidence = examine(recording, fit_all=one_by_one)
     nominal = drawn.cell.payloads[sealed.payload].parameters
     payload = payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
-    bound = Bound() if evidence is None or not sealed.ids else _bound(drawn, evidence)
-    return answered(sealed, diagnosis, _truth(drawn), payload, bound)
+    bound = Bound() if evidence is None or not sealed.ids else _bound(drawn, recording, evidence)
+    truth = _truth(drawn)
+    after = None if evidence is None else second_look(drawn, recording, evidence, SMOOTH)
+    second = None if after is None else answered(sealed, after, truth, payload, bound)
+    return answered(sealed, diagnosis, truth, payload, bound).model_copy(update={"second": second})
 
 
 def recorded(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
@@ -55,7 +60,7 @@ def recorded(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
     cell, name = drawn.cell, drawn.sealed.payload
     carried = cell.payloads[name]
     session = SimulatedSession(cell, carried.parameters, seed=drawn.sealed.seed, faults=faults, drives=SMOOTH)
-    run = _Recorder(cell, session, carried.box, drawn.plan.timing, 1.0, "rrt_connect", 0)
+    run = _Recorder(cell, session, carried.box, Procedure(drawn.plan.timing), "rrt_connect", 0)
     log = SampleLog(cell, run.robot, payload=name, reference=carried)
     with session:
         returned(run.moved(drawn.plan, log))
@@ -71,10 +76,10 @@ class _Recorder(Run):
         return (None,) * 10
 
 
-def _bound(drawn: Drawn, evidence: Evidence) -> Bound:
+def _bound(drawn: Drawn, recording: Recording, evidence: Evidence) -> Bound:
     nominal = drawn.cell.payloads[drawn.sealed.payload].parameters
     payload = payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
-    return bound_of(drawn.sealed.ids, evidence, recorded(drawn, (drawn.background,)), nominal.phi, payload)
+    return bound_of(drawn.sealed.ids, recording, evidence, recorded(drawn, (drawn.background,)), nominal.phi, payload)
 
 
 def _truth(drawn: Drawn) -> dict[str, Parameters]:

@@ -129,6 +129,8 @@ def _figures(outcomes: Sequence[Outcome]) -> list[str]:
         ("false alarms on runs without effect", "<= 0.5 %", str(alarms), "-"),
         ("one fault: first name right, declared ties count", ">= 93 %", str(share_right(outcomes, "single")), "-"),
         ("one fault: first name right, ties or not", "-", str(single), _percent(best_share(rivals))),
+        (f"the same after the proposed motion ({sum(o.second is not None for o in counted['single'])} asked for one)", ">= 98 %",
+         str(share_right([o.final for o in outcomes], "single")), "-"),
         ("nearest rival below 3 sigma: truth in the declared set", ">= 99 %", str(near), "-"),
         ("nearest rival above 6 sigma: one name, the right one", ">= 95 %", str(far), _percent(best_share(clear))),
         ("calibration error of the first answer", "<= 0.02", _number(calibration_error(first)), "-"),

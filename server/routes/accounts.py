@@ -6,7 +6,7 @@ from datetime import datetime
 from typing import Annotated
 
 from fastapi import APIRouter, Path, Response
-from pydantic import Field, SecretStr
+from pydantic import Field
 from sqlalchemy import select
 
 from server import accounts, audit
@@ -14,11 +14,10 @@ from server.accounts import Account
 from server.audit import Detail
 from server.dependencies import Asking, Now, Stored
 from server.roles import Role
-from server.schemas import Answer, Body, Name
+from server.schemas import Answer, Body, Name, NewPassword
 
 router = APIRouter(prefix="/api/accounts", tags=["accounts"])
 
-Password = Annotated[SecretStr, Field(max_length=200)]
 Roles = Annotated[frozenset[Role], Field(min_length=1)]
 
 
@@ -26,14 +25,14 @@ class NewAccount(Body):
     """Somebody who is to sign in."""
 
     name: Name
-    password: Password
+    password: NewPassword
     roles: Roles
 
 
 class AccountChange(Body):
     """What is to change; the rest stays."""
 
-    password: Password | None = None
+    password: NewPassword | None = None
     roles: Roles | None = None
     disabled: bool | None = None
 

@@ -3,27 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import AsyncIterator
+from datetime import datetime
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
-import anyio
 from fastapi import APIRouter, Depends, Request, Response
 from fastapi import Path as InPath
 
 from core.cell import Cell
+from core.errors import HeftError
 from server import audit, zones
 from server.cell_archive import UPLOAD
 from server.cell_uploads import take_in, upload_folder
 from server.dependencies import Asking, Cells, Here, Now, Stored
-from server.errors import Unprocessable
 from server.schemas import Answer, Name
+from server.zip_body import ZIP, check_is_zip, write_body
 
 router = APIRouter(prefix="/api/cells", tags=["cells"])
 
 CellName = Annotated[Name, InPath()]
-ZIP: dict[str, Any] = {
-    "requestBody": {"required": True, "content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}}}
-}
 
 
 class CellListed(Answer):
@@ -34,11 +32,28 @@ class CellListed(Answer):
     flaw: str | None
 
 
+class ZonePlace(Answer):
+    """When a zone was brought to where it is now, and by whom: measured by the clock of who measured it, received by ours."""
+
+    zone: str
+    moves: int
+    moved_by: str
+    measured_at: datetime
+    received_at: datetime
+
+
 class CellShown(Answer):
-    """A cell, its protected zones where they are now; `sha256` covers its files."""
+    """A cell, its protected zones where they are now; `sha256` covers its files.
+
+    Args:
+        moved: the zones that are no longer where the cell's file has them.
+        read_at: the service's clock, for who measures zones and has none of their own that agrees.
+    """
 
     cell: Cell
     sha256: str
+    moved: list[ZonePlace]
+    read_at: datetime
 
 
 class CellTaken(Answer):
@@ -50,13 +65,9 @@ class CellTaken(Answer):
 
 async def _uploaded(request: Request, here: Here) -> AsyncIterator[Path]:
     """The folder with the request's body in it, while the request lasts."""
-    kind = request.headers.get("content-type", "")
-    if kind.partition(";")[0] != "application/zip":
-        raise Unprocessable(f"Content-Type: found {kind[:60]!r}, expected application/zip; send a zip of the cell's folder")
+    check_is_zip(request, "cell")
     with upload_folder(here.cells) as folder:
-        async with await anyio.open_file(folder / UPLOAD, "wb") as file:
-            async for chunk in request.stream():
-                await file.write(chunk)
+        await write_body(request, folder / UPLOAD)
         yield folder
 
 
@@ -71,12 +82,14 @@ def list_cells(cells: Cells) -> list[CellListed]:
 
 
 @router.get("/{cell}")
-def read_cell(cell: CellName, cells: Cells, store: Stored) -> CellShown:
+def read_cell(cell: CellName, cells: Cells, store: Stored, now: Now) -> CellShown:
     """A cell, its protected zones where they are now."""
     loaded = cells.load(cell)
     with store.read() as db:
         known = zones.positions(db, cell)
-    return CellShown(cell=zones.with_zones_where_they_are(loaded, known), sha256=cells.digest(cell))
+        moved = [ZonePlace.model_validate(row) for zone, row in known.items() if any(zone == each.name for each in loaded.zones)]
+    there = zones.with_zones_where_they_are(loaded, known)
+    return CellShown(cell=there, sha256=cells.digest(cell), moved=moved, read_at=now)
 
 
 @router.post("/validate", openapi_extra=ZIP)
@@ -104,7 +117,7 @@ def _take_in(here: Here, folder: Path, name: str | None, asking: Asking, now: No
     counted = here.metrics.cells_checked.labels
     try:
         found = take_in(here.checker, here.cells, folder, name=name)
-    except Exception:
+    except HeftError:
         counted("refused").inc()
         raise
     counted("taken in").inc()

@@ -5,30 +5,29 @@ from __future__ import annotations
 from collections.abc import AsyncIterator
 from datetime import datetime
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import anyio
-from fastapi import APIRouter, Depends, Query, Request, Response
+from fastapi import APIRouter, Depends, Request, Response
 from starlette.status import HTTP_202_ACCEPTED
 
-from core.gap.answer import Diagnosis
+from core.gap.answer import Diagnosis, Verdict
 from server import audit, downloads, jobs, run_ledger
 from server.dependencies import Asking, Here, Now, Stored
-from server.errors import Conflict, Unprocessable
-from server.job_kinds import DIAGNOSIS, DiagnosisOrder, report_of
-from server.jobs import State
+from server.errors import Conflict
+from server.job_answer import JobAnswer, Limit, accepted
+from server.job_kinds import DIAGNOSIS, DiagnosisOrder, overlay_of, report_of
+from server.overlay_schemas import OverlayAnswer
 from server.recording_archive import unpack
 from server.run_tables import JobRow
 from server.runner.run_folder import RECORDING
-from server.schemas import Answer, Body
+from server.schemas import Body, Name
 from server.service import Service
+from server.zip_body import ZIP, check_is_zip, write_body
 
 router = APIRouter(prefix="/api/diagnoses", tags=["diagnoses"])
 
 TYPICAL_S = 30
-ZIP: dict[str, Any] = {
-    "requestBody": {"required": True, "content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}}}
-}
 
 
 class DiagnosisBody(Body):
@@ -37,31 +36,31 @@ class DiagnosisBody(Body):
     run: str
 
 
-class DiagnosisAnswer(Answer):
-    """A diagnosis; `result` is what `heft diagnose --json` writes, null until it is done."""
+class DiagnosisAnswer(JobAnswer):
+    """A diagnosis.
+
+    Args:
+        cell: where the recording was made, null where that is none of ours.
+        verdict, named: the answer, and the effect that is most probable, or two joined by a plus sign; null where it names none.
+        summary: the same in a sentence; `result` is what `heft diagnose --json` writes. Null until it is done.
+    """
 
     diagnosis: str
     run: str | None
-    state: State
-    progress: float
-    reason: str | None
-    requested_by: str
-    requested_at: datetime
-    ended_at: datetime | None
+    cell: str | None
+    verdict: Verdict | None
+    named: str | None
+    summary: str | None
     result: Diagnosis | None
 
 
 async def _uploaded(request: Request, here: Here, now: Now) -> AsyncIterator[Path]:
     """The folder of an uploaded recording, unpacked; kept, as a run's is."""
-    kind = request.headers.get("content-type", "").partition(";")[0]
-    if kind != "application/zip":
-        raise Unprocessable(f"Content-Type: found {kind[:60]!r}, expected application/zip; send a zip of the recording's folder")
+    check_is_zip(request, "recording")
     place = here.settings.recordings_folder / f"upload-{run_ledger.new_id(now)}"
     archive = place.with_suffix(".zip.part")
     try:
-        async with await anyio.open_file(archive, "wb") as file:
-            async for chunk in request.stream():
-                await file.write(chunk)
+        await write_body(request, archive)
         await anyio.to_thread.run_sync(unpack, archive, place)
     finally:
         archive.unlink(missing_ok=True)
@@ -76,20 +75,22 @@ def diagnose_run(body: DiagnosisBody, response: Response, here: Here, asking: As
         row = run_ledger.load(db, body.run)
     if not folder.is_dir():
         raise Conflict(f"run {body.run}: has no recording, it is in {row.state}; wait for its end")
-    return _queued(here, folder, body.run, asking.who, now, response)
+    return _queued(here, DiagnosisOrder(recording=folder.absolute(), run=body.run, cell=row.cell), asking.who, now, response)
 
 
 @router.post("/uploads", status_code=HTTP_202_ACCEPTED, openapi_extra=ZIP)
 def diagnose_upload(
-    folder: Annotated[Path, Depends(_uploaded)], response: Response, here: Here, asking: Asking, now: Now
+    folder: Annotated[Path, Depends(_uploaded)], response: Response, here: Here, asking: Asking, now: Now, cell: Name | None = None
 ) -> DiagnosisAnswer:
-    """The same of a recording folder as a zip."""
-    return _queued(here, folder, None, asking.who, now, response)
+    """The same of a recording folder as a zip; with the cell it was made in, where that is one of ours."""
+    if cell is not None:
+        here.cells.load(cell)
+    return _queued(here, DiagnosisOrder(recording=folder.absolute(), cell=cell), asking.who, now, response)
 
 
 @router.get("")
-def list_diagnoses(here: Here, limit: Annotated[int, Query(ge=1, le=200)] = 50) -> list[DiagnosisAnswer]:
-    """Newest first, without their results."""
+def list_diagnoses(here: Here, limit: Limit = 50) -> list[DiagnosisAnswer]:
+    """Newest first, each with its summary alone."""
     with here.store.read() as db:
         return [_answer(here, row, whole=False) for row in jobs.listed(db, DIAGNOSIS, limit)]
 
@@ -101,6 +102,28 @@ def read_diagnosis(diagnosis: str, here: Here, store: Stored) -> DiagnosisAnswer
         return _answer(here, jobs.load(db, DIAGNOSIS, diagnosis))
 
 
+@router.delete("/{diagnosis}")
+def cancel_diagnosis(diagnosis: str, here: Here, asking: Asking, now: Now) -> DiagnosisAnswer:
+    """Ends a diagnosis that waits or runs; the recording stays."""
+    with here.store.write() as db:
+        row = jobs.cancel(db, DIAGNOSIS, diagnosis, asking.who, now)
+        audit.record(db, asking.who, "diagnosis.cancel", {"diagnosis": diagnosis}, now=now)
+        found = _answer(here, row)
+    here.diagnoses.drop(diagnosis)
+    return found
+
+
+@router.get("/{diagnosis}/overlay")
+def read_overlay(diagnosis: str, here: Here) -> OverlayAnswer:
+    """Measured and simulated before and after, for plots; none where there was too little to compare."""
+    with here.store.read() as db:
+        row = jobs.load(db, DIAGNOSIS, diagnosis)
+    file = overlay_of(here.settings, diagnosis)
+    if not file.is_file():
+        raise Conflict(f"diagnosis {diagnosis}: has nothing to overlay, it is {row.state}; a done one has, if there was enough to compare")
+    return OverlayAnswer.model_validate_json(file.read_bytes())
+
+
 @router.get("/{diagnosis}/report", response_class=Response, responses=downloads.PAGE)
 def download_diagnosis_report(diagnosis: str, here: Here) -> Response:
     """The diagnosis as a page."""
@@ -110,26 +133,33 @@ def download_diagnosis_report(diagnosis: str, here: Here) -> Response:
     return downloads.page(report_of(here.settings, diagnosis), f"diagnosis-{diagnosis}", missing)
 
 
-def _queued(here: Service, folder: Path, run: str | None, who: str, now: datetime, response: Response) -> DiagnosisAnswer:
+def _queued(here: Service, order: DiagnosisOrder, who: str, now: datetime, response: Response) -> DiagnosisAnswer:
     with here.store.write() as db:
-        row = jobs.queue(db, DIAGNOSIS, DiagnosisOrder(recording=folder.absolute(), run=run), run, who, now)
-        audit.record(db, who, "diagnosis.queue", {"diagnosis": row.id, "run": run}, now=now)
+        row = jobs.queue(db, DIAGNOSIS, order, order.run, who, now)
+        audit.record(db, who, "diagnosis.queue", {"diagnosis": row.id, "run": order.run}, now=now)
         found = _answer(here, row)
     here.diagnoses.wake()
-    response.headers["Location"] = f"/api/diagnoses/{found.diagnosis}"
-    response.headers["Retry-After"] = str(TYPICAL_S)
+    accepted(response, f"/api/diagnoses/{found.diagnosis}", TYPICAL_S)
     return found
 
 
 def _answer(here: Service, row: JobRow, *, whole: bool = True) -> DiagnosisAnswer:
-    return DiagnosisAnswer(
+    result = None if row.result is None else Diagnosis.model_validate_json(row.result)
+    return DiagnosisAnswer.of(
+        row,
+        here.diagnoses,
         diagnosis=row.id,
         run=row.about,
-        state=State(row.state),
-        progress=1.0 if row.state == State.done else here.diagnoses.progress.get(row.id, 0.0),
-        reason=row.reason,
-        requested_by=row.requested_by,
-        requested_at=row.requested_at,
-        ended_at=row.ended_at,
-        result=Diagnosis.model_validate_json(row.result) if whole and row.result is not None else None,
+        cell=DiagnosisOrder.model_validate_json(row.order).cell,
+        verdict=None if result is None else result.verdict,
+        named=None if result is None else _named(result),
+        summary=None if result is None else result.summary,
+        result=result if whole else None,
     )
+
+
+def _named(result: Diagnosis) -> str | None:
+    """What is most probable of the effects and pairs that an answer names."""
+    single = [(effect.probability, effect.id) for effect in result.effects]
+    both = [(pair.probability, "+".join(pair.ids)) for pair in result.pairs]
+    return max(single + both)[1] if single or both else None

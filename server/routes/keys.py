@@ -12,7 +12,7 @@ from sqlalchemy import select
 from server import accounts, audit
 from server.accounts import ApiKey
 from server.dependencies import Asking, Now, Stored
-from server.roles import Role
+from server.roles import MACHINE_ROLES, Role
 from server.schemas import Answer, Body, Name
 
 router = APIRouter(prefix="/api/keys", tags=["keys"])
@@ -22,7 +22,7 @@ class NewKey(Body):
     """A machine that is to be let in."""
 
     name: Name
-    role: Role
+    role: Annotated[Role, Field(json_schema_extra={"enum": sorted(MACHINE_ROLES)})]
     valid_days: Annotated[float, Field(gt=0, le=3660)] | None = None
     """Without end where absent."""
 

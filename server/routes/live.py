@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from contextlib import suppress
-from typing import Annotated
+from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query, WebSocket
 from starlette.websockets import WebSocketDisconnect
@@ -13,17 +13,20 @@ from server import run_ledger
 from server.broadcast import PATIENCE_S, TooSlowError, drain
 from server.dependencies import Here
 from server.errors import NotFound
+from server.event_schemas import EventMessage, LiveMessage
 from server.packml import FINAL, State
-from server.run_schemas import EventMessage
 from server.service import Service
 
 router = APIRouter(tags=["runs"])
 
 NORMAL, POLICY_VIOLATION, TRY_AGAIN = 1000, 1008, 1013
 
+After = Annotated[int, Query(ge=0, le=2**53)]
+"""Sequence number of the last message that is known already."""
+
 
 @router.websocket("/api/runs/{run}/live")
-async def watch_run(websocket: WebSocket, run: str, here: Here, after: Annotated[int, Query(ge=0)] = 0) -> None:
+async def watch_run(websocket: WebSocket, run: str, here: Here, after: After = 0) -> None:
     """Events behind `after`, then everything as it happens; closed with 1013 when it is not read, with 1000 at the end."""
     await websocket.accept()
     try:
@@ -43,6 +46,18 @@ async def watch_run(websocket: WebSocket, run: str, here: Here, after: Annotated
             await asyncio.wait_for(websocket.close(TRY_AGAIN, str(error)[:120]), 1.0)
     except (WebSocketDisconnect, TimeoutError):
         return
+
+
+@router.get("/api/runs/{run}/events")
+def read_events(run: str, here: Here, after: After = 0, kind: Literal["event", "samples"] | None = None) -> list[LiveMessage]:
+    """What has happened behind a sequence number, and the newest samples: the same messages as on the websocket `live`."""
+    with here.store.read() as db:
+        run_ledger.load(db, run)
+        messages: list[LiveMessage] = [EventMessage.model_validate_json(text) for text in run_ledger.told(db, run, after)]
+    active = here.conductor.of_run(run)
+    if active is not None and active.newest is not None:
+        messages.append(active.newest.batch)
+    return [message for message in messages if kind in (None, message.kind)]
 
 
 async def _send(websocket: WebSocket, run: str, here: Service, after: int) -> None:

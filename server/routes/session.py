@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from datetime import timedelta
-from typing import Annotated
 
 from fastapi import APIRouter, Response
-from pydantic import Field, SecretStr
 from sqlalchemy import delete
 
 from server import accounts, audit, login_limit
@@ -15,11 +13,9 @@ from server.auth import COOKIE
 from server.dependencies import Address, Asking, Here, Now, Stored
 from server.errors import NotAllowed, NotSignedIn
 from server.roles import Role
-from server.schemas import Answer, Body, Name
+from server.schemas import Answer, Body, Name, NewPassword, Password
 
 router = APIRouter(prefix="/api/session", tags=["session"])
-
-Password = Annotated[SecretStr, Field(max_length=200)]
 
 
 class Credentials(Body):
@@ -33,7 +29,7 @@ class PasswordChange(Body):
     """The password until now, and from now on."""
 
     password: Password
-    new_password: Password
+    new_password: NewPassword
 
 
 class Session(Answer):

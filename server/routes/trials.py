@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from datetime import datetime
-from typing import Annotated
-
-from fastapi import APIRouter, Query, Response
+from fastapi import APIRouter, Response
 from pydantic import Field
 from starlette.status import HTTP_202_ACCEPTED
 
 from server import audit, jobs
 from server.dependencies import Asking, Here, Now, Stored
-from server.errors import Conflict
+from server.job_answer import JobAnswer, Limit, accepted
 from server.job_kinds import TRIALS, TrialsOrder
-from server.jobs import UNDER_WAY, State
 from server.run_tables import JobRow
-from server.schemas import Answer, Body
+from server.schemas import Body
 from server.service import Service
 from server.trial_schemas import SEALS, OpenedTrial, Seal, TrialsResult
 
@@ -31,7 +27,7 @@ class TrialsBody(Body):
     seed: int = Field(0, ge=0, lt=2**31)
 
 
-class TrialsAnswer(Answer):
+class TrialsAnswer(JobAnswer):
     """Some trials.
 
     Args:
@@ -42,12 +38,6 @@ class TrialsAnswer(Answer):
     trials: str
     count: int
     seed: int
-    state: State
-    progress: float
-    reason: str | None
-    requested_by: str
-    requested_at: datetime
-    ended_at: datetime | None
     seals: list[Seal] | None
     opened: list[OpenedTrial] | None
     sheet: str | None
@@ -61,13 +51,12 @@ def queue_trials(body: TrialsBody, response: Response, here: Here, asking: Askin
         audit.record(db, asking.who, "trials.queue", {"trials": row.id, "count": body.count, "seed": body.seed}, now=now)
         found = _answer(here, row)
     here.trials.wake()
-    response.headers["Location"] = f"/api/trials/{found.trials}"
-    response.headers["Retry-After"] = str(TYPICAL_S)
+    accepted(response, f"/api/trials/{found.trials}", TYPICAL_S)
     return found
 
 
 @router.get("")
-def list_trials(here: Here, limit: Annotated[int, Query(ge=1, le=200)] = 50) -> list[TrialsAnswer]:
+def list_trials(here: Here, limit: Limit = 50) -> list[TrialsAnswer]:
     """Newest first, without their answers."""
     with here.store.read() as db:
         return [_answer(here, row, whole=False) for row in jobs.listed(db, TRIALS, limit)]
@@ -84,10 +73,7 @@ def read_trials(trials: str, here: Here, store: Stored) -> TrialsAnswer:
 def cancel_trials(trials: str, here: Here, asking: Asking, now: Now) -> TrialsAnswer:
     """Ends trials that wait or run; what they have planted stays sealed."""
     with here.store.write() as db:
-        row = jobs.load(db, TRIALS, trials)
-        if row.state not in UNDER_WAY:
-            raise Conflict(f"trials {trials}: are {row.state}; only those that wait or run can be cancelled")
-        row.state, row.ended_at, row.reason = State.cancelled, now, f"cancelled by {asking.who}."
+        row = jobs.cancel(db, TRIALS, trials, asking.who, now)
         audit.record(db, asking.who, "trials.cancel", {"trials": trials}, now=now)
         found = _answer(here, row)
     here.trials.drop(trials)
@@ -97,16 +83,12 @@ def cancel_trials(trials: str, here: Here, asking: Asking, now: Now) -> TrialsAn
 def _answer(here: Service, row: JobRow, *, whole: bool = True) -> TrialsAnswer:
     order = TrialsOrder.model_validate_json(row.order)
     result = TrialsResult.model_validate_json(row.result) if whole and row.result is not None else None
-    return TrialsAnswer(
+    return TrialsAnswer.of(
+        row,
+        here.trials,
         trials=row.id,
         count=order.count,
         seed=order.seed,
-        state=State(row.state),
-        progress=1.0 if row.state == State.done else here.trials.progress.get(row.id, 0.0),
-        reason=row.reason,
-        requested_by=row.requested_by,
-        requested_at=row.requested_at,
-        ended_at=row.ended_at,
         seals=SEALS.validate_json(row.told) if whole and row.told is not None else None,
         opened=None if result is None else result.opened,
         sheet=None if result is None else result.sheet,

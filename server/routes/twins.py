@@ -19,8 +19,9 @@ from core.jail import read_inside
 from server import audit, jobs
 from server.dependencies import Asking, Cells, Here, Now, Stored
 from server.errors import Conflict, NotFound, Unprocessable
+from server.job_answer import JobAnswer, accepted
 from server.job_kinds import ADDITION, DIAGNOSIS, AdditionOrder, DiagnosisOrder, sha256_of
-from server.jobs import UNDER_WAY, State
+from server.jobs import UNDER_WAY
 from server.run_tables import JobRow
 from server.runner.messages import Answered, Failed
 from server.runner.work import said
@@ -72,19 +73,13 @@ class AdditionBody(Body):
     effect: Annotated[str, Field(pattern=r"^[a-z_]{1,64}(\+[a-z_]{1,64})?$")]
 
 
-class AdditionAnswer(Answer):
+class AdditionAnswer(JobAnswer):
     """An addition; `twin` is the cell's twin with the effect, null until it is done."""
 
     addition: str
     cell: str
     effect: str
     diagnosis: str
-    state: State
-    progress: float
-    reason: str | None
-    requested_by: str
-    requested_at: datetime
-    ended_at: datetime | None
     twin: TwinAnswer | None
 
 
@@ -107,8 +102,7 @@ def add_effect(cell: PathName, body: AdditionBody, response: Response, here: Her
         audit.record(db, asking.who, "twin.queue", {"addition": row.id, "cell": cell, "effect": body.effect}, now=now)
         found = _answer(here, row)
     here.additions.wake()
-    response.headers["Location"] = f"/api/cells/{cell}/twin/additions/{found.addition}"
-    response.headers["Retry-After"] = str(TYPICAL_S)
+    accepted(response, f"/api/cells/{cell}/twin/additions/{found.addition}", TYPICAL_S)
     return found
 
 
@@ -116,10 +110,20 @@ def add_effect(cell: PathName, body: AdditionBody, response: Response, here: Her
 def read_addition(cell: PathName, addition: str, here: Here, store: Stored) -> AdditionAnswer:
     """How far an addition is, and why it was refused."""
     with store.read() as db:
-        row = jobs.load(db, ADDITION, addition)
-    if row.about != cell:
-        raise NotFound(ADDITION, addition)
+        row = _load(db, cell, addition)
     return _answer(here, row)
+
+
+@router.delete("/additions/{addition}")
+def cancel_addition(cell: PathName, addition: str, here: Here, asking: Asking, now: Now) -> AdditionAnswer:
+    """Ends an addition that waits or runs; the twin stays as it is."""
+    with here.store.write() as db:
+        _load(db, cell, addition)
+        row = jobs.cancel(db, ADDITION, addition, asking.who, now)
+        audit.record(db, asking.who, "twin.cancel", {"addition": addition, "cell": cell}, now=now)
+        found = _answer(here, row)
+    here.additions.drop(addition)
+    return found
 
 
 @router.delete("/{effect}")
@@ -149,6 +153,13 @@ def twin_of(cell: Cell) -> TwinAnswer:
         flaw = error.errors()[0]
         where = ".".join(str(part) for part in flaw["loc"])
         raise BadTwin(f"{TWIN_FILE}: {where}", repr(flaw["input"])[:80], flaw["msg"].removeprefix("Input should be ")) from error
+
+
+def _load(db: Session, cell: str, addition: str) -> JobRow:
+    row = jobs.load(db, ADDITION, addition)
+    if row.about != cell:
+        raise NotFound(ADDITION, addition)
+    return row
 
 
 def _removed(cell: Cell, effect: str) -> str:
@@ -182,16 +193,12 @@ def _check_nothing_under_way(db: Session, cell: str) -> None:
 
 def _answer(here: Service, row: JobRow) -> AdditionAnswer:
     order = AdditionOrder.model_validate_json(row.order)
-    return AdditionAnswer(
+    return AdditionAnswer.of(
+        row,
+        here.additions,
         addition=row.id,
         cell=order.cell,
         effect=order.effect,
         diagnosis=order.diagnosis,
-        state=State(row.state),
-        progress=1.0 if row.state == State.done else here.additions.progress.get(row.id, 0.0),
-        reason=row.reason,
-        requested_by=row.requested_by,
-        requested_at=row.requested_at,
-        ended_at=row.ended_at,
         twin=None if row.result is None else TwinAnswer.model_validate_json(row.result),
     )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 from contextlib import suppress
 
-import httpx2
 from fastapi import APIRouter, Request, Response, WebSocket
 from fastapi.responses import RedirectResponse
 from starlette.websockets import WebSocketDisconnect
@@ -31,6 +30,8 @@ async def to_viewer(cell: str) -> RedirectResponse:
 @router.get("/{cell}/{path:path}")
 async def viewer_page(cell: str, path: str, request: Request, here: Here) -> Response:
     """The viewer's page and what belongs to it."""
+    import httpx2  # noqa: PLC0415  the service starts sooner without it
+
     port = await here.gallery.port(cell)
     wanted = {name: request.headers[name] for name in ("accept-encoding", "if-none-match") if name in request.headers}
     async with (

@@ -12,7 +12,7 @@ from core.cell import contradictions
 from core.shapes import Pose
 from server import audit, zones
 from server.dependencies import Asking, Here, Now
-from server.errors import Unprocessable
+from server.errors import Conflict
 from server.schemas import Answer, Body, Moment, Name
 
 router = APIRouter(prefix="/api/cells/{cell}/zones", tags=["cells"])
@@ -44,7 +44,7 @@ class ZoneShown(Answer):
 def move_zone(cell: PathName, zone: PathName, moved: ZoneMove, asking: Asking, here: Here, now: Now) -> ZoneShown:
     """Keeps a zone's new place. A place that makes planning impossible is kept too: people are where they are."""
     if moved.measured_at > now + AHEAD:
-        raise Unprocessable(
+        raise Conflict(
             f"measured_at: {moved.measured_at.isoformat()} is ahead of the service's clock, {now.isoformat()}; set the measuring clock"
         )
     loaded = here.cells.load(cell)

@@ -13,9 +13,13 @@ import numpy as np
 
 from core.errors import HeftError
 from core.events import Event, Finished, RecordingWritten, RobotStopped
+from core.experiment.stops import Stops
+from core.motion_sequence import MotionSequence, Procedure
 from core.outcome import Outcome
 from core.plan import Plan
 from core.procedure import carried_out
+from core.recording import check_same_robot
+from core.recording_folder import read_recording
 from core.report.page import write_report
 from core.sessions.leased import Lease, LeasedSession
 from core.sessions.pace import AsFastAsPossible, RealTime
@@ -35,18 +39,22 @@ def main(order: Order, connection: Connection) -> None:
     """Entry point of the process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
     speaker: Told = Speaker(connection, Sampled)
-    planning = PlanningProcess()
+    planning = PlanningProcess(_sequence_of(order))
     _lock = locked(order.folder)  # as long as we live: who recovers the run's samples waits for it
     try:
         _carry_out(order, connection, planning, speaker)
     except HeftError as error:
-        speaker.tell(error.failed if isinstance(error, PlanRefused) else Failed(type(error).__name__, str(error)))
+        speaker.tell(error.failed if isinstance(error, PlanRefused) else Failed(type(error).__name__, str(error), error.in_the_way))
     except OSError as error:
         speaker.tell(Failed("NoRoom", f"the run's folder could not be written ({error.strerror}); the robot was stopped. Make room."))
     finally:
         speaker.close()
         planning.close()
         os._exit(0)  # libraries take their time to tidy up, and OMPL prints what it leaks; everything of ours is closed
+
+
+def _sequence_of(order: Order) -> MotionSequence:
+    return Procedure(order.timing, order.mass_guess_kg) if order.continues is None else Stops(order.continues.stops)
 
 
 def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, speaker: Told) -> None:
@@ -58,13 +66,16 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin)
     run = ServedRun(order, LeasedSession(robot, lease), planning, listener, speaker)
     run.twin = twin
+    if order.continues is not None:
+        run.before = read_recording(order.continues.recording)
+        check_same_robot(run.before, run.robot.description, order.cell.gravity_in_base)
     plan = _released(run, order, listener, speaker)
     procedure = carried_out(run, plan, order.payload, carried, order.folder / RECORDING)
     try:
         outcome = _pumped(procedure, run, listener, speaker)
     finally:
         if isinstance(pace, RealTime):
-            speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s))
+            speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s, pace.median_s))
     page = order.folder / REPORT
     write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
     speaker.tell(Done(outcome.result(order.folder / RECORDING)))

@@ -6,29 +6,54 @@ from contextlib import suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
 
+from rich.console import Console
+
+from core.cell import Cell
 from core.diagnosis_overlay import overlay_of
 from core.errors import HeftError
+from core.experiment.command import plan_next
 from core.gap.diagnosis import examine
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll, Task, one_by_one
 from core.gap.windows import Windows
 from core.recording_folder import read_recording
 from core.report.diagnosis_page import write_diagnosis
+from core.twin import NOMINAL
+from core.twin_file import read_twin
 from server.runner.messages import Advanced, Answered, Failed
+from server.runner.shown_overlay import shown_overlay
 from server.runner.work import give_way
 
 
-def main(recording: Path, report: Path, connection: Connection) -> None:
-    """Diagnoses the recording in a folder, which is only read, and writes the page `report`."""
+def main(folder: Path, cell: Cell | None, report: Path, overlay: Path, connection: Connection) -> None:
+    """Diagnoses the recording in a folder, which is only read.
+
+    Args:
+        cell: it was made in: its twin is where the diagnosis starts, and the next motion is planned there.
+        report, overlay: files to write, a page and JSON.
+    """
     give_way()
     with suppress(BrokenPipeError):  # nobody waits any more
         try:
-            diagnosis, evidence = examine(read_recording(recording), fit_all=told_as_it_goes(connection))
-            overlay = None if evidence is None else overlay_of(evidence)
-            write_diagnosis(report, diagnosis=diagnosis, overlay=overlay)
+            recording = read_recording(folder)
+            twin = NOMINAL if cell is None else read_twin(cell)
+            diagnosis, evidence = examine(recording, twin=twin, fit_all=told_as_it_goes(connection))
+            if cell is not None:
+                diagnosis = plan_next(diagnosis, evidence, recording, folder, cell, None, Console(quiet=True))
+            compared = None if evidence is None else overlay_of(evidence)
+            write_diagnosis(report, diagnosis=diagnosis, overlay=compared)
+            if compared is not None:
+                write_whole(overlay, shown_overlay(compared).model_dump_json())
             connection.send(Answered(diagnosis.model_dump_json()))
         except HeftError as error:
             connection.send(Failed(type(error).__name__, str(error)))
+
+
+def write_whole(file: Path, text: str) -> None:
+    """Writes a file that is there as a whole or not at all."""
+    part = file.with_name(file.name + ".part")
+    part.write_text(text, encoding="utf-8")
+    part.replace(file)
 
 
 def told_as_it_goes(connection: Connection) -> FitAll:

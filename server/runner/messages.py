@@ -7,10 +7,21 @@ from pathlib import Path
 
 from core.cell import Box, Cell, Pose
 from core.events import Event
+from core.gap.experiment import Stop
 from core.plan_settings import Planner, Timing
 from core.result import Result
 from core.sessions.leased import Renewal
-from server.run_schemas import LiveBatch, Pace, RunPlan
+from server.event_schemas import LiveBatch
+from server.plan_schemas import RunPlan
+from server.run_schemas import Pace
+
+
+@dataclass(frozen=True)
+class Continuation:
+    """A motion through stops, whose samples are appended to the recording in a folder."""
+
+    recording: Path
+    stops: tuple[Stop, ...]
 
 
 @dataclass(frozen=True)
@@ -23,6 +34,7 @@ class Order:
         payload: a payload that the cell knows; what the simulated robot carries.
         payload_box: what certainly contains it, sensor frame.
         folder: of the run; exists. Samples go there as they come, the recording in the end.
+        continues: what is done instead of the procedure, where that is something else.
     """
 
     run: str
@@ -35,6 +47,7 @@ class Order:
     mass_guess_kg: float
     pace: Pace
     folder: Path
+    continues: Continuation | None = None
 
 
 @dataclass(frozen=True)
@@ -103,12 +116,13 @@ class Paced:
     """How the control loop kept its time while the robot moved.
 
     Args:
-        ticks: of the loop; `late` of them came more than `LATE_S` after their time, the latest by `latest_s`.
+        ticks: of the loop; `late` of them came more than `LATE_S` after their time, the latest by `latest_s`, half of them by `median_s`.
     """
 
     ticks: int
     late: int
     latest_s: float
+    median_s: float
 
 
 @dataclass(frozen=True)

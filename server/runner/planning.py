@@ -4,38 +4,16 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Generator
-from dataclasses import dataclass
 from multiprocessing.connection import Connection
 
-import numpy as np
-from numpy.typing import NDArray
-
-from core.cell import Box, Cell
 from core.collision import CollisionModel
-from core.errors import HeftError, NoStartConfiguration, Refused
+from core.errors import HeftError, Refused
 from core.events import Event
-from core.plan import POSES, Plan, plan_procedure
-from core.plan_settings import Planner, Timing
+from core.motion_sequence import MotionSequence, PlanRequest
+from core.plan import Plan
 from core.robot import RobotModel
 from server.runner.context import CONTEXT
 from server.runner.messages import Failed
-
-Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class PlanRequest:
-    """What is to be planned: the poses that are left after `done`, from joint positions `start` (n,)."""
-
-    cell: Cell
-    payload_box: Box
-    start: Array
-    done: int
-    period: float
-    timing: Timing
-    mass_guess_kg: float
-    planner: Planner
-    seed: int
 
 
 class PlanRefused(Refused):
@@ -51,11 +29,16 @@ class PlanRefused(Refused):
 
 
 class PlanningProcess:
-    """A process that plans what it is asked, one thing after the other; it ends with this object or with its maker."""
+    """A process that plans what it is asked, one thing after the other; it ends with this object or with its maker.
 
-    def __init__(self) -> None:
+    Args:
+        sequence: what the robot goes through.
+    """
+
+    def __init__(self, sequence: MotionSequence) -> None:
+        self.sequence = sequence
         self._connection, theirs = CONTEXT.Pipe()
-        self._process = CONTEXT.Process(target=_serve, args=(theirs,), name="heft-planning", daemon=True)
+        self._process = CONTEXT.Process(target=_serve, args=(sequence, theirs), name="heft-planning", daemon=True)
         self._process.start()
         theirs.close()
 
@@ -87,38 +70,23 @@ class PlanningProcess:
         self._connection.close()
 
 
-def _serve(connection: Connection) -> None:
+def _serve(sequence: MotionSequence, connection: Connection) -> None:
     """The planning process: until the other end is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
     while True:
         try:
             request: PlanRequest = connection.recv()
-            for answer in _answers(request):
+            for answer in _answers(sequence, request):
                 connection.send(answer)
         except (EOFError, BrokenPipeError):
             return
 
 
-def _answers(request: PlanRequest) -> Generator[Event | Plan | Failed, None, None]:
+def _answers(sequence: MotionSequence, request: PlanRequest) -> Generator[Event | Plan | Failed, None, None]:
     """Events, then the plan or why there is none."""
     try:
         robot = RobotModel.of_cell(request.cell)
         collision = CollisionModel(request.cell, robot, request.payload_box)
-        yield (
-            yield from plan_procedure(
-                request.cell,
-                robot,
-                collision,
-                request.payload_box,
-                start=request.start,
-                poses=POSES[request.done :],
-                period=request.period,
-                timing=request.timing,
-                mass_guess_kg=request.mass_guess_kg,
-                planner=request.planner,
-                seed=request.seed,
-            )
-        )
+        yield (yield from sequence.planned(request, robot, collision))
     except HeftError as error:
-        in_the_way = error.in_the_way if isinstance(error, NoStartConfiguration) else None
-        yield Failed(type(error).__name__, str(error), in_the_way)
+        yield Failed(type(error).__name__, str(error), error.in_the_way)

@@ -11,6 +11,9 @@ from server.runner.context import CONTEXT, started
 from server.runner.messages import Failed, FromChild, Order, ToChild
 from server.runner.pipe import Speaker
 
+CONTROL = "server.runner.control"
+"""The module whose `main` controls a robot."""
+
 
 class ControlProcess:
     """One run's process; belongs to the running event loop.
@@ -21,7 +24,7 @@ class ControlProcess:
 
     def __init__(self, order: Order) -> None:
         self._connection, theirs = CONTEXT.Pipe()
-        self._process = started("server.runner.control", order, theirs, name=f"heft-run-{order.run}")
+        self._process = started(CONTROL, order, theirs, name=f"heft-run-{order.run}")
         theirs.close()
         self._speaker: Speaker[ToChild] = Speaker(self._connection, Renewal)
         self._heard: asyncio.Queue[FromChild | None] = asyncio.Queue()

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from core.cell import Cell
 from core.errors import HeftError
+from core.recording_folder import read_recording
 from core.robot import RobotModel
 from core.sample_log import SampleLog
 from server.runner.messages import Failed, Recovered
@@ -15,12 +16,13 @@ from server.runner.sample_stream import recover
 from server.runner.work import give_way
 
 
-def main(folder: Path, cell: Cell, connection: Connection) -> None:
+def main(folder: Path, cell: Cell, continues: Path | None, connection: Connection) -> None:
     """Waits until the run's control process has ended, which may still write the recording itself.
 
     Args:
         folder: of the run.
         cell: in which it was.
+        continues: folder of the recording that the run continued.
     """
     give_way()
     with locked(folder):
@@ -28,7 +30,8 @@ def main(folder: Path, cell: Cell, connection: Connection) -> None:
             connection.send(Recovered(0))
             return
         try:
-            log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None)
+            before = None if continues is None else read_recording(continues)
+            log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None, before=before)
             connection.send(Recovered(recover(folder, log, folder / RECORDING)))
         except (HeftError, OSError) as error:
             connection.send(Failed(type(error).__name__, str(error)))

@@ -17,10 +17,10 @@ from core.result import numbers
 from core.rigid_wrench import wrench
 from core.sample_log import SampleLog
 from core.sessions.leased import LeasedSession
-from server.run_schemas import LiveBatch, NearestPart, WaitingForZone
+from server.event_schemas import LiveBatch, NearestPart, WaitingForZone
 from server.runner.messages import FromChild, Order, Sampled
 from server.runner.pipe import Listener, Speaker
-from server.runner.planning import PlanningProcess, PlanRefused, PlanRequest
+from server.runner.planning import PlanningProcess, PlanRefused
 from server.runner.sample_stream import SampleStream
 
 Array = NDArray[np.float64]
@@ -42,7 +42,7 @@ class ServedRun(Run):
     def __init__(
         self, order: Order, session: LeasedSession, planning: PlanningProcess, listener: Listener, speaker: Speaker[FromChild]
     ) -> None:
-        super().__init__(order.cell, session, order.payload_box, order.timing, order.mass_guess_kg, order.planner, order.seed)
+        super().__init__(order.cell, session, order.payload_box, planning.sequence, order.planner, order.seed)
         self._lease, self._planning, self._listener, self._speaker = session.lease, planning, listener, speaker
         self._stream = SampleStream(order.folder)
         self._written = 0
@@ -73,12 +73,7 @@ class ServedRun(Run):
 
     def _asked(self, start: Array, done: int) -> Generator[Event, None, Plan]:
         """One answer of the planning process."""
-        asked = self._planning.ask(
-            PlanRequest(
-                cell=self.cell, payload_box=self.payload_box, start=start, done=done, period=self.session.period, timing=self.timing,
-                mass_guess_kg=self.mass_guess_kg, planner=self.planner, seed=self.seed + self.restarts,
-            )
-        )  # fmt: skip
+        asked = self._planning.ask(self.plan_request(start, done))
         while True:
             try:
                 event = next(asked)
@@ -136,7 +131,7 @@ class ServedRun(Run):
 
     def _batch(self, log: SampleLog, now_at: Progress, *, wall_s: float) -> LiveBatch:
         states = log.states[-LIVE_ROWS:]
-        estimate, motion = self.online.estimate, self.online.motion
+        estimate, motion = self.online.so_far, self.online.motion
         known = np.where(np.isfinite(estimate.phi), estimate.phi, 0.0)  # the paper leaves the products of inertia out
         expected = wrench(motion, known)[0] + estimate.offset
         nearest = self.collision.obstacle_distance(states[-1].q)

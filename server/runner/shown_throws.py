@@ -12,7 +12,7 @@ from core.cell import Box, Cell
 from core.plan import Leg, Plan
 from core.planning.throw import Throw
 from core.robot import RobotModel
-from server.run_schemas import ThrowPart
+from server.plan_schemas import ThrowPart
 
 Array = NDArray[np.float64]
 

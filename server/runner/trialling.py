@@ -18,7 +18,7 @@ from core.trial.outcome import Outcome
 from core.trial.sheet import score_sheet
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.work import give_way
-from server.trial_schemas import SEALS, OpenedTrial, Seal, TrialsResult
+from server.trial_schemas import SEALS, NamedEffect, OpenedTrial, Seal, TrialsResult
 
 
 def main(folder: Path, count: int, seed: int, connection: Connection) -> None:
@@ -66,6 +66,11 @@ def _opened(found: list[Outcome]) -> str:
             size=outcome.sealed.size,
             verdict=outcome.verdict,
             named=outcome.first,
+            effects=[NamedEffect(id=each.id, probability=each.probability, closure=each.closure) for each in outcome.effects],
+            none_probability=outcome.none_probability,
+            unknown_probability=outcome.unknown_probability,
+            gap_before=outcome.gap_before,
+            gap_after=outcome.gap_after,
             mark=mark(outcome),
         )
         for outcome in found

@@ -5,11 +5,12 @@ from __future__ import annotations
 import asyncio
 
 from core.cell import Cell
+from server import run_ledger
 from server.conductor import Conductor
-from server.viewer.process import Moved, Planned, ViewerProcess, Zones
+from server.viewer.process import InTheWay, Moved, Planned, ViewerProcess, Zones
 
 PERIOD_S = 1.0 / 30.0
-ZONES_S = 0.5
+STORE_S = 0.5
 
 
 class Gallery:
@@ -62,10 +63,15 @@ class Gallery:
         with self._conductor.store.read() as db:
             return self._conductor.cell_now(db, name)
 
+    def _standing(self, name: str) -> tuple[Cell, str | None]:
+        """The cell as it is now, and what its run has in its way."""
+        with self._conductor.store.read() as db:
+            return self._conductor.cell_now(db, name), run_ledger.in_the_way(db, name)
+
     async def _feed(self, cell: Cell, viewer: ViewerProcess) -> None:
-        """Newest positions 30 times a second, plans and zones when they change."""
+        """Newest positions 30 times a second, plans, zones and what is in the way when they change."""
         await asyncio.shield(self._ports[cell.name])
-        plan = batch = None
+        plan = batch = in_the_way = None
         ticks = 0
         while viewer.alive:
             active = self._conductor.active.get(cell.name)
@@ -76,13 +82,16 @@ class Gallery:
                 batch = active.newest.batch
                 viewer.tell(Moved(batch))
             ticks += 1
-            if ticks * PERIOD_S >= ZONES_S:
+            if ticks * PERIOD_S >= STORE_S:
                 ticks = 0
-                cell = await self._told_zones(cell, viewer)
+                cell, in_the_way = await self._told_changes(cell, in_the_way, viewer)
             await asyncio.sleep(PERIOD_S)
 
-    async def _told_zones(self, cell: Cell, viewer: ViewerProcess) -> Cell:
-        now = await asyncio.to_thread(self._cell, cell.name)
+    async def _told_changes(self, cell: Cell, in_the_way: str | None, viewer: ViewerProcess) -> tuple[Cell, str | None]:
+        """Tells the viewer what has changed in the store; returns how it stands there."""
+        now, named = await asyncio.to_thread(self._standing, cell.name)
         if now.zones != cell.zones:
             viewer.tell(Zones(now))
-        return now
+        if named != in_the_way:
+            viewer.tell(InTheWay(named))
+        return now, named

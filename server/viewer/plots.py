@@ -9,7 +9,7 @@ import viser
 from numpy.typing import NDArray
 from viser import uplot
 
-from server.run_schemas import LiveBatch
+from server.event_schemas import LiveBatch
 
 Array = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ class Plots:
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._rows: deque[Array] = deque()
-        with server.gui.add_folder("Wrench"):
+        with server.gui.add_folder("Wrench", expand_by_default=False):
             self._force = _plot(server, "Force, N", ("fx", "fy", "fz"))
             self._torque = _plot(server, "Torque, N m", ("tx", "ty", "tz"))
             self._mass = server.gui.add_markdown(UNKNOWN)

@@ -11,7 +11,8 @@ from multiprocessing.connection import Connection
 import numpy as np
 
 from core.cell import Box, Cell
-from server.run_schemas import LiveBatch, RunPlan
+from server.event_schemas import LiveBatch
+from server.plan_schemas import RunPlan
 from server.runner.context import CONTEXT
 from server.runner.pipe import Speaker
 
@@ -40,7 +41,14 @@ class Planned:
     payload_box: Box
 
 
-Shown = Moved | Zones | Planned
+@dataclass(frozen=True)
+class InTheWay:
+    """What is in the way of the cell's run: an obstacle, a zone or a link; None where nothing is."""
+
+    name: str | None
+
+
+Shown = Moved | Zones | Planned | InTheWay
 
 
 class ViewerProcess:
@@ -76,11 +84,12 @@ class ViewerProcess:
 def _show(cell: Cell, connection: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.nice(NICENESS)
-    from server.viewer.plots import Plots  # noqa: PLC0415  no other process needs viser
-    from server.viewer.scene import Scene, open_server  # noqa: PLC0415
+    from server.viewer.in_the_way import Mark  # noqa: PLC0415  no other process needs viser
+    from server.viewer.plots import Plots  # noqa: PLC0415  the same
+    from server.viewer.scene import Scene, open_server  # noqa: PLC0415  the same
 
     server = open_server()
-    scene, plots = Scene(server, cell), Plots(server)
+    scene, plots, mark = Scene(server, cell), Plots(server), Mark(server, cell)
     connection.send(server.get_port())
     while True:
         try:
@@ -93,6 +102,9 @@ def _show(cell: Cell, connection: Connection) -> None:
                 plots.append(batch)
             case Zones():
                 scene.show_zones(shown.cell)
+                mark.moved(shown.cell)
+            case InTheWay(name=name):
+                mark.show(name)
             case Planned():
                 scene.show_payload_box(shown.payload_box)
                 scene.show_plan(shown.plan)

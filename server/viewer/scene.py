@@ -13,7 +13,9 @@ from viser import _messages as messages
 from core.cell import Box, Cell
 from core.report.faces import Faces, arm_parts, joint_poses, shape_faces
 from core.robot import RobotModel
-from server.run_schemas import NearestPart, RunPlan, ThrowPart
+from server.event_schemas import NearestPart
+from server.plan_schemas import RunPlan, ThrowPart
+from server.viewer.first_look import first_look
 
 Array = NDArray[np.float64]
 Colour = tuple[int, int, int]
@@ -22,6 +24,8 @@ STEEL, LOAD, SOLID, ZONE, GHOST, PATH, NEAR, THROW = (
     (120, 126, 132), (70, 110, 150), (168, 172, 176), (214, 164, 40), (150, 156, 162), (60, 90, 130), (190, 120, 20), (176, 70, 40),
 )  # fmt: skip
 """Grey ground; colour for what is to be minded."""
+INK: Colour = (20, 24, 27)
+FIELD_OF_VIEW_RAD = 0.8
 ARROW_S = 1.5
 """Length of the arrow that shows where the load would fly, as time at its speed."""
 
@@ -32,6 +36,8 @@ def open_server() -> viser.ViserServer:
     for message in (messages.ShareUrlRequest, messages.ShareUrlDisconnect):
         server._websock_server.unregister_handler(message)
     server.scene.set_up_direction("+z")
+    server.gui.configure_theme(control_width="small", show_logo=False, show_share_button=False)
+    server.gui.main_panel.minimize()
     return server
 
 
@@ -49,6 +55,8 @@ class Scene:
         self._frames = self._arm("/robot", STEEL, 1.0)
         self.show_payload_box(cell.payload_box)
         self.move(np.array(cell.robot.home_rad), None)
+        server.initial_camera.position, server.initial_camera.look_at = first_look(cell, self._robot)
+        server.initial_camera.fov = FIELD_OF_VIEW_RAD
 
     def show_zones(self, cell: Cell) -> None:
         """The protected zones where they are now."""
@@ -108,9 +116,14 @@ class Scene:
             frame.position = position
 
     def _mesh(self, name: str, faces: Faces, colour: Colour, opacity: float = 1.0) -> None:
-        corners, triangles = triangles_of(faces)
-        shown = None if opacity == 1.0 else opacity
-        self._server.scene.add_mesh_simple(name, corners, triangles, color=colour, opacity=shown, flat_shading=True, side="double")
+        add_body(self._server.scene, name, faces, colour, opacity)
+
+
+def add_body(scene: viser.SceneApi, name: str, faces: Faces, colour: Colour, opacity: float = 1.0) -> None:
+    """A body of convex faces, or another one in place of that of the same name."""
+    corners, triangles = triangles_of(faces)
+    shown = None if opacity == 1.0 else opacity
+    scene.add_mesh_simple(name, corners, triangles, color=colour, opacity=shown, flat_shading=True, side="double")
 
 
 def triangles_of(faces: Faces) -> tuple[Array, NDArray[np.int32]]:

@@ -115,7 +115,7 @@ def test_after_a_stop_by_the_guard_the_rest_is_done_from_new_start_configuration
     assert outcome.restarts == 1
     assert sum(isinstance(event, Planned) for event in events) == 2
     assert {"rotate:x", "rotate:y", "rotate:z"} <= set(outcome.recording.phase)
-    assert np.diff(outcome.recording.t).max() < 0.01  # the braking is in the recording
+    assert np.diff(outcome.recording.t).max() < 1.5 * session.period  # the braking is in the recording, every sample of it
     estimate = outcome.identification.estimate
     assert np.all(np.abs(estimate.phi - carried.parameters.phi) < 5 * estimate.std)
 

@@ -38,7 +38,7 @@ runner = CliRunner()
 def recorded(cell: Cell, **options: object) -> Recording:
     """A run in the simulation."""
     carried = cell.payloads[PAYLOAD]
-    session = SimulatedSession(cell, carried.parameters, seed=4, drives=SMOOTH, **options)  # type: ignore[arg-type]
+    session = SimulatedSession(cell, carried.parameters, seed=4, drives=SMOOTH, **options)  # type: ignore[arg-type]  # any option
     plan = planned("lwr4_bench")[1][PAYLOAD]
     return returned(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
 

@@ -20,7 +20,8 @@ from server.service import Service
 from server.settings import Settings
 from tests.server.people import HASH, As, Clock
 from tests.server.postgresql import Cluster, cluster
-from tests.server.real_service import RealService, real_service
+from tests.server.real_service import Console, RealService, real_service
+from tests.server.scripted_process import ObedientProcess
 
 
 @pytest.fixture
@@ -65,9 +66,25 @@ def real(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
         yield running
 
 
+@pytest.fixture(scope="module")
+def console(service: RealService) -> Iterator[Console]:
+    """Somebody in control of a service in a process of its own, which the test's module says by a `service` fixture of its own."""
+    person = Console(service)
+    person.take_control()
+    yield person
+    person.leave()
+
+
 @pytest.fixture
 def settings(tmp_path: Path, database_url: str | None) -> Settings:
     return Settings(data=tmp_path / "data", database_url=database_url)
+
+
+@pytest.fixture
+def nothing_planned(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Runs have their cell and do nothing; to be asked for before the app."""
+    monkeypatch.setattr("server.active_run.ControlProcess", ObedientProcess)
+    monkeypatch.setattr("server.conductor.warm_up", lambda: None)
 
 
 @pytest.fixture

@@ -35,8 +35,8 @@ def free_port() -> int:
 class RealService:
     """`heft serve` on an empty folder; `start` again after `kill` goes on with the same data."""
 
-    def __init__(self, data: Path) -> None:
-        self.data = data
+    def __init__(self, data: Path, module: str = "server") -> None:
+        self.data, self.module = data, module
         self.password = ""
         self.port = free_port()
         self.process: subprocess.Popen[str] | None = None
@@ -44,6 +44,11 @@ class RealService:
     @property
     def address(self) -> str:
         return f"127.0.0.1:{self.port}"
+
+    @property
+    def store_url(self) -> str:
+        """Of its database."""
+        return f"sqlite:///{self.data / 'heft.sqlite'}"
 
     def start(self) -> None:
         """Returns when it answers."""
@@ -55,7 +60,7 @@ class RealService:
 
     def _started(self, log: Any) -> subprocess.Popen[str]:
         return subprocess.Popen(
-            [sys.executable, "-m", "server", "serve", "--port", str(self.port), "--data", str(self.data)],
+            [sys.executable, "-m", self.module, "serve", "--port", str(self.port), "--data", str(self.data)],
             cwd=ROOT, env=ENVIRONMENT, text=True, stdout=subprocess.PIPE, stderr=log,
         )  # fmt: skip
 
@@ -176,9 +181,9 @@ def wait_for(condition: Callable[[], object], what: str, now: Callable[[], objec
 
 
 @contextmanager
-def real_service(folder: Path) -> Iterator[RealService]:
+def real_service(folder: Path, module: str = "server") -> Iterator[RealService]:
     """Started, and stopped in order."""
-    service = RealService(folder / "data")
+    service = RealService(folder / "data", module)
     service.data.parent.mkdir(parents=True, exist_ok=True)
     service.start()
     try:

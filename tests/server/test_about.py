@@ -94,7 +94,21 @@ def _numbers(schema: Any, path: str = "") -> list[str]:
 
 
 UNITS = r"_(s|ms|m|kg|rad|hz|days|hours|bytes|m_s|n|nm|m_s2|rad_s|rad_s2|kg_m|kg_m2)$"
-BARE = {"value", "std", "limit", "progress", "inertia_std", "size", "gap_before", "gap_after"}
+BARE = {
+    "value",
+    "std",
+    "times_std",
+    "limit",
+    "progress",
+    "inertia_std",
+    "size",
+    "gap_before",
+    "gap_after",
+    "closure",
+    "probability",
+    "none_probability",
+    "unknown_probability",
+}
 """Numbers whose unit another field tells, or that are fractions or multiples."""
 
 

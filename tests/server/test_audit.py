@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -78,25 +77,13 @@ def test_an_entry_is_kept_and_logged_only_with_what_it_records(store: Store, cap
     assert [record.__dict__["audit_hash"] for record in caplog.records] == [entry.hash for entry in chain(store)]
 
 
-@dataclass
-class Entry:
-    """An entry outside of any database."""
-
-    number: int
-    at: str
-    who: str
-    action: str
-    detail: str
-    request: str
-    previous_hash: str
-    hash: str = ""
-
-
-def made(count: int) -> list[Entry]:
+def made(count: int) -> list[AuditEntry]:
+    """Entries outside of any database."""
     entries, previous = [], audit.START
     for k in range(1, count + 1):
-        entry = Entry(k, f"t{k}", "account:anna", "run.release", f'{{"run":{k}}}', "r", previous)
-        entry.hash = previous = audit.entry_hash(entry)  # type: ignore[arg-type]
+        entry = AuditEntry(number=k, at=f"t{k}", who="account:anna", action="run.release", detail=f'{{"run":{k}}}', request="r")
+        entry.previous_hash = previous
+        entry.hash = previous = audit.entry_hash(entry)
         entries.append(entry)
     return entries
 
@@ -105,23 +92,23 @@ def made(count: int) -> list[Entry]:
 def test_any_change_to_any_entry_is_found_where_it_is(index: int, name: str) -> None:
     entries = made(9)
     setattr(entries[index], name, "changed")
-    count, _, flaw = audit.verify(entries)  # type: ignore[arg-type]
+    count, _, flaw = audit.verify(entries)
     assert count == index
     assert flaw is not None
 
 
 @pytest.mark.parametrize("change", [lambda e: e.pop(3), lambda e: e.insert(2, e[4]), lambda e: e.reverse(), lambda e: e.pop(0)])
-def test_what_is_missing_added_or_in_another_order_is_found(change: Callable[[list[Entry]], object]) -> None:
+def test_what_is_missing_added_or_in_another_order_is_found(change: Callable[[list[AuditEntry]], object]) -> None:
     entries = made(6)
     change(entries)
-    assert audit.verify(entries)[2] is not None  # type: ignore[arg-type]
+    assert audit.verify(entries)[2] is not None
 
 
 def test_a_later_entry_made_to_fit_is_found(store: Store) -> None:
     entries = made(5)
     entries[1].who = "account:eve"
-    entries[1].hash = audit.entry_hash(entries[1])  # type: ignore[arg-type]
-    assert audit.verify(entries)[0] == 2  # type: ignore[arg-type]
+    entries[1].hash = audit.entry_hash(entries[1])
+    assert audit.verify(entries)[0] == 2
 
 
 def test_an_end_that_was_cut_off_is_found_by_a_hash_seen_earlier(store: Store, tmp_path: Path) -> None:

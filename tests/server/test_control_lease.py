@@ -10,23 +10,14 @@ from core.sessions.leased import LEASE_S, Renewal
 from server.control_lease import COMMAND_AGE_S, SETTLE_S, Control
 from server.errors import Conflict
 from server.settings import Settings
+from tests.hand_clock import HandClock
 from tests.server.kept import Kept, kept
-from tests.server.people import Clock as WallClock
-
-
-class Clock:
-    """Only the test moves it."""
-
-    def __init__(self) -> None:
-        self.now = 500.0
-
-    def __call__(self) -> float:
-        return self.now
+from tests.server.people import Clock
 
 
 @pytest.fixture
-def clock() -> Clock:
-    return Clock()
+def clock() -> HandClock:
+    return HandClock()
 
 
 @pytest.fixture
@@ -36,7 +27,7 @@ def control(clock) -> Control:
 
 @pytest.fixture
 def service(settings: Settings) -> Iterator[Kept]:
-    with kept(settings, WallClock()) as found:
+    with kept(settings, Clock()) as found:
         yield found
 
 

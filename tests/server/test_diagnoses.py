@@ -11,31 +11,24 @@ import numpy as np
 import pytest
 from fastapi.testclient import TestClient
 
-from core.cell import load_cell
 from core.errors import BadRecording
 from core.gap.diagnosis import diagnose
-from core.recording_folder import read_recording, write_recording
-from core.robot import RobotModel
-from core.sample_log import SampleLog
-from core.sessions.simulated import SimulatedSession
+from core.recording_folder import read_recording
+from server import jobs
+from server.job_kinds import DIAGNOSIS, DiagnosisOrder, diagnoses, overlay_of
+from server.overlay_schemas import OverlayAnswer
 from server.recording_archive import unpack
 from server.roles import Role
+from server.service import Service
+from tests.server.finished_diagnosis import standing_recording
 from tests.server.people import As
 
-ROOT = Path(__file__).parents[2]
 ZIP = {"Content-Type": "application/zip"}
 
 
 @pytest.fixture(scope="module")
 def standing(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A recording of a robot that only stands: too little to tell anything."""
-    cell = load_cell(ROOT / "cells" / "lwr4_bench")
-    log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None)
-    with SimulatedSession(cell, cell.payloads["steel_block"].parameters) as robot:
-        log.extend([robot.state() for _ in range(400)], "hold:free")
-    folder = tmp_path_factory.mktemp("standing") / "recording"
-    write_recording(log.recording(), folder)
-    return folder
+    return standing_recording(tmp_path_factory.mktemp("standing") / "recording")
 
 
 def zipped(files: dict[str, bytes], *, symlink: str | None = None) -> bytes:
@@ -70,6 +63,32 @@ def test_an_uploaded_recording_is_diagnosed_as_the_engine_does_it(signed_in: As,
     found = waited(client, answer.headers["location"])
     assert found["state"] == "done"
     assert found["result"]["verdict"] == diagnose(read_recording(standing)).verdict
+    listed = next(each for each in client.get("/api/diagnoses").json() if each["diagnosis"] == found["diagnosis"])
+    assert (listed["summary"], listed["result"]) == (found["result"]["summary"], None)
+
+
+def test_a_diagnosis_knows_the_cell_of_its_recording_and_starts_from_its_twin(signed_in: As, service: Service, standing) -> None:
+    client = signed_in(Role.engineer)
+    answer = client.post("/api/diagnoses/uploads?cell=lwr4_bench", content=zipped(files_of(standing)), headers=ZIP)
+    found = waited(client, answer.headers["location"])
+    assert (found["state"], found["cell"]) == ("done", "lwr4_bench")
+    with service.store.read() as db:
+        row = jobs.load(db, DIAGNOSIS, answer.json()["diagnosis"])
+    _, cell, *_ = diagnoses(service.settings, service.cells).arguments(row)
+    assert cell == service.cells.load("lwr4_bench")
+    assert client.post("/api/diagnoses/uploads?cell=none", content=zipped(files_of(standing)), headers=ZIP).status_code == 404
+
+
+def test_measured_and_simulated_are_there_to_plot_where_there_was_enough_to_compare(signed_in: As, service: Service, standing) -> None:
+    client = signed_in(Role.engineer)
+    place = client.post("/api/diagnoses/uploads", content=zipped(files_of(standing)), headers=ZIP).headers["location"]
+    diagnosis = waited(client, place)["diagnosis"]
+    nothing = client.get(f"{place}/overlay")
+    assert nothing.status_code == 409
+    assert "nothing to overlay" in nothing.json()["detail"]
+    kept = OverlayAnswer(t_s=[0.1], phase=["transfer"], channels=[])
+    overlay_of(service.settings, diagnosis).write_text(kept.model_dump_json())
+    assert client.get(f"{place}/overlay").json() == kept.model_dump()
 
 
 def test_a_recording_that_cannot_be_read_fails_with_its_reason(signed_in: As, standing):
@@ -79,6 +98,18 @@ def test_a_recording_that_cannot_be_read_fails_with_its_reason(signed_in: As, st
     found = waited(client, answer.headers["location"])
     assert found["state"] == "failed"
     assert "recording.json" in found["reason"]
+
+
+def test_a_diagnosis_that_waits_or_runs_is_cancelled_and_its_recording_stays(signed_in: As, service: Service, tmp_path: Path) -> None:
+    client = signed_in(Role.engineer)
+    order = DiagnosisOrder(recording=standing_recording(tmp_path / "recording"))
+    with service.store.write() as db:
+        diagnosis = jobs.queue(db, DIAGNOSIS, order, None, "account:anna", service.now()).id  # nobody has woken the worker
+    answer = client.delete(f"/api/diagnoses/{diagnosis}").json()
+    assert (answer["state"], answer["reason"]) == ("cancelled", "cancelled by account:engineer.")
+    assert client.delete(f"/api/diagnoses/{diagnosis}").status_code == 409
+    assert signed_in(Role.admin).get("/api/audit").json()[0]["action"] == "diagnosis.cancel"
+    assert len(read_recording(order.recording)) == 400
 
 
 def test_a_run_without_a_recording_cannot_be_diagnosed(signed_in: As):

@@ -12,7 +12,7 @@ from pydantic import BaseModel
 from sqlalchemy.orm import Session
 
 from server import jobs
-from server.errors import NotFound
+from server.errors import Conflict, NotFound
 from server.jobs import Kind, State, Worker
 from server.run_tables import JobRow
 from server.service import utc_now
@@ -85,13 +85,22 @@ def test_a_cancelled_job_stays_cancelled_and_the_next_one_runs(store: Store) -> 
     def cancelled_then_done() -> bool:
         if row_of(store, job).told is not None and row_of(store, job).state == State.running:
             with store.write() as db:
-                jobs.load(db, "work", job).state = State.cancelled
+                jobs.cancel(db, "work", job, "account:anna", utc_now())
             worker.drop(job)
         return row_of(store, following).state == State.done
 
     asyncio.run(worked(worker, cancelled_then_done))
-    assert row_of(store, job).state == State.cancelled
+    assert (row_of(store, job).state, row_of(store, job).reason) == (State.cancelled, "cancelled by account:anna.")
     assert worker.progress == {}
+
+
+def test_what_is_over_cannot_be_cancelled(store: Store) -> None:
+    job = queued(store, "answer")
+    for state in (State.done, State.failed, State.cancelled):
+        with store.write() as db:
+            jobs.load(db, "work", job).state = state
+        with store.write() as db, pytest.raises(Conflict, match=f"it is {state}; only what waits or runs"):
+            jobs.cancel(db, "work", job, "account:anna", utc_now())
 
 
 def test_a_job_that_a_service_left_is_begun_again_by_the_next(store: Store) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-HEAVY = {"mujoco", "ompl", "pinocchio", "coal", "numba", "viser", "filterpy", "scipy", "alembic"}
+HEAVY = {"mujoco", "ompl", "pinocchio", "coal", "numba", "viser", "filterpy", "scipy", "alembic", "httpx2", "pyarrow"}
 
 
 @pytest.mark.parametrize("module", ["server.app", "server.serve", "server.command_line"])

@@ -5,9 +5,11 @@ from __future__ import annotations
 import inspect
 import json
 import sqlite3
+from typing import Any
 
 import pytest
 from fastapi.testclient import TestClient
+from httpx2 import Response
 from sqlalchemy.exc import OperationalError
 
 from core import errors as core_errors
@@ -59,13 +61,13 @@ def test_a_conflict_names_what_is_allowed_and_haste_when_to_return() -> None:
     assert headers_of(problem_of(TooMany("later", 12.3)))["Retry-After"] == "13"
 
 
-def _is_problem(answer: object, status: int, kind: str) -> dict[str, object]:
-    assert answer.status_code == status  # type: ignore[attr-defined]
-    assert answer.headers["content-type"] == "application/problem+json"  # type: ignore[attr-defined]
-    found: dict[str, object] = answer.json()  # type: ignore[attr-defined]
+def _is_problem(answer: Response, status: int, kind: str) -> dict[str, Any]:
+    assert answer.status_code == status
+    assert answer.headers["content-type"] == "application/problem+json"
+    found: dict[str, Any] = answer.json()
     assert found["type"] == f"/problems/{kind}"
     assert found["status"] == status
-    assert found["request_id"] == answer.headers["x-request-id"]  # type: ignore[attr-defined]
+    assert found["request_id"] == answer.headers["x-request-id"]
     return found
 
 
@@ -82,7 +84,7 @@ def test_a_wrong_method_is_a_problem_that_names_the_right_ones(nobody: TestClien
 def test_every_flaw_of_a_body_is_named_and_no_password_is_repeated(nobody: TestClient) -> None:
     answer = nobody.post("/api/session", json={"name": "a b", "password": "s3cret" * 50, "more": 1})
     found = _is_problem(answer, 422, "bad-request")
-    assert {flaw["where"] for flaw in found["flaws"]} == {"body.name", "body.password", "body.more"}  # type: ignore[attr-defined]
+    assert {flaw["where"] for flaw in found["flaws"]} == {"body.name", "body.password", "body.more"}
     assert "s3cret" not in answer.text
 
 

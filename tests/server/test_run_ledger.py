@@ -7,10 +7,12 @@ from collections.abc import Iterator
 import pytest
 from sqlalchemy import func, select
 
-from server import run_ledger
+from server import idempotency, run_ledger
+from server.crashed_runs import close_crashed
 from server.errors import Unprocessable
+from server.event_schemas import EventMessage, StateChanged
 from server.packml import COMPLETED, Command, IllegalCommandError, State
-from server.run_schemas import EventMessage, RunOrder, StateChanged
+from server.run_schemas import RunOrder
 from server.run_tables import Delivery, RunEventRow, RunRow, Webhook
 from server.settings import Settings
 from tests.server.kept import Kept, kept
@@ -79,7 +81,7 @@ def test_an_illegal_command_keeps_nothing(service):
 def test_a_crash_in_any_state_leaves_a_run_that_waits_is_over_or_is_aborted_with_its_reason(service, state):
     run = run_in(service, state)
     with service.store.write() as db:
-        run_ledger.close_crashed(db, service.now())
+        close_crashed(db, service.now())
     with service.store.read() as db:
         row = run_ledger.load(db, run)
     untouched = {State.RESETTING, State.COMPLETE, State.STOPPED, State.ABORTED}
@@ -113,15 +115,37 @@ def test_runs_of_one_cell_wait_for_each_other_and_an_aborted_one_until_it_is_cle
         assert [row.id for row in run_ledger.waiting(db)] == [second]
 
 
+def test_what_is_in_the_way_of_a_cell_is_forgotten_with_the_next_run_and_until_then_belongs_to_the_one_that_has_the_cell(service):
+    def in_the_way() -> str | None:
+        with service.store.read() as db:
+            return run_ledger.in_the_way(db, ORDER.cell)
+
+    assert in_the_way() is None
+    refused = run_in(service, State.STOPPED)
+    with service.store.write() as db:
+        run_ledger.load(db, refused).in_the_way = "pillar"
+    assert in_the_way() == "pillar"
+    service.now.go_on(seconds=1)
+    having = run_in(service, State.SUSPENDED)
+    assert in_the_way() is None
+    service.now.go_on(seconds=1)
+    run_in(service, State.RESETTING)
+    with service.store.write() as db:
+        run_ledger.load(db, having).in_the_way = "operator"
+    assert in_the_way() == "operator"
+    with service.store.read() as db:
+        assert run_ledger.in_the_way(db, "another cell") is None
+
+
 def test_the_same_key_with_another_body_is_refused(service):
     with service.store.write() as db:
-        assert run_ledger.made_before(db, "key:mes", "k", b"one") is None
-        run_ledger.once(db, "key:mes", "k", b"one", "run-1", service.now())
+        assert idempotency.made_before(db, "key:mes", "k", b"one") is None
+        idempotency.once(db, "key:mes", "k", b"one", "run-1", service.now())
     with service.store.read() as db:
-        assert run_ledger.made_before(db, "key:mes", "k", b"one") == "run-1"
-        assert run_ledger.made_before(db, "key:other", "k", b"two") is None
+        assert idempotency.made_before(db, "key:mes", "k", b"one") == "run-1"
+        assert idempotency.made_before(db, "key:other", "k", b"two") is None
         with pytest.raises(Unprocessable):
-            run_ledger.made_before(db, "key:mes", "k", b"two")
+            idempotency.made_before(db, "key:mes", "k", b"two")
 
 
 def test_an_order_comes_back_as_it_was_given(service):

@@ -8,7 +8,6 @@ import re
 import signal
 import threading
 import zipfile
-from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -24,14 +23,6 @@ from tests.server.real_service import ROOT, Console, RealService, wait_for
 @pytest.fixture(scope="module")
 def service(real: RealService) -> RealService:
     return real
-
-
-@pytest.fixture(scope="module")
-def console(service: RealService) -> Iterator[Console]:
-    console = Console(service)
-    console.take_control()
-    yield console
-    console.leave()
 
 
 def recorded(service: RealService, run: str) -> int:
@@ -72,6 +63,9 @@ def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_ca
     assert abs(answer["mass_kg"] - truth.mass) < 5 * answer["mass_std_kg"] + 1e-3
     np.testing.assert_allclose(answer["com_m"], truth.com, atol=1e-3)
     assert np.shape(answer["covariance"]) == (10, 10)
+    assert {each["phase"] for each in answer["verification"]} <= {"rotate:x", "rotate:y", "rotate:z"}
+    assert all(each["ratio"] < 2.0 for each in answer["verification"])
+    assert answer["verification"]
 
     watching.join(30)
     assert not watching.is_alive(), "the service closes the socket at the end of the run"

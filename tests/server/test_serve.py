@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 from core.errors import BadInput
-from server.serve import FIRST_ROLES, first_account, only_one
+from server.serve import FIRST_ROLES, first_account, only_one, write_openapi
 from server.store import Store
 
 ROOT = Path(__file__).parents[2]
@@ -44,6 +44,13 @@ def test_a_folder_serves_one_service_at_a_time(tmp_path: Path) -> None:
         pass
     with only_one(tmp_path):
         pass
+
+
+def test_the_description_of_the_api_is_written_without_a_service(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    write_openapi(tmp_path / "openapi.json")
+    assert json.loads((tmp_path / "openapi.json").read_text())["openapi"].startswith("3.1")
+    assert [file.name for file in tmp_path.iterdir()] == ["openapi.json"]
 
 
 @contextmanager

@@ -10,12 +10,13 @@ from pathlib import Path
 import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
-from sqlalchemy import create_engine, text
+from sqlalchemy import create_engine, select, text
 
 from server import job_kinds, jobs
 from server.accounts import Account, add_account
 from server.migration import upgrade
 from server.roles import Role
+from server.run_tables import RunRow
 from server.service import utc_now
 from server.store import MIGRATIONS, Store, up_to_date
 from server.tables import Table
@@ -123,4 +124,24 @@ def test_diagnoses_of_an_older_version_are_jobs_now_and_the_newest_version_is_kn
     store.close()
     with engine.begin() as connection:
         assert up_to_date(connection)
+    engine.dispose()
+
+
+def test_runs_of_an_older_version_know_their_payload_by_name(tmp_path: Path) -> None:
+    url = f"sqlite:///{tmp_path / 'older.sqlite'}"
+    engine = create_engine(url)
+    with engine.begin() as connection:
+        upgrade(connection, MIGRATIONS, "0003")
+        for run, order, result in (("1", '{"payload": "gripper"}', None), ("2", '{"payload": null}', '{"payload": "steel_block"}')):
+            row = {"id": run, "run_order": order, "result": result, "at": "2026-03-01 00:00:00.000000"}
+            columns = "id, cell, run_order, state, released, aborted, result, sequence, requested_by, requested_at"
+            values = ":id, 'line', :run_order, 'Complete', 0, 0, :result, 0, 'account:anna', :at"
+            connection.execute(text(f"INSERT INTO runs ({columns}) VALUES ({values})"), row)
+    store = Store(url)
+    store.migrate()
+    with store.read() as db:
+        assert [(row.id, row.payload, row.accepted_by) for row in db.scalars(select(RunRow).order_by(RunRow.id))] == [
+            ("1", "gripper", None), ("2", "steel_block", None),
+        ]  # fmt: skip
+    store.close()
     engine.dispose()

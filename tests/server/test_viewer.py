@@ -5,22 +5,27 @@ from __future__ import annotations
 import ast
 import inspect
 import socket
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import httpx2 as httpx
 import numpy as np
 import pytest
+import zstandard
 from viser import _messages as messages
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
-from core.cell import load_cell
+from core.cell import Pose, load_cell
 from core.report.faces import box_faces
-from server.run_schemas import LiveBatch
+from server.event_schemas import LiveBatch
 from server.viewer import scene
+from server.viewer.in_the_way import Mark, edges
 from server.viewer.plots import SHOWN_S, Plots
 from server.viewer.scene import Scene, open_server, triangles_of
 from tests.server.real_service import ROOT, Console, RealService
+from tests.server.zone_at import AT_THE_ROBOT, zone_at
 
 VISER = "viser-v1.1.1"
 
@@ -45,6 +50,24 @@ def test_the_viewer_comes_through_the_service_for_who_is_signed_in_and_nobody_el
         pass
     assert console.http.get("/viewer/no_such_cell/").status_code == 404
     console.leave()
+
+
+def test_what_is_in_the_way_of_a_refused_run_gets_a_sign(real: RealService):
+    person = Console(real)
+    with zone_at(person, AT_THE_ROBOT) as zone, person.socket("/viewer/lwr4_bench", subprotocols=[VISER], max_size=None) as live:
+        run = person.queue()
+        assert person.wait(run, "Stopped")["in_the_way"] == zone
+        shown = b""
+        while f"▲ {zone}".encode() not in shown:
+            shown = inside(live.recv(timeout=20))
+    person.leave()
+
+
+def inside(message: str | bytes) -> bytes:
+    """What a message of viser holds; as it is where it is not compressed."""
+    assert isinstance(message, bytes)
+    begin = message.find(zstandard.FRAME_HEADER)
+    return message if begin < 0 else zstandard.ZstdDecompressor().decompressobj().decompress(message[begin:])
 
 
 def test_it_listens_on_the_loopback_only_and_cannot_be_asked_for_a_public_tunnel():
@@ -78,6 +101,53 @@ def test_the_triangles_of_a_box_enclose_its_volume():
     corners, triangles = triangles_of(box_faces(np.array([0.1, 0.2, 0.3])))
     a, b, c = (corners[triangles[:, k]] for k in range(3))
     assert np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 == pytest.approx(0.1 * 0.2 * 0.3)
+
+
+@pytest.fixture
+def drawn() -> Iterator[tuple[Mark, Callable[[], dict[str, Any]]]]:
+    """A mark over a drawn cell, and what stands in the scene, by name."""
+    server = open_server()
+    cell = load_cell(ROOT / "cells" / "lwr4_bench")
+    Scene(server, cell)
+    yield Mark(server, cell), lambda: dict(server.scene._handle_from_node_name)
+    server.stop()
+
+
+def test_what_is_in_the_way_stands_out_by_colour_edges_and_name_and_is_plain_again_afterwards(drawn):
+    mark, shown = drawn
+    plain = shown()
+    cell = load_cell(ROOT / "cells" / "lwr4_bench")
+    for thing in (cell.obstacles[0], cell.zones[0]):
+        mark.show(thing.name)
+        now = shown()
+        assert now["/in_the_way/body"].color != plain[f"/{'zones' if thing in cell.zones else 'obstacles'}/{thing.name}"].color
+        assert now["/in_the_way/label"].text == f"▲ {thing.name}"
+        np.testing.assert_allclose(now["/in_the_way/edges"].points.mean(axis=(0, 1)), thing.shape.pose.xyz_m, atol=1e-6)
+    mark.show(None)
+    assert shown().keys() == plain.keys()
+
+
+def test_a_zone_that_is_in_the_way_is_marked_where_it_is_now(drawn):
+    mark, shown = drawn
+    cell = load_cell(ROOT / "cells" / "lwr4_bench")
+    zone, moved = cell.zones[0], Pose(xyz_m=(1.0, 2.0, 3.0))
+    mark.show(zone.name)
+    elsewhere = zone.model_copy(update={"shape": zone.shape.model_copy(update={"pose": moved})})
+    mark.moved(cell.model_copy(update={"zones": (elsewhere, *cell.zones[1:])}))
+    np.testing.assert_allclose(shown()["/in_the_way/edges"].points.mean(axis=(0, 1)), moved.xyz_m, atol=1e-6)
+
+
+def test_a_link_that_is_in_the_way_is_named_without_a_body(drawn):
+    mark, shown = drawn
+    plain = shown()
+    mark.show("link_5")
+    assert shown().keys() - plain.keys() == {"/in_the_way", "/in_the_way/label"}
+    assert shown()["/in_the_way/label"].text == "▲ link_5"
+
+
+def test_each_edge_of_a_box_is_drawn_once():
+    segments = edges(box_faces(np.array([0.1, 0.2, 0.3])))
+    assert sorted(np.round(np.linalg.norm(segments[:, 1] - segments[:, 0], axis=1), 6)) == [0.1] * 4 + [0.2] * 4 + [0.3] * 4
 
 
 def batch_at(t_s: float, **known: object) -> LiveBatch:

@@ -8,9 +8,9 @@ from typing import Self
 import mujoco
 import numpy as np
 
+from core.plant.faults.base import tilt_of, tilted
 from core.plant.faults.draws import seed_of, six
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
-from core.plant.faults.mounting import tilt_of, tilted
 
 
 @dataclass(frozen=True)

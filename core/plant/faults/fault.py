@@ -119,9 +119,10 @@ class Fault(ABC):
     @property
     def truth(self) -> dict[str, Any]:
         """The parameters by name, tuples as lists; fit for JSON."""
-        return {name: list(value) if isinstance(value, tuple) else value for name, value in asdict(self).items()}  # type: ignore[call-overload]
+        values = asdict(self)  # type: ignore[call-overload]  # every fault is a dataclass, this base of theirs is not
+        return {name: list(value) if isinstance(value, tuple) else value for name, value in values.items()}
 
-    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:  # noqa: B027  most faults leave the model alone
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:  # noqa: B027 - most faults leave the model alone
         """Changes the model before it is compiled."""
 
     def act(self, machine: Machine) -> Act | None:
@@ -147,3 +148,9 @@ class Fault(ABC):
     def digitize(self, machine: Machine) -> Channel | None:
         """From the rounded reading to the reported one."""
         return None
+
+
+class Unknown(Fault):
+    """Nothing that the library of effects describes."""
+
+    id = "unknown"

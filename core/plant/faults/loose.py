@@ -177,4 +177,34 @@ class RubberTool(Fault):
         part.add_joint(name="payload:rubber_slide", type=SLIDE, axis=self.axis, stiffness=mass * omega**2, damping=damping)
 
 
-LOOSE: tuple[type[Fault], ...] = (SprungPart, Pendulum, Rattle, WhippingTool, RubberTool)
+@dataclass(frozen=True)
+class Slosh(Pendulum):
+    """A part of the mass that swings in a vessel, as half-filled ones do: a pendulum that the walls stop at `half_angle` from the vessel's
+    axis, so it lies at one of them where the vessel is tilted farther."""
+
+    variant = "vessel"
+
+    half_angle_rad: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        free = Pendulum.draw(rng, size, setting)
+        return cls(free.part_share, free.length_m, free.pivot_m, free.damping_ratio, float(rng.uniform(0.3, 1.0)))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        super().alter(spec, setting)
+        ball = spec.joint("payload:ball")
+        # MuJoCo's compiler takes angles in degrees
+        ball.limited, ball.range, ball.solref_limit = True, [0.0, math.degrees(self.half_angle_rad)], [0.02, 0.7]
+
+
+LOOSE: tuple[type[Fault], ...] = (
+    SprungPart,
+    Pendulum,
+    Rattle,
+    WhippingTool,
+    RubberTool,
+    Slosh,
+)

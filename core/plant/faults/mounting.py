@@ -1,4 +1,4 @@
-"""Sensor, base or encoders do not stand as drawn."""
+"""The sensor is not mounted as drawn."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from core.plant.faults.draws import direction, scattered, seed_of, some_joints, spread, three
-from core.plant.faults.fault import Act, Array, Fault, Joints, Machine, Setting, Three
-from core.plant.mechanics import arm_joints, quaternion
+from core.plant.faults.draws import direction, sign, spread, three
+from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Three
+from core.plant.mechanics import quaternion
 
 
 def rotation_of(quat: Array) -> Array:
@@ -88,116 +88,61 @@ class ShiftedSensorWithPayload(ShiftedSensor):
         body.pos = np.array(body.pos) + rotation_of(body.quat) @ np.array(self.translation_m)
 
 
-def tilt_of(rng: np.random.Generator, degrees: float) -> tuple[float, float]:
-    """x and y of a rotation vector in a direction that is all alike, rad."""
-    angle = rng.uniform(0, 2 * np.pi)
-    return float(np.radians(degrees) * np.cos(angle)), float(np.radians(degrees) * np.sin(angle))
-
-
-def tilted(gravity: Array, setting: Setting, tilt_rad: tuple[float, float]) -> Array:
-    """(3,), gravity in the world frame when it is turned by this rotation vector in the base frame."""
-    base = setting.cell.robot.base.rotation
-    tilt = Rotation.from_rotvec([*tilt_rad, 0.0]).as_matrix()
-    return np.asarray(base @ tilt @ base.T @ gravity)
-
-
-def leaning(gravity: Array, x: float, y: float) -> Array:
-    """(3,), turned by a small rotation vector (x, y, 0), with its length kept."""
-    gx, gy, gz = gravity.tolist()
-    v = np.array([gx + y * gz, gy - x * gz, gz + x * gy - y * gx])
-    return np.asarray(v * math.sqrt((gx * gx + gy * gy + gz * gz) / float(v @ v)))
-
-
 @dataclass(frozen=True)
-class TiltedBase(Fault):
-    """The base is not level: gravity is turned in the base frame, by 0.1 to 3 deg."""
+class LooseSensor(TurnedSensor):
+    """The sensor is mounted turned, and its bolts have lost their grip: it rocks about one of its cross axes with the torque about it, to
+    either side by `play`, nearly there at `seated`."""
 
-    id = "base_tilt"
-    variant = "fixed"
+    variant = "loose_bolts"
 
-    tilt_rad: tuple[float, float]
+    play_rad: float
+    axis: int
+    seated_n_m: float
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """See `Fault.draw`."""
-        return cls(tilt_of(rng, size * spread(rng, 0.1, 3.0)))
+        angle = size * spread(rng, 0.3, 3.0)
+        turn = three(np.radians(angle) * direction(rng))
+        seated = rng.uniform(0.1, 0.5) * max(setting.load[3], 1e-3 * setting.full_scale[3])
+        return cls(turn, float(np.radians(angle) * rng.uniform(0.3, 0.7)), int(rng.integers(2)), float(seated))
 
-    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
-        spec.option.gravity = tilted(np.array(spec.option.gravity), setting, self.tilt_rad)
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        a, b = (self.axis + 1) % 3, (self.axis + 2) % 3
+        torque = 3 + self.axis
+
+        def rock(_: float, W: Array) -> Array:
+            angle = self.play_rad * math.tanh(float(W[torque]) / self.seated_n_m)
+            c, s = math.cos(angle), math.sin(angle)
+            felt = W.copy()
+            for k in (0, 3):
+                felt[a + k], felt[b + k] = c * W[a + k] + s * W[b + k], c * W[b + k] - s * W[a + k]
+            return felt
+
+        return rock
 
 
 @dataclass(frozen=True)
-class SoftFloor(TiltedBase):
-    """The base is not level, and the floor gives way under the moment of the arm's weight: the table of a mobile platform."""
+class SplitOrigin(ShiftedSensor):
+    """The sensor's origin is off, and is not one point: the torque about x is taken as far above it (`split`) as that about y below, as
+    where the bridges of the two sit on beams of their own."""
 
-    variant = "soft_floor"
+    variant = "split"
 
-    compliance_rad_per_n_m: float
+    split_m: float
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """See `Fault.draw`."""
-        return cls(tilt_of(rng, size * spread(rng, 0.1, 3.0)), size * spread(rng, 1e-5, 1e-4))
+        distance = size * spread(rng, 0.001, 0.005)
+        return cls(three(distance * direction(rng)), float(sign(rng) * distance * rng.uniform(0.5, 1.0)))
 
-    def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`. The base tips towards the arm's centre of mass as it would quasi-statically."""
-        model, data, base = machine.model, machine.data, machine.setting.cell.robot.base
-        R, origin = base.rotation, base.translation
-        g0 = R.T @ model.opt.gravity
-        yielding = self.compliance_rad_per_n_m * float(model.body_subtreemass[1])
-
-        def sink(_: float) -> None:
-            arm = R.T @ (data.subtree_com[1] - origin)
-            # the base turns by c M with M = r x m g; seen from it, gravity turns back
-            x = -yielding * (arm[1] * g0[2] - arm[2] * g0[1])
-            y = -yielding * (arm[2] * g0[0] - arm[0] * g0[2])
-            model.opt.gravity[:] = R @ leaning(g0, x, y)
-
-        return sink
-
-
-@dataclass(frozen=True)
-class EncoderOffsets(Fault):
-    """The zeros of one to three encoders are off by 0.1 to 2 deg: a joint stands farther by this than its encoder says."""
-
-    id = "joint_offset"
-    variant = "fixed"
-
-    offset_rad: tuple[float, ...]
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
-        offset = size * some_joints(rng, setting.n, 3) * np.radians(scattered(rng, 0.1, 2.0, setting.n))
-        return cls(tuple(offset.tolist()))
-
-    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
-        for joint, offset in zip(arm_joints(spec), self.offset_rad, strict=True):
-            body = joint.parent
-            body.quat = turned(body.quat, offset * np.array(joint.axis))
-
-
-@dataclass(frozen=True)
-class EccentricEncoders(EncoderOffsets):
-    """Off by a constant and by as much once a turn: an encoder's disc that is not centred."""
-
-    variant = "eccentric"
-
-    seed: int = 0
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
-        return cls(EncoderOffsets.draw(rng, size, setting).offset_rad, seed_of(rng))
-
-    def gear(self, machine: Machine) -> Joints | None:
-        """See `Fault.gear`."""
-        error = np.array(self.offset_rad)
-        phase = np.random.default_rng(self.seed).uniform(0, 2 * np.pi, len(error))
-        # q_encoder = q - e sin(q + phase): the joint is farther by this than the encoder says
-        return lambda _, q, dq: (q - error * np.sin(q + phase), dq * (1 - error * np.cos(q + phase)))
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        split = np.zeros((6, 6))
+        split[3, 1] = split[4, 0] = self.split_m
+        return lambda _, W: W + split @ W
 
 
 MOUNTING: tuple[type[Fault], ...] = (
@@ -205,8 +150,6 @@ MOUNTING: tuple[type[Fault], ...] = (
     TurnedSensorWithPayload,
     ShiftedSensor,
     ShiftedSensorWithPayload,
-    TiltedBase,
-    SoftFloor,
-    EncoderOffsets,
-    EccentricEncoders,
+    LooseSensor,
+    SplitOrigin,
 )

@@ -1,4 +1,4 @@
-"""The wrist sensor is noisier or coarser than its figures say."""
+"""The wrist sensor is noisier than its figures say."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from core.plant.faults.draws import seed_of, six, spread
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
+from core.plant.faults.switching import RandomSwitch
 
 
 def noise_factor(rng: np.random.Generator, size: float) -> float:
@@ -168,86 +169,30 @@ class WanderingHum(Fault):
         return add
 
 
-def coarse_step(rng: np.random.Generator, size: float, setting: Setting) -> Six:
-    """4 to 20 times the stated resolution."""
-    return six((1 + size * (spread(rng, 4.0, 20.0) - 1)) * np.array(setting.cell.sensor.resolution))
-
-
 @dataclass(frozen=True)
-class CoarseSteps(Fault):
-    """Rounded to steps coarser than stated."""
+class GatedHum(Fault):
+    """A line that is there only while something else runs, a welder or a heater: on and off at random moments, some seconds each."""
 
-    id = "sensor_quantization"
-    variant = "rounded"
+    id = "sensor_interference"
+    variant = "gated"
 
-    step_wrench: Six
+    amplitude_wrench: Six
+    frequency_hz: float
+    mean_on_s: float
+    mean_off_s: float
+    seed: int
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """See `Fault.draw`."""
-        return cls(coarse_step(rng, size, setting))
+        frequency = float(rng.choice([50.0, 60.0, 100.0]))
+        return cls(line_amplitude(rng, size, setting), frequency, spread(rng, 1.0, 6.0), spread(rng, 0.5, 3.0), seed_of(rng))
 
-    def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
-        step = np.array(self.step_wrench)
-        return lambda _, W: np.rint(W / step) * step
-
-
-@dataclass(frozen=True)
-class SendOnDelta(Fault):
-    """A bus that sends a channel only when it has changed by a step since it was sent last; ten times a second it is sent anyway."""
-
-    id = "sensor_quantization"
-    variant = "send_on_delta"
-
-    step_wrench: Six
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
-        return cls(coarse_step(rng, size, setting))
-
-    def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
-        nearly = (1 - 1e-4) * np.array(self.step_wrench)  # the change by one step, whatever its rounding
-        every = round(0.1 / machine.period)  # a sensor that is silent for longer counts as dead
-        sent: Array | None = None
-        tick = 0
-
-        def send(_: float, W: Array) -> Array:
-            nonlocal sent, tick
-            tick += 1
-            sent = W if sent is None or tick % every == 0 else np.where(np.abs(W - sent) >= nearly, W, sent)
-            return sent
-
-        return send
-
-
-@dataclass(frozen=True)
-class MissingCodes(Fault):
-    """A converter whose middle bit sticks: every other gap is unreachable and reads as its nearer end."""
-
-    id = "sensor_quantization"
-    variant = "missing_codes"
-
-    gap_wrench: Six
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
-        return cls(coarse_step(rng, size, setting))
-
-    def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
-        gap = np.array(self.gap_wrench)
-
-        def skip(_: float, W: Array) -> Array:
-            place = W / gap
-            whole = np.floor(place)
-            odd = whole % 2 == 1
-            return np.where(odd, np.rint(place) * gap, W)
-
-        return skip
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        switch = RandomSwitch((self.mean_off_s, self.mean_on_s), self.seed, on=True)
+        A, omega = np.array(self.amplitude_wrench), 2 * math.pi * self.frequency_hz
+        return lambda t, W: W + A * math.sin(omega * t) if switch.is_on(t) else W
 
 
 SENSOR_NOISE: tuple[type[Fault], ...] = (
@@ -256,7 +201,5 @@ SENSOR_NOISE: tuple[type[Fault], ...] = (
     Spikes,
     Hum,
     WanderingHum,
-    CoarseSteps,
-    SendOnDelta,
-    MissingCodes,
+    GatedHum,
 )

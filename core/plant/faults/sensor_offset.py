@@ -184,6 +184,39 @@ class OffsetKnock(Fault):
         return knocked
 
 
+@dataclass(frozen=True)
+class Thermostat(Fault):
+    """Follows the air of a hall whose heating is switched on and off: towards `drift` for half a cycle, back for the other half, and so
+    on, with the sensor's time constant; at the start it has long been off."""
+
+    id = "sensor_drift"
+    variant = "thermostat"
+
+    drift_wrench: Six
+    time_constant_s: float
+    half_cycle_s: float
+    first_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        half = spread(rng, 8.0, 25.0)
+        return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 20.0, 60.0), half, float(rng.uniform(0, half)))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        drift, follow = np.array(self.drift_wrench), -math.expm1(-machine.period / self.time_constant_s)
+        warmth = 0.0
+
+        def warm(t: float, W: Array) -> Array:
+            nonlocal warmth
+            heating = t >= self.first_s and (t - self.first_s) % (2 * self.half_cycle_s) < self.half_cycle_s
+            warmth += follow * (heating - warmth)
+            return W + warmth * drift
+
+        return warm
+
+
 SENSOR_OFFSET: tuple[type[Fault], ...] = (
     ExponentialDrift,
     LinearDrift,
@@ -192,4 +225,5 @@ SENSOR_OFFSET: tuple[type[Fault], ...] = (
     OffsetStep,
     OffsetRamp,
     OffsetKnock,
+    Thermostat,
 )

@@ -1,7 +1,8 @@
-"""The wrist sensor answers to a load in another way than it should."""
+"""The wrist sensor answers to a load in another way than it should, whatever the load was before."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Self
 
@@ -154,164 +155,83 @@ class Knee(Fault):
 
 
 @dataclass(frozen=True)
-class PlayHysteresis(Fault):
-    """Comes back on another line than it went: what is lost in a play of 0.1 to 0.4 % of the range to either side."""
+class WanderingSupply(Fault):
+    """The bridge's supply is off, and goes up and down with a slow cycle (a charger, a heater on the same line): gains are off by
+    `gain (1 + swing sin(2 pi t / cycle + phase))`, and the offset takes part in it."""
 
-    id = "sensor_hysteresis"
-    variant = "play"
+    id = "sensor_gain"
+    variant = "wandering_supply"
 
-    half_width_wrench: Six
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
-        return cls(six(size * channels(rng) * np.abs(scattered(rng, 0.001, 0.004, 6)) * setting.full_scale))
-
-    def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
-        half = np.array(self.half_width_wrench)
-        behind: Array | None = None
-
-        def follow(_: float, W: Array) -> Array:
-            nonlocal behind
-            behind = W if behind is None else np.minimum(np.maximum(behind, W - half), W + half)
-            return behind
-
-        return follow
-
-
-@dataclass(frozen=True)
-class BoucWen(Fault):
-    """Smooth hysteresis (Wen 1976, without rate): `W + h z`, `dz = du (1 - |z|^n (beta sign(z du) + 1 - beta))`, u = W
-    by `yield`."""
-
-    id = "sensor_hysteresis"
-    variant = "bouc_wen"
-
-    height_wrench: Six
-    yield_wrench: Six
-    beta_share: float
-    exponent: float
+    gain_share: Six
+    swing_share: float
+    cycle_s: float
+    phase_rad: float
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """See `Fault.draw`."""
-        height = size * channels(rng) * scattered(rng, 0.001, 0.004, 6) * setting.full_scale
-        width = rng.uniform(0.05, 0.3) * np.maximum(setting.load, 1e-3 * setting.full_scale)
-        return cls(six(height), six(width), float(rng.uniform(0.5, 0.9)), float(rng.uniform(1.0, 2.0)))
-
-    def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
-        h, width, beta, n = np.array(self.height_wrench), np.array(self.yield_wrench), self.beta_share, self.exponent
-        last: Array | None = None
-        z = np.zeros(6)
-
-        def follow(_: float, W: Array) -> Array:
-            nonlocal last, z
-            du = np.zeros(6) if last is None else (W - last) / width
-            z = z + du * (1 - np.abs(z) ** n * (beta * np.sign(z * du) + 1 - beta))
-            z = np.minimum(np.maximum(z, -1.0), 1.0)
-            last = W
-            return W + h * z
-
-        return follow
-
-
-@dataclass(frozen=True)
-class Creep(Fault):
-    """After a load step the reading creeps on by a share of it (about 0.3 %, to 1 % on plain sensors) with time constants that
-    have their shares each; loaded for long before the start."""
-
-    id = "sensor_creep"
-    variant = "exponential"
-
-    creep_share: float
-    time_constant_s: tuple[float, ...]
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
-        return cls(size * sign(rng) * spread(rng, 0.002, 0.01), (spread(rng, 3.0, 30.0),))
-
-    def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
-        forget = -np.expm1(-machine.period / np.array(self.time_constant_s))[:, None]
-        share = self.creep_share / len(self.time_constant_s)
-        crept: Array | None = None
-
-        def creep(_: float, W: Array) -> Array:
-            nonlocal crept
-            crept = np.tile(W, (len(forget), 1)) if crept is None else crept + forget * (W - crept)
-            return np.asarray(W + share * crept.sum(0))
-
-        return creep
-
-
-@dataclass(frozen=True)
-class LogarithmicCreep(Creep):
-    """Creeps on with the logarithm of time: as much in each of three decades of time constants."""
-
-    variant = "logarithmic"
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
-        first = spread(rng, 0.3, 1.0)
-        return cls(size * sign(rng) * spread(rng, 0.002, 0.01), (first, 10 * first, 100 * first))
-
-
-def clipped_level(rng: np.random.Generator, size: float, setting: Setting) -> Six:
-    """Levels that cut 10 to 30 % off the largest static load in one channel or two; the range in the others."""
-    chosen = channels(rng, 2) * (setting.load > 0)
-    cut = (1 - min(size * spread(rng, 0.1, 0.3), 0.9)) * setting.load
-    return six(np.where(chosen > 0, cut, setting.full_scale))
-
-
-@dataclass(frozen=True)
-class Clipping(Fault):
-    """The signal, offset included, ends at a level far inside the range."""
-
-    id = "sensor_saturation"
-    variant = "clip"
-
-    level_wrench: Six
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
-        return cls(clipped_level(rng, size, setting))
+        gain = six(size * channels(rng) * scattered(rng, 0.01, 0.05, 6))
+        return cls(gain, float(rng.uniform(0.4, 0.8)), spread(rng, 15.0, 60.0), float(rng.uniform(0, 2 * np.pi)))
 
     def amplify(self, machine: Machine) -> Channel | None:
         """See `Fault.amplify`."""
-        level = np.array(self.level_wrench)
-        return lambda _, W: np.minimum(np.maximum(W, -level), level)
+        gain, omega = np.array(self.gain_share), 2 * math.pi / self.cycle_s
+        return lambda t, W: W + gain * (1 + self.swing_share * math.sin(omega * t + self.phase_rad)) * W
 
 
 @dataclass(frozen=True)
-class Compression(Fault):
-    """An amplifier near its end: linear up to `linear_share` of the level, from there on it approaches the level without reaching it."""
+class ProductCrosstalk(Fault):
+    """The product of two channels shows in a third, as beams do that bend so far that their lever changes: the cross products in the
+    calibration matrices of wind tunnel balances (AIAA R-091). 1 to 3 % of the range, with the nominal load in the second channel."""
 
-    id = "sensor_saturation"
-    variant = "soft"
+    id = "sensor_crosstalk"
+    variant = "product"
 
-    level_wrench: Six
-    linear_share: float
+    shown: tuple[int, ...]
+    first: tuple[int, ...]
+    second: tuple[int, ...]
+    per_product: tuple[float, ...]
+    """Units of the channel where it shows per unit of the first and of the second."""
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """See `Fault.draw`."""
-        return cls(clipped_level(rng, size, setting), float(rng.uniform(0.6, 0.9)))
+        full, load = setting.full_scale, np.maximum(setting.load, 1e-3 * setting.full_scale)
+        triples = [rng.permutation(6)[:3] for _ in range(int(rng.integers(1, 4)))]
+        products = [sign(rng) * size * spread(rng, 0.01, 0.03) * full[i] / full[j] / load[k] for i, j, k in triples]
+        shown, first, second = (tuple(int(triple[place]) for triple in triples) for place in range(3))
+        return cls(shown, first, second, tuple(map(float, products)))
 
-    def amplify(self, machine: Machine) -> Channel | None:
-        """See `Fault.amplify`."""
-        level = np.array(self.level_wrench)
-        straight, rest = self.linear_share * level, (1 - self.linear_share) * level
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        first, second = list(self.first), list(self.second)
+        rows = np.zeros((6, len(self.shown)))
+        rows[list(self.shown), range(len(self.shown))] = self.per_product
+        return lambda _, W: W + rows @ (W[first] * W[second])
 
-        def compress(_: float, W: Array) -> Array:
-            inside = np.minimum(np.maximum(W, -straight), straight)
-            return inside + rest * np.tanh((W - inside) / rest)
 
-        return compress
+@dataclass(frozen=True)
+class Bow(Fault):
+    """Right without load and at the weight that it was calibrated with, off in between, and the other way beyond:
+    `W + e w sin(pi W / w)`, w near the nominal load."""
+
+    id = "sensor_nonlinearity"
+    variant = "bow"
+
+    bow_share: Six
+    calibrated_wrench: Six
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        weight = rng.uniform(0.7, 1.5) * np.maximum(setting.load, 1e-3 * setting.full_scale)
+        return cls(six(size * channels(rng) * scattered(rng, 0.005, 0.02, 6)), six(weight))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        weight = np.array(self.calibrated_wrench)
+        height = np.array(self.bow_share) * weight
+        return lambda _, W: W + height * np.sin(np.pi * W / weight)
 
 
 SENSOR_RESPONSE: tuple[type[Fault], ...] = (
@@ -321,10 +241,7 @@ SENSOR_RESPONSE: tuple[type[Fault], ...] = (
     RectifiedCrosstalk,
     Quadratic,
     Knee,
-    PlayHysteresis,
-    BoucWen,
-    Creep,
-    LogarithmicCreep,
-    Clipping,
-    Compression,
+    WanderingSupply,
+    ProductCrosstalk,
+    Bow,
 )

@@ -62,6 +62,15 @@ def test_a_planted_fault_stops_the_robot_with_a_sentence_and_the_last_samples(na
     assert len(session.commands) == session.k  # the tick with the fault commanded nothing
 
 
+def test_a_sensor_that_dies_at_the_end_of_a_phase_is_noticed_as_soon_in_the_next():
+    session = KinematicSession(bench().home, spoiled_after(0.1, wrench=np.ones(6)))
+    guard = bench().guard()
+    list(execute(session, guard, StandStill(0.2, PERIOD), "hold:free"))
+    with pytest.raises(BadState, match="the wrench has not changed") as caught:
+        list(execute(session, guard, StandStill(2.0, PERIOD), "hold:free"))
+    assert caught.value.samples[-1].t == pytest.approx(0.1 + 0.25, abs=0.005)
+
+
 def test_the_same_motion_without_a_fault_passes():
     session = KinematicSession(bench().home)
     guard = bench().guard()

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from kinematic_session import CELLS, PERIOD, bench
 from scipy.optimize import linprog
@@ -169,6 +169,7 @@ def test_the_fused_step_is_jacobian_bounds_and_sns(name, rows, seed):
 @pytest.mark.parametrize("rows", [3, 6])
 @settings(max_examples=15)
 @given(seed=st.integers(0, 2**32))
+@example(seed=78311316)  # two joints left for three rows, and a small pivot that hid it
 def test_tasks_integrated_for_long_never_leave_the_limits(name, rows, seed):
     """Wild tasks, whole seconds, into position limits and singularities."""
     robot, cell = bench(name).robot, bench(name).cell

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from mass_on_slides import wrench_of_slides
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 from synthetic_scene import scene
@@ -49,17 +50,7 @@ def test_a_tool_on_a_slide_sags_and_rings_like_a_mass_on_a_spring() -> None:
     run = scene(rate=200.0, seconds=8.0)
     axis, frequency, zeta = np.array([0.6, 0.0, 0.8]), 9.0, 0.04
     m, c = run.phi[0], run.phi[1:4] / run.phi[0]
-    motion, omega = run.motion, 2 * np.pi * frequency
-    b = motion.a - motion.g + np.cross(motion.alpha, c) + np.cross(motion.omega, np.cross(motion.omega, c))
-    force = CubicSpline(run.t, b @ axis)
-
-    def rate(t: float, state: np.ndarray) -> list[float]:
-        return [state[1], -force(t) - 2 * zeta * omega * state[1] - omega**2 * state[0]]
-
-    u, du = solve_ivp(rate, (0, run.t[-1]), [-force(0.0) / omega**2, 0.0], t_eval=run.t, rtol=1e-9, atol=1e-12).y
-    ddu = np.array([rate(*row)[1] for row in zip(run.t, np.column_stack([u, du]), strict=True)])
-    push = m * ddu[:, None] * axis
-    true = np.hstack([push, np.cross(c, push) + m * np.cross(u[:, None] * axis, motion.a - motion.g)])
+    true = wrench_of_slides(run.t, run.motion, m, c, axis[None], np.array([frequency]), zeta)
     theta = np.array([frequency, 20.0, zeta, *(axis / np.sqrt(m)), *[0.0] * 9])
     change = ToolFlexibility().wrench(run, run.nominal, theta) - run.nominal
     assert np.abs(true[:, :3]).max() > 0.1

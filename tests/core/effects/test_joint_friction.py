@@ -52,7 +52,7 @@ def torques(q: np.ndarray, dq: np.ndarray, ddq: np.ndarray) -> np.ndarray:
 def recording(extra: np.ndarray | float, **changes: object) -> Recording:
     t, q, dq, ddq = motion()
     tau = torques(q, dq, ddq) + extra + NOISE * np.random.default_rng(2).normal(size=q.shape)
-    return Recording(**{"t": t, "gravity": G, "q": q, "dq": dq, "tau": tau, "robot": ROBOT, **changes})  # type: ignore[arg-type]
+    return Recording(**{"t": t, "gravity": G, "q": q, "dq": dq, "tau": tau, "robot": ROBOT, **changes})  # type: ignore[arg-type]  # any field
 
 
 def observe(run: Recording) -> Finding | None:

@@ -125,6 +125,12 @@ CASES = [
         {"fy_full_scale_error_share": 0.04},
     ),
     Case(
+        "non-linearity of a sensor that was adjusted at its full load",
+        SensorNonlinearity(),
+        W - np.outer(0.04 * W[:, 1] * (1 - np.abs(W[:, 1]) / 145.0), [0, 1, 0, 0, 0, 0]),
+        {"fy_full_scale_error_share": 0.04, "fy_slope_error_share": -0.04},
+    ),
+    Case(
         "play",
         SensorHysteresis(),
         np.column_stack([naive_play(W[:, j], 0.004 * full) for j, full in enumerate([145, 145, 290, 5, 5, 5])]),
@@ -307,15 +313,15 @@ def test_a_series_too_short_to_tell_has_no_change_points() -> None:
 
 
 @given(st.floats(0.0, 12.0))
-def test_a_delayed_cubic_is_exact_and_the_beginning_holds_its_value(samples: float) -> None:
+def test_a_delayed_quintic_is_exact_and_the_beginning_holds_its_value(samples: float) -> None:
     k = np.arange(60.0)
 
-    def cubic(x: Array) -> Array:
-        return 1 + 0.3 * x - 0.02 * x**2 + 0.001 * x**3
+    def quintic(x: Array) -> Array:
+        return 1 + 0.3 * x - 0.02 * x**2 + 0.001 * x**3 - 1e-4 * x**4 + 1e-6 * x**5
 
-    late = delayed(cubic(k)[:, None], samples)[:, 0]
-    inside = k >= samples + 3
-    np.testing.assert_allclose(late[inside], cubic(k[inside] - samples), rtol=1e-9, atol=1e-9)
+    late = delayed(quintic(k)[:, None], samples)[:, 0]
+    inside = k >= np.maximum(samples + 3, 5)  # six rows from the beginning on
+    np.testing.assert_allclose(late[inside], quintic(k[inside] - samples), rtol=1e-9, atol=1e-9)
     assert np.isfinite(late).all()
 
 

@@ -196,6 +196,36 @@ def test_a_channel_rounded_twice_shows_the_coarser_step() -> None:
     assert step_of(np.round(np.round(x / 0.2) * 0.2 / 0.0625) * 0.0625) == pytest.approx(0.2, rel=0.02)
 
 
+def test_a_channel_that_rests_until_it_has_moved_far_enough_has_coarse_steps() -> None:
+    record = recording()
+    sent = record.wrench.copy()
+    for k in range(1, len(sent)):  # a value is sent when it differs from the last one by 0.8 N, or 0.04 N m
+        sent[k] = np.where(np.abs(sent[k] - sent[k - 1]) >= 0.8 * SIX, sent[k], sent[k - 1])
+    finding = SensorQuantization().observe(replace(record, wrench=sent), view_of(record))
+    assert finding is not None
+    assert finding.material
+    np.testing.assert_allclose(finding.theta, 0.8 * SIX, rtol=0.2)
+
+
+def test_a_number_with_few_digits_is_as_coarse_as_where_it_is_largest() -> None:
+    """Nine binary digits after the first: steps of 0.125 N from 64 N on, finer below."""
+    record = recording(noise=1.3 * NOISE, added=np.array([80.0, 0, 0, 0, 0, 0]) * (times() > 9.0)[:, None])
+    size = 2.0 ** np.floor(np.log2(np.abs(record.wrench[:, 0]) + 1e-9))
+    few = np.column_stack([np.round(record.wrench[:, 0] / size * 512) / 512 * size, *record.wrench[:, 1:].T])
+    finding = SensorQuantization().observe(replace(record, wrench=few), view_of(record))
+    assert finding is not None
+    assert finding.theta[0] == pytest.approx(np.max(size[record.t > 9.0]) / 512, rel=0.1)
+
+
+def test_a_channel_clipped_at_both_ends_does_not_rest_in_between() -> None:
+    record = recording()
+    middle = np.median(record.wrench[:, 1])
+    clipped = record.wrench.copy()
+    clipped[:, 1] = np.clip(clipped[:, 1], middle - 0.3, middle + 0.3)
+    assert (np.diff(clipped[:, 1]) == 0).mean() > 0.6
+    assert SensorQuantization().observe(replace(record, wrench=clipped), view_of(record)) is None
+
+
 def test_a_channel_that_is_not_rounded_has_no_step() -> None:
     assert step_of(np.random.default_rng(1).standard_normal(5000)) is None
 

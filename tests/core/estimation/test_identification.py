@@ -54,7 +54,7 @@ def test_the_series_shows_measured_and_reconstructed_side_by_side(clean: tuple[R
     series, estimate = found.series, found.estimate
     assert series is not None and estimate is not None
     assert series.measured is not None and series.reconstructed is not None
-    still = np.char.startswith(recording.phase.astype(str), "hold")  # type: ignore[union-attr]
+    still = np.char.startswith(recording.phase.astype(str), "hold")  # type: ignore[union-attr]  # recorded with phases
     difference = (series.measured - series.reconstructed)[still]
     np.testing.assert_allclose(difference.std(axis=0), estimate.noise_std, rtol=0.1)
     assert [part.phase for part in found.segments][:3] == ["hold:x-", "transfer", "hold:x+"]

@@ -58,7 +58,7 @@ def test_a_gain_error_is_taken_off_and_its_uncertainty_goes_into_the_payload() -
     assert certain is not None
     assert certain.std[0] / BODY.mass < 0.1 * std
     assert found.series is not None and found.series.measured is not None and found.series.reconstructed is not None
-    still = np.char.startswith(amplified().phase.astype(str), "hold")  # type: ignore[union-attr]
+    still = np.char.startswith(amplified().phase.astype(str), "hold")  # type: ignore[union-attr]  # recorded with phases
     assert np.abs((found.series.measured - found.series.reconstructed)[still].mean(axis=0)).max() < 0.05
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Generator
-from typing import TypeVar
 
 import numpy as np
 import pytest
@@ -20,20 +19,10 @@ from core.planning.wave import fit_wave
 from core.recording import Recording
 from core.robot import RobotModel
 
-Answer = TypeVar("Answer")
 STOPS = (
     Stop(down=(0.0, 0.0, 1.0), swings=Swings(about="x", repetitions=2)),
     Stop(down=(0.6, 0.0, 0.8), wave=Wave(lowest_hz=2.0, highest_hz=10.0, seconds=4.0)),
 )
-
-
-def returned(run: Generator[Event, None, Answer]) -> Answer:
-    """What planning returns in the end."""
-    while True:
-        try:
-            next(run)
-        except StopIteration as end:
-            return end.value
 
 
 @pytest.fixture(scope="module", params=["lwr4_bench", "ur5e_line"])

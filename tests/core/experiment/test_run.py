@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TypeVar
 
 import numpy as np
 import pytest
 
 from core.cell import Cell, find_cell, load_cell
-from core.collision import CollisionModel
 from core.effects.library import library
 from core.errors import BadInput
 from core.estimation.identification import identify_recording
-from core.events import Event
 from core.experiment.choice import Choice, choose_experiment
 from core.experiment.run import measure_more
 from core.gap.answer import Diagnosis
@@ -25,32 +21,13 @@ from core.gap.evidence import Evidence
 from core.gap.experiment import Stop
 from core.gap.fit_all import one_by_one
 from core.outcome import Outcome
-from core.plan import plan_procedure
-from core.plan_settings import Timing
-from core.plant.faults.timing import Delay
-from core.plant.mechanics import Drives
-from core.procedure import carry_out
 from core.recording import Recording
 from core.recording_folder import read_recording
-from core.robot import RobotModel
 from core.sessions.simulated import SimulatedSession
+from core.trial.draw import returned
+from tests.late_readings import CARRIED, LATE, NOISIER, first_run, noisy_cell, session
 
 FEW = tuple(effect for effect in library() if effect.id in ("time_delay", "sensor_lowpass", "kinematic_lag", "base_tilt"))
-LATE = Delay(0.0112)
-NOISIER = 3.7
-SMOOTH = Drives(damping_s=0.0, friction=0.0)
-SHORT = Timing(hold_s=0.5, settle_s=0.4, robot_s=1.0)
-
-Answer = TypeVar("Answer")
-
-
-def returned(run: Generator[Event, None, Answer]) -> Answer:
-    """What a run returns in the end."""
-    while True:
-        try:
-            next(run)
-        except StopIteration as end:
-            return end.value
 
 
 @dataclass(frozen=True)
@@ -68,28 +45,18 @@ class Story:
 
 @pytest.fixture(scope="module")
 def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
-    """A short procedure with a noisy sensor whose readings are late; it could be a filter as well."""
-    cell = load_cell(find_cell("lwr4_bench"))
-    noise = tuple(NOISIER * std for std in cell.sensor.noise_std)
-    cell = cell.model_copy(update={"sensor": cell.sensor.model_copy(update={"noise_std": noise})})
-    carried = cell.payloads["cylinder"]
-    robot = RobotModel.of_cell(cell)
-    collision = CollisionModel(cell, robot, carried.box)
-    plan = returned(plan_procedure(cell, robot, collision, carried.box, start=np.array(cell.robot.home_rad), timing=SHORT))
-    before = returned(carry_out(cell, session(cell, 5), carried.box, plan, payload="cylinder")).recording
+    """A short procedure leaves a tie; the motion that is proposed is made."""
+    cell, before = noisy_cell(), first_run()
+    box = cell.payloads[CARRIED].box
     first = examine(before, FEW, fit_all=one_by_one)
-    choice = returned(choose_experiment(cell, before, first[1], carried.box))
+    choice = returned(choose_experiment(cell, before, first[1], box))
     out = tmp_path_factory.mktemp("experiment") / "both"
-    outcome = returned(measure_more(before, choice.proposal.motion.stops, cell, session(cell, 6), carried.box, out=out))
+    outcome = returned(measure_more(before, choice.proposal.motion.stops, cell, session(5), box, out=out))
     return Story(cell, before, first, choice, outcome, examine(outcome.recording, FEW, fit_all=one_by_one), out)
 
 
-def session(cell: Cell, seed: int) -> SimulatedSession:
-    """The robot with the same fault each time; offsets and noise differ."""
-    return SimulatedSession(cell, cell.payloads["cylinder"].parameters, seed=seed, faults=(LATE,), drives=SMOOTH)
-
-
 def test_the_procedure_alone_leaves_a_tie_and_a_motion_is_proposed_for_it(story):
+    """There is a gap that matters and two names for it that the recording cannot tell apart, so none is given, whichever comes first."""
     diagnosis, _ = story.first
     assert diagnosis.verdict == "ambiguous"
     assert {"time_delay", "sensor_lowpass"} == set(diagnosis.indistinguishable[0].ids)
@@ -99,6 +66,7 @@ def test_the_procedure_alone_leaves_a_tie_and_a_motion_is_proposed_for_it(story)
 
 
 def test_both_recordings_together_give_the_right_name(story):
+    """One name, the right one, with the delay that was planted; no tie is left."""
     diagnosis, _ = story.second
     assert diagnosis.verdict == "explained"
     assert diagnosis.effects[0].id == "time_delay"
@@ -143,7 +111,7 @@ def test_no_window_reaches_across_the_gap_and_offsets_may_differ(story):
 
 def test_the_payload_of_both_together_is_identified(story):
     estimate = identify_recording(story.outcome.recording).estimate
-    truth = story.cell.payloads["cylinder"].parameters.phi
+    truth = story.cell.payloads[CARRIED].parameters.phi
     assert np.all(np.abs(estimate.phi - truth) < 4.5 * estimate.std)
 
 
@@ -153,6 +121,6 @@ def test_what_is_no_motion_or_no_recording_of_this_robot_is_refused_before_anyth
     run = measure_more(story.before, (Stop(down=(0.0, 0.0, 1.0)),), other, SimulatedSession(other, carried.parameters), carried.box)
     with pytest.raises(BadInput, match="another robot"):
         returned(run)
-    run = measure_more(story.before, (), story.cell, session(story.cell, 1), story.cell.payloads["cylinder"].box)
+    run = measure_more(story.before, (), story.cell, session(1), story.cell.payloads[CARRIED].box)
     with pytest.raises(BadInput, match="no stops"):
         returned(run)

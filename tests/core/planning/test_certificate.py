@@ -19,6 +19,8 @@ from core.robot import RobotModel
 Array = NDArray[np.float64]
 
 CELLS = Path(__file__).parents[3] / "cells"
+GJK_M = 2e-6
+"""GJK ends at a tolerance of 1e-6 m, and where it ends depends on the pair that it was asked for before."""
 NAMES = st.sampled_from(["lwr4_bench", "ur5e_line"])
 
 
@@ -42,7 +44,7 @@ def random_line(name: str, seed: int, length: float) -> Array:
 def test_the_least_of_all_pairs_is_the_margin(name: str, seed: int) -> None:
     _, collision, margins = model(name)
     q = random_line(name, seed, 1.0)[0]
-    assert margins(q).min() == pytest.approx(collision.margin(q), abs=1e-9)
+    assert margins(q).min() == pytest.approx(collision.margin(q), abs=GJK_M)
 
 
 @settings(max_examples=100, deadline=None)
@@ -63,8 +65,8 @@ def test_the_certified_bound_holds_at_samples_that_it_never_saw(name: str, seed:
     least = least_margin(margins, line)
     seen = min(collision.margin(q) for q in dense(line, 0.01))
     if least.margin_m > 0.0:
-        assert least.bound_m <= seen + 1e-9
-        assert least.bound_m >= least.margin_m - 0.001 - 1e-9
+        assert least.bound_m <= seen + GJK_M
+        assert least.bound_m >= least.margin_m - 0.001 - GJK_M
         assert is_clear(margins, line)
     else:
         assert seen < 0.002

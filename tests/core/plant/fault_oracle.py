@@ -21,6 +21,9 @@ SIGNAL = Machine(SETTING, None, None, slice(0, 7), PERIOD)
 """All that a fault of the signal path needs."""
 AWAY = np.array([0.25, 0.2, -0.15, -0.3, 0.4, 0.5, 0.3])
 ZERO = np.zeros(7)
+SIX = np.array([10.0, -5.0, 20.0, 0.5, -0.3, 0.2])
+EXACT = 1e-6
+"""N and N m; two computations of the same wrench."""
 
 
 @cache
@@ -72,3 +75,35 @@ def rigid(run, phi=PAYLOAD.phi, gravity=CELL.gravity, offset=ZERO, every=9):
 
 def sensor_pose(q):
     return RobotModel.of_cell(CELL).sensor_pose(q)
+
+
+def through(hook, signal, start=0.0):
+    """What a hook makes of a signal (N, 6)."""
+    return np.array([hook(start + PERIOD * k, row) for k, row in enumerate(np.asarray(signal))])
+
+
+def constant(seconds):
+    return np.tile(SIX, (round(seconds / PERIOD), 1))
+
+
+def sine(hz, seconds):
+    return np.outer(np.sin(2 * np.pi * hz * PERIOD * np.arange(round(seconds / PERIOD))), SIX)
+
+
+def triangle(height, quarter_s, quarters):
+    turning = height * np.array([(0, 1, 0, -1)[k % 4] for k in range(quarters + 1)])
+    return np.interp(np.arange(0, quarters * quarter_s, PERIOD), quarter_s * np.arange(quarters + 1), turning)
+
+
+def felt_gravity(q):
+    return sensor_pose(q).rotation.T @ CELL.gravity
+
+
+def static(mass, first_moment, q=HOME):
+    force = -mass * felt_gravity(q)
+    return np.concatenate((force, np.cross(first_moment, -felt_gravity(q))))
+
+
+def point(q, local):
+    pose = sensor_pose(q)
+    return pose.rotation @ local + pose.position

@@ -12,8 +12,8 @@ from scipy.spatial.transform import Rotation
 from core.errors import BadPayload
 from core.inertia import InertialParameters
 from core.plant.faults import FAULTS, Background, Setting, variants
+from core.plant.faults.base import TiltedBase
 from core.plant.faults.loose import SprungPart
-from core.plant.faults.mounting import TiltedBase
 from core.plant.faults.payload import OtherDensity, Slip
 from core.sessions.simulated import SimulatedSession
 
@@ -119,6 +119,27 @@ PLAUSIBLE = {
     "tool_flexibility-slide": (lambda f: f.frequency_hz, 10.0, 40.0),
     "cable_drag-spring": (lambda f: f.stiffness_n_per_m, 0.5, 10.0),
     "external_contact-window": (lambda f: norm(f.force_n, F), 1.0, 15.0),
+    "sensor_drift-thermostat": (lambda f: norm(f.drift_wrench, F), 0.3, 4.0),
+    "sensor_gain-wandering_supply": (lambda f: largest(f.gain_share), 0.01, 0.05),
+    "sensor_nonlinearity-bow": (lambda f: largest(f.bow_share), 0.005, 0.02),
+    "sensor_hysteresis-stick_and_snap": (lambda f: largest(f.half_width_wrench / SETTING.full_scale), 0.001, 0.004),
+    "sensor_interference-gated": (lambda f: largest(f.amplitude_wrench / SETTING.noise_std), 1.0, 5.0),
+    "sensor_quantization-short_float": (lambda f: f.step_share, 0.01, 0.06),
+    "time_delay-slipping_buffer": (lambda f: f.delay_s, 0.004, 0.04),
+    "kinematic_lag-polled": (lambda f: f.lag_s, 0.005, 0.03),
+    "sensor_lowpass-weighing": (lambda f: f.cut_off_hz, 2.0, 20.0),
+    "sample_dropout-preempted": (lambda f: f.lost_share, 0.1, 0.6),
+    "sensor_rotation-loose_bolts": (lambda f: norm(f.rotation_rad, F) / DEGREE, 0.3, 3.0),
+    "sensor_translation-split": (lambda f: norm(f.translation_m, F), 0.001, 0.005),
+    "base_tilt-wobbly": (lambda f: np.hypot(*f.tilt_rad) / DEGREE, 0.1, 3.0),
+    "joint_offset-warming": (lambda f: largest(f.offset_rad) / DEGREE, 0.1, 2.0),
+    "joint_elasticity-creeping": (lambda f: f.stiffness_n_m_per_rad[0], 2e3, 1e4),
+    "joint_backlash-by_motion": (lambda f: largest(f.half_play_rad) / DEGREE, 0.01, 0.05),
+    "joint_friction-by_load": (lambda f: largest(f.load_share), 0.03, 0.12),
+    "gear_ripple-pulses": (lambda f: largest(f.height_rad) / DEGREE * 60, 0.5, 2.0),
+    "payload_loose-vessel": (lambda f: f.part_share, 0.05, 0.3),
+    "cable_drag-reel": (lambda f: f.pull_n, 0.5, 5.0),
+    "external_contact-cushion": (lambda f: norm(f.force_n, F), 1.0, 15.0),
 }
 
 

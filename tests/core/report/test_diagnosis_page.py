@@ -227,7 +227,7 @@ def test_an_unsettled_gap_says_what_would_settle_it_before_what_to_fix(tmp_path:
     assert settle < delay < lag
     assert "If it is a tilted base" not in text
     assert "A late wrench or a lag of the motion. 2.1 σ apart: Both are late. It would be settled by: A wide-band motion." in text
-    assert "Rotate about a horizontal axis." in text
+    assert "Rotate about a horizontal axis. It takes 12 s." in text
     assert "It tells apart a late wrench from a lag of the motion" in text
 
 

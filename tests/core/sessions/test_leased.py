@@ -13,21 +13,12 @@ from core.cell import load_cell
 from core.errors import Commanded, ControlLost, Held
 from core.sessions.leased import FUTURE_S, LEASE_S, Lease, LeasedSession, Renewal
 from core.sessions.simulated import SimulatedSession
-
-
-class Clock:
-    """Only the test moves it."""
-
-    def __init__(self) -> None:
-        self.now = 1000.0
-
-    def __call__(self) -> float:
-        return self.now
+from tests.hand_clock import HandClock
 
 
 @pytest.fixture
-def clock() -> Clock:
-    return Clock()
+def clock() -> HandClock:
+    return HandClock()
 
 
 @pytest.fixture
@@ -70,7 +61,7 @@ def test_what_is_repeated_reordered_old_or_from_the_future_counts_for_nothing(le
 
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 5), st.floats(-1.0, 1.0), st.floats(0.0, 0.3)), max_size=30))
 def test_no_order_of_renewals_lets_a_command_through_later_than_a_lease_after_the_newest_true_one(sent):
-    clock = Clock()
+    clock = HandClock()
     lease = Lease(clock=clock)
     newest = -np.inf
     for fence, number, offset, pause in sent:

@@ -49,6 +49,7 @@ def test_late_samples_are_counted_with_the_latest_of_them():
         pace.wait_until(0.01 * k)
     assert (pace.ticks, pace.late) == (5, 1)
     assert pace.latest_s == pytest.approx(0.01)
+    assert pace.median_s == pytest.approx(0.0, abs=1e-9)
 
 
 def test_a_pause_is_neither_late_nor_made_up_for():

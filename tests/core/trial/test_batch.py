@@ -20,7 +20,7 @@ from core.trial.outcome import Outcome
 
 def drawn(seed: int) -> Drawn:
     """A trial of which nothing but the seal is used."""
-    return Drawn(None, None, sealed(seed, kind="none"), None, ())  # type: ignore[arg-type]
+    return Drawn(None, None, sealed(seed, kind="none"), None, ())  # type: ignore[arg-type]  # never run
 
 
 def pretended(one: Drawn, keep: Path | None = None) -> Outcome:

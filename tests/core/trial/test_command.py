@@ -23,9 +23,9 @@ def test_seeds_are_numbers_and_ranges_each_once():
 
 
 def test_trials_are_sealed_answered_kept_and_scored_and_a_finished_run_is_not_run_again(tmp_path: Path):
-    short = [drawn.sealed for drawn in map(draw, range(300, 500)) if drawn.plan.robot_s < 45.0]
+    short = [drawn.sealed for drawn in map(draw, range(300, 1000)) if drawn.plan.robot_s < 45.0]
     first = next(sealed.seed for sealed in short if sealed.kind == "none")
-    second = next(sealed.seed for sealed in short if sealed.ids == ("time_delay",))
+    second = next(s.seed for s in short if [(name, variant) for name, variant, _ in s.planted] == [("time_delay", "constant")])
     arguments = ["trial", "--seeds", f"{first},{second}", "--report", str(tmp_path / "run"), "--keep", str(tmp_path / "kept")]
     said = CliRunner().invoke(app, arguments)
     assert said.exit_code == 0, said.output

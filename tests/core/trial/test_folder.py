@@ -14,7 +14,7 @@ from core.trial.folder import OUTCOMES, SEALS, append, check_seals, finished, op
 
 def drawn(seed: int, size: float = 1.0) -> Drawn:
     """A trial of which nothing but the seal is used."""
-    return Drawn(None, None, sealed(seed, kind="none", size=size), None, ())  # type: ignore[arg-type]
+    return Drawn(None, None, sealed(seed, kind="none", size=size), None, ())  # type: ignore[arg-type]  # never run
 
 
 def test_seals_stand_there_before_the_first_outcome(tmp_path: Path):

@@ -86,6 +86,20 @@ def test_noise_is_material_by_its_own_measure(factor: float, matters: bool):
     assert material(single(0, "sensor_noise", "sensor_noise", bound=Bound(), truth=truth)) is matters
 
 
+@pytest.mark.parametrize(("added", "matters"), [(0.3, False), (0.7, True)])
+def test_coarse_steps_are_material_by_what_they_add_to_the_readings(added: float, matters: bool):
+    outcome = single(0, "sensor_quantization", "sensor_quantization", bound=Bound(added_noise=added))
+    assert material(outcome) is matters
+    assert counts(outcome) is matters
+    assert material(single(0, "sensor_quantization", "sensor_quantization", bound=Bound()))
+
+
+def test_what_the_seal_tells_goes_before_what_was_added():
+    """Of noise as stated times 1.1 the two runs may differ by much, draws of it being others."""
+    truth = {"sensor_noise": {"fx_noise_factor": 1.1}}
+    assert not material(single(0, "sensor_noise", "sensor_noise", bound=Bound(added_noise=1.4), truth=truth))
+
+
 def test_a_mismatch_is_material_by_the_shares_of_the_payload():
     for share, matters in ((0.005, False), (0.05, True)):
         truth = {"payload_mismatch": {"m_difference_kg": 2.0 * share, **{f"{k}": 0.0 for k in range(9)}}}

@@ -15,13 +15,17 @@ from core.gap.effect_fit import fit_effects, fit_nominal
 from core.gap.windows import Windows
 from core.inertia import InertialParameters, Motion
 from core.plant.faults import FAULTS, Fault, Setting
+from core.plant.faults.base import TiltedBase
+from core.plant.faults.encoders import EncoderOffsets
 from core.plant.faults.fault import Machine
-from core.plant.faults.joints import ElasticJoints
-from core.plant.faults.mounting import EncoderOffsets, ShiftedSensor, TiltedBase, TurnedSensor, TurnedSensorWithPayload
+from core.plant.faults.joint_springs import ElasticJoints
+from core.plant.faults.lowpass import Butterworth, FirstOrderFilter
+from core.plant.faults.mounting import ShiftedSensor, TurnedSensor, TurnedSensorWithPayload
 from core.plant.faults.payload import MassStep, Slip
+from core.plant.faults.sensor_memory import Creep
 from core.plant.faults.sensor_offset import ExponentialDrift, LinearDrift, OffsetStep
-from core.plant.faults.sensor_response import Creep, Crosstalk, Gain, Quadratic
-from core.plant.faults.timing import Butterworth, Delay, FirstOrderFilter
+from core.plant.faults.sensor_response import Crosstalk, Gain, Quadratic
+from core.plant.faults.timing import Delay
 from core.plant.mechanics import PERIOD, Drives
 from core.plant.virtual_robot import VirtualRobot
 from core.recording import Recording, SensorDescription
@@ -60,7 +64,7 @@ def still_scene(seconds: float = 12.0) -> Scene:
     [
         Gain(SIX),
         Quadratic(SIX),
-        Crosstalk(tuple(tuple(0.01 * (i - j) for j in range(6)) for i in range(6))),  # type: ignore[arg-type]
+        Crosstalk(tuple(tuple(0.01 * (i - j) for j in range(6)) for i in range(6))),  # type: ignore[arg-type]  # six rows of six
         ExponentialDrift((1.0, -2.0, 0.5, 0.05, 0.02, -0.1), 60.0),
         LinearDrift((1.0, -2.0, 0.5, 0.05, 0.02, -0.1), 300.0),
         OffsetStep((1.0, -2.0, 0.5, 0.05, 0.02, -0.1), 5.0),
@@ -73,7 +77,7 @@ def still_scene(seconds: float = 12.0) -> Scene:
 )
 def test_an_effect_with_the_stated_parameters_does_what_the_fault_in_the_sensor_does(fault: Fault):
     scene, effect = still_scene(), effect_of(fault.id)
-    sense = fault.sense(Machine(SETTING, None, None, slice(0, 7), PERIOD))  # type: ignore[arg-type]
+    sense = fault.sense(Machine(SETTING, None, None, slice(0, 7), PERIOD))  # type: ignore[arg-type]  # these faults look at no model
     assert sense is not None
     w = scene.nominal
     sensed = np.array([sense(t, row) for t, row in zip(scene.t, w, strict=True)])

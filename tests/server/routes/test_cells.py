@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
@@ -98,12 +99,23 @@ def test_a_zone_stands_where_it_was_last_seen(signed_in: As, service: Service) -
     assert cell.zones[0].shape.pose.xyz_m[0] == 1.35
 
 
+def test_a_zone_that_was_moved_says_by_whom_and_when_and_the_service_what_time_it_is(signed_in: As, clock: Clock) -> None:
+    operator = signed_in(Role.operator)
+    assert operator.get("/api/cells/lwr4_bench").json()["moved"] == []
+    assert moved(operator, 1.5, "2026-03-01T08:00:00Z") == 200
+    answer = operator.get("/api/cells/lwr4_bench").json()
+    assert datetime.fromisoformat(answer["read_at"]) == clock()
+    (place,) = answer["moved"]
+    assert (place["zone"], place["moves"], place["moved_by"]) == ("operator", 1, f"account:{Role.operator.value}")
+    assert datetime.fromisoformat(place["measured_at"]) == datetime(2026, 3, 1, 8, tzinfo=UTC)
+
+
 def test_measurements_out_of_order_repeated_or_from_the_future_are_refused(signed_in: As, clock: Clock) -> None:
     operator = signed_in(Role.operator)
     assert moved(operator, 1.5, "2026-03-01T08:00:00Z") == 200
     assert moved(operator, 1.4, "2026-03-01T08:00:00Z") == 409
     assert moved(operator, 1.4, "2026-03-01T07:59:59Z") == 409
-    assert moved(operator, 1.4, "2026-03-01T08:00:02Z") == 422
+    assert moved(operator, 1.4, "2026-03-01T08:00:02Z") == 409
     assert moved(operator, 1.4, "2026-03-01T08:00:01") == 422
     clock.go_on(seconds=2)
     assert moved(operator, 1.4, "2026-03-01T08:00:02Z") == 200

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import time
 from datetime import UTC, datetime
 from multiprocessing import get_context
@@ -15,12 +14,12 @@ from core.cell import TWIN_FILE, load_cell
 from core.twin import NOMINAL, Entry, Fitted, Twin
 from core.twin_file import read_twin, write_twin
 from server import jobs
-from server.job_kinds import ADDITION, DIAGNOSIS, AdditionOrder, DiagnosisOrder
-from server.jobs import State
+from server.job_kinds import ADDITION, AdditionOrder, DiagnosisOrder
 from server.roles import Role
 from server.runner import twin_adding
 from server.runner.messages import Answered, Failed
 from server.service import Service
+from tests.server.finished_diagnosis import explanation, finished_diagnosis
 from tests.server.people import As
 
 CELL = "lwr4_bench"
@@ -47,22 +46,8 @@ def late(service: Service) -> Path:
 
 def diagnosed(service: Service, recording: Path, *named: str) -> str:
     """A diagnosis that is done and names effects."""
-    effects = [
-        {
-            "id": each, "title": each, "stage": "timing", "probability": 0.9, "parameters": {}, "gap_after": 1.0, "closure": 0.9,
-            "closure_interval": [0.8, 1.0], "advice": "",
-        }
-        for each in named
-    ]  # fmt: skip
-    found = {
-        "verdict": "explained", "summary": "", "effects": effects, "none_probability": 0.0, "unknown_probability": 0.1, "pairs": [],
-        "minor": [], "indistinguishable": [], "where": None, "gap": None, "payload": None, "consequence": "", "next_experiment": None,
-        "limits": [], "seconds": 1.0,
-    }  # fmt: skip
-    with service.store.write() as db:
-        row = jobs.queue(db, DIAGNOSIS, DiagnosisOrder(recording=recording), None, "account:anna", service.now())
-        row.state, row.result = State.done, json.dumps(found)
-        return row.id
+    effects = [explanation(each, 0.9) for each in named]
+    return finished_diagnosis(service.store, service.now(), DiagnosisOrder(recording=recording), effects=effects)
 
 
 def ended(client: TestClient, place: str) -> dict:
@@ -125,6 +110,21 @@ def test_nothing_is_taken_out_while_something_is_being_added(service: Service, s
         jobs.queue(db, ADDITION, order, CELL, "account:anna", service.now())  # nobody has woken the worker
     assert signed_in(Role.engineer).delete(f"{TWIN}/time_delay").status_code == 409
     assert (late / TWIN_FILE).exists()
+
+
+def test_an_addition_is_cancelled_in_its_own_cell_and_leaves_the_twin_as_it_was(
+    service: Service, signed_in: As, late: Path, tmp_path: Path
+) -> None:
+    order = AdditionOrder(cell=CELL, effect="base_tilt", diagnosis="x", recording=tmp_path)
+    with service.store.write() as db:
+        addition = jobs.queue(db, ADDITION, order, CELL, "account:anna", service.now()).id  # nobody has woken the worker
+    client, before = signed_in(Role.engineer), (late / TWIN_FILE).read_bytes()
+    assert client.delete(f"/api/cells/other/twin/additions/{addition}").status_code == 404
+    answer = client.delete(f"{TWIN}/additions/{addition}").json()
+    assert (answer["state"], answer["reason"], answer["twin"]) == ("cancelled", "cancelled by account:engineer.", None)
+    assert client.delete(f"{TWIN}/additions/{addition}").status_code == 409
+    assert audited(signed_in)[0] == "twin.cancel"
+    assert (late / TWIN_FILE).read_bytes() == before
 
 
 def test_what_was_fitted_is_in_the_cells_folder_before_it_is_said(

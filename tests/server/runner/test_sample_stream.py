@@ -48,6 +48,17 @@ def test_a_stream_without_an_end_becomes_the_same_samples_bit_for_bit(tmp_path, 
     assert list(recording.phase[:100]) == ["hold:x+"] * 100
 
 
+def test_the_samples_of_a_run_that_continued_another_follow_those_of_the_other(tmp_path, cell, states):
+    written(tmp_path, states)
+    recover(tmp_path, log_of(cell), tmp_path / "first")
+    before = read_recording(tmp_path / "first")
+    both_log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None, before=before)
+    assert recover(tmp_path, both_log, tmp_path / "both") == 300
+    both = read_recording(tmp_path / "both")
+    np.testing.assert_array_equal(both.wrench, np.concatenate((before.wrench, before.wrench)))
+    assert both.t[300] - both.t[299] > 10.0
+
+
 @pytest.mark.parametrize("share", np.linspace(0.0, 0.999, 12))
 def test_a_stream_that_is_cut_anywhere_keeps_its_whole_batches(tmp_path, cell, states, share):
     file = written(tmp_path, states)

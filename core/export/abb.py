@@ -1,0 +1,22 @@
+"""ABB: `loaddata` of RAPID."""
+
+from __future__ import annotations
+
+from core.export.principal_axes import principal_axes, quaternion
+from core.export.target import MM, Target, digits
+from core.uncertain_parameters import UncertainParameters
+
+
+class Abb(Target):
+    """A declaration in RAPID."""
+
+    name = "abb"
+    title = "ABB (RAPID loaddata)"
+    file = "loaddata.mod"
+    says = "kg, mm, kg m2; principal moments about the centre of mass, along axes that a quaternion (w x y z) turns from the flange's"
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`."""
+        axes = principal_axes(payload.inertia_com)
+        com, turn, moments = digits(payload.com_m, ",", MM), digits(quaternion(axes.rotation), ","), digits(axes.moments, ",")
+        return f"PERS loaddata heft_load:=[{payload.phi[0]:.9g},[{com}],[{turn}],{moments}];\n"

@@ -1,0 +1,25 @@
+"""Flexiv: the inertial part of a tool's parameters."""
+
+from __future__ import annotations
+
+import json
+
+from core.export.target import Target
+from core.uncertain_parameters import UncertainParameters
+
+ORDER = [0, 3, 5, 1, 2, 4]
+"""Ixx Iyy Izz Ixy Ixz Iyz."""
+
+
+class Flexiv(Target):
+    """JSON with the names of the RDK's `ToolParams`."""
+
+    name = "flexiv"
+    title = "Flexiv (ToolParams)"
+    file = "tool_params.json"
+    says = "kg, m, kg m2; inertia about the centre of mass along the flange's axes: Ixx Iyy Izz Ixy Ixz Iyz"
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`."""
+        tool = {"mass": float(payload.phi[0]), "CoM": payload.com_m.tolist(), "inertia": payload.inertia_com[ORDER].tolist()}
+        return json.dumps(tool, indent=2) + "\n"

@@ -1,0 +1,27 @@
+"""Franka: the arguments of libfranka's `setLoad`."""
+
+from __future__ import annotations
+
+import json
+
+from core.export.target import Target
+from core.inertia import symmetric
+from core.uncertain_parameters import UncertainParameters
+
+
+class Franka(Target):
+    """JSON with the names of the arguments."""
+
+    name = "franka"
+    title = "Franka (setLoad)"
+    file = "set_load.json"
+    says = "kg, m, kg m2; inertia about the centre of mass along the flange's axes, nine values column by column"
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`."""
+        load = {
+            "load_mass": float(payload.phi[0]),
+            "F_x_Cload": payload.com_m.tolist(),
+            "load_inertia": symmetric(payload.inertia_com).ravel(order="F").tolist(),
+        }
+        return json.dumps(load, indent=2) + "\n"

@@ -1,0 +1,24 @@
+"""KUKA KRC: load data in KRL."""
+
+from __future__ import annotations
+
+from core.export.principal_axes import principal_axes, zyx_degrees
+from core.export.target import MM, Target
+from core.uncertain_parameters import UncertainParameters
+
+
+class KukaKrl(Target):
+    """A declaration in KRL, for the first tool."""
+
+    name = "kuka_krl"
+    title = "KUKA KRC (KRL load data)"
+    file = "load_data.dat"
+    says = "kg, mm, deg, kg m2; principal moments J about the centre of mass, along axes that A B C turn from the flange's"
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`."""
+        axes = principal_axes(payload.inertia_com)
+        place = [*zip("XYZ", MM * payload.com_m, strict=True), *zip("ABC", zyx_degrees(axes.rotation), strict=True)]
+        com = ",".join(f"{name} {value:.9g}" for name, value in place)
+        moments = ",".join(f"{name} {value:.9g}" for name, value in zip("XYZ", axes.moments, strict=True))
+        return f"LOAD_DATA[1]={{M {payload.phi[0]:.9g},CM {{{com}}},J {{{moments}}}}}\n"

@@ -1,0 +1,28 @@
+"""KUKA Sunrise: the load data of a tool's template."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from core.export.target import MM, Lack, Target, inertia_lacks
+from core.uncertain_parameters import UncertainParameters
+
+
+class KukaSunrise(Target):
+    """Values to be typed in, one a line."""
+
+    name = "kuka_sunrise"
+    title = "KUKA Sunrise (tool template)"
+    file = "tool_template.txt"
+    says = "kg, mm, kg m2; moments about the centre of mass along the flange's axes, without products"
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`."""
+        rows = [("Mass [kg]", payload.phi[0])]
+        rows += [(f"MS {name} [mm]", MM * value) for name, value in zip("XYZ", payload.com_m, strict=True)]
+        rows += [(f"J{name} [kg m2]", payload.inertia_com[k]) for name, k in zip("XYZ", (0, 3, 5), strict=True)]
+        return "".join(f"{name:<12} {value:.9g}\n" for name, value in rows)
+
+    def lacks(self, payload: UncertainParameters) -> Iterator[Lack]:
+        """The products of inertia."""
+        yield from inertia_lacks(payload, ("Ixy", "Ixz", "Iyz"))

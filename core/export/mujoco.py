@@ -1,0 +1,23 @@
+"""MuJoCo: the inertial element of a body."""
+
+from __future__ import annotations
+
+from core.export.target import Target, digits
+from core.uncertain_parameters import UncertainParameters
+
+ORDER = [0, 3, 5, 1, 2, 4]
+"""11 22 33 12 13 23."""
+
+
+class MuJoCo(Target):
+    """An element of MJCF, for a body whose frame is the flange's."""
+
+    name = "mujoco"
+    title = "MuJoCo (MJCF)"
+    file = "inertial.xml"
+    says = "kg, m, kg m2; inertia about the centre of mass along the body's axes: 11 22 33 12 13 23"
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`."""
+        inertia = digits(payload.inertia_com[ORDER], " ")
+        return f'<inertial pos="{digits(payload.com_m, " ")}" mass="{payload.phi[0]:.9g}" fullinertia="{inertia}"/>\n'

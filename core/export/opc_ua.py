@@ -1,0 +1,45 @@
+"""OPC UA for Robotics (OPC 40010-1): the components of a `LoadType`."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from core.export.principal_axes import principal_axes, zyx_degrees
+from core.export.target import MM, Target
+from core.uncertain_parameters import UncertainParameters
+
+UNITS = {"kg": "KGM", "mm": "MMT", "deg": "DD", "kg m2": "B32"}
+"""UNECE common codes."""
+
+
+class OpcUa(Target):
+    """JSON with the browse names of the type."""
+
+    name = "opc_ua"
+    title = "OPC UA for Robotics (LoadType)"
+    file = "load_type.json"
+    says = "kg, mm, deg, kg m2; principal moments about the mounting point, along axes that A B C turn from the mounting point's"
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`."""
+        axes = principal_axes(payload.phi[4:])
+        load = {
+            "Mass": {"Value": float(payload.phi[0]), "EngineeringUnits": unit("kg")},
+            "CenterOfMass": {
+                "CartesianCoordinates": {**named("XYZ", (MM * payload.com_m).tolist()), "LengthUnit": unit("mm")},
+                "Orientation": {**named("ABC", zyx_degrees(axes.rotation).tolist()), "AngleUnit": unit("deg")},
+            },
+            "Inertia": {**named("XYZ", axes.moments.tolist()), "EngineeringUnits": unit("kg m2")},
+        }
+        return json.dumps(load, indent=2) + "\n"
+
+
+def named(names: str, values: list[float]) -> dict[str, Any]:
+    """One letter for each value."""
+    return dict(zip(names, values, strict=True))
+
+
+def unit(name: str) -> dict[str, Any]:
+    """As `EUInformation`; the identifier is the common code's bytes as one number (OPC 10000-8)."""
+    return {"DisplayName": name, "UnitId": int.from_bytes(UNITS[name].encode(), "big")}

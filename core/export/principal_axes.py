@@ -1,0 +1,72 @@
+"""Principal moments and axes of an inertia, and the ways in which controllers write a rotation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.inertia import symmetric
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class PrincipalAxes:
+    """`inertia = rotation diag(moments) rotation^T`.
+
+    Args:
+        moments: (3,), kg m2.
+        rotation: (3, 3), its columns are the axes, right-handed. Of the 24 ways to name them it is the one that turns least.
+    """
+
+    moments: Array
+    rotation: Array
+
+
+def principal_axes(inertia: Array) -> PrincipalAxes:
+    """Of `[Ixx, Ixy, Ixz, Iyy, Iyz, Izz]`."""
+    moments, axes = np.linalg.eigh(symmetric(inertia))
+    order = _nearest_order(axes)
+    moments, axes = moments[order], axes[:, order]
+    axes = axes * np.where(np.diag(axes) < 0.0, -1.0, 1.0)
+    if np.linalg.det(axes) < 0.0:
+        axes[:, np.argmin(np.abs(np.diag(axes)))] *= -1.0
+    return PrincipalAxes(moments, axes)
+
+
+def _nearest_order(axes: Array) -> list[int]:
+    """Which principal axis is called x, y and z: each frame axis takes, in turn of clearness, the one that is nearest to it."""
+    left, order = np.abs(axes), [0, 0, 0]
+    for _ in range(3):
+        row, column = np.unravel_index(np.argmax(left), left.shape)
+        order[row] = int(column)
+        left[row, :] = left[:, column] = -1.0
+    return order
+
+
+def zyx_degrees(rotation: Array) -> Array:
+    """(3,), A, B, C in degrees with `rotation = Rz(A) Ry(B) Rx(C)`, as KUKA and OPC UA for Robotics turn."""
+    b = np.arctan2(-rotation[2, 0], np.hypot(rotation[0, 0], rotation[1, 0]))
+    if np.hypot(rotation[0, 0], rotation[1, 0]) < 1e-9:  # B is a right angle: A and C turn about the same axis
+        return np.degrees([np.arctan2(-rotation[0, 1], rotation[1, 1]), b, 0.0])
+    return np.degrees([np.arctan2(rotation[1, 0], rotation[0, 0]), b, np.arctan2(rotation[2, 1], rotation[2, 2])])
+
+
+def quaternion(rotation: Array) -> Array:
+    """(4,), w x y z with w >= 0, by the largest of the four (Shepperd 1978)."""
+    trace = np.trace(rotation)
+    squares = np.array([trace, *np.diag(rotation)])
+    k = int(np.argmax(squares))
+    R = rotation
+    q = np.array(
+        [
+            [1 + trace, R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]],
+            [R[2, 1] - R[1, 2], 1 + 2 * R[0, 0] - trace, R[0, 1] + R[1, 0], R[0, 2] + R[2, 0]],
+            [R[0, 2] - R[2, 0], R[0, 1] + R[1, 0], 1 + 2 * R[1, 1] - trace, R[1, 2] + R[2, 1]],
+            [R[1, 0] - R[0, 1], R[0, 2] + R[2, 0], R[1, 2] + R[2, 1], 1 + 2 * R[2, 2] - trace],
+        ]
+    )[k]
+    q = q / np.linalg.norm(q)
+    return np.asarray(-q if q[0] < 0.0 else q)

@@ -1,0 +1,35 @@
+"""Universal Robots: `set_target_payload` of URScript."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from core.errors import BadPayload
+from core.export.target import INERTIA_NAMES, Target, digits
+from core.uncertain_parameters import UncertainParameters
+
+LARGEST_KG_M2 = 133.0
+ORDER = [0, 3, 5, 1, 2, 4]
+"""Ixx Iyy Izz Ixy Ixz Iyz."""
+
+
+class UniversalRobots(Target):
+    """A line of URScript."""
+
+    name = "ur"
+    title = "Universal Robots (URScript)"
+    file = "payload.script"
+    says = "kg, m, kg m2; inertia about the centre of mass along the flange's axes: Ixx Iyy Izz Ixy Ixz Iyz"
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`.
+
+        Raises:
+            BadPayload: an entry of the inertia is larger than the robot takes.
+        """
+        inertia = payload.inertia_com
+        k = int(np.argmax(np.abs(inertia)))
+        if abs(inertia[k]) > LARGEST_KG_M2:
+            raise BadPayload(INERTIA_NAMES[k], f"{inertia[k]:.4g} kg m2", f"at most +-{LARGEST_KG_M2:g} kg m2, which the robot takes")
+        call = f"set_target_payload({payload.phi[0]:.9g}, [{digits(payload.com_m)}], [{digits(inertia[ORDER])}])"
+        return f"# zeroes the force/torque sensor again: nothing may touch the tool meanwhile\n{call}\n"

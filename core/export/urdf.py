@@ -1,0 +1,25 @@
+"""URDF: the inertial element of a link."""
+
+from __future__ import annotations
+
+from core.export.target import INERTIA_NAMES, Target, digits
+from core.uncertain_parameters import UncertainParameters
+
+
+class Urdf(Target):
+    """An element of a URDF, for a link whose frame is the flange's."""
+
+    name = "urdf"
+    title = "URDF"
+    file = "inertial.urdf.xml"
+    says = "kg, m, kg m2; inertia about the centre of mass along the link's axes: ixx ixy ixz iyy iyz izz"
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`."""
+        inertia = " ".join(f'{name.lower()}="{value:.9g}"' for name, value in zip(INERTIA_NAMES, payload.inertia_com, strict=True))
+        lines = (
+            f'  <origin xyz="{digits(payload.com_m, " ")}" rpy="0 0 0"/>',
+            f'  <mass value="{payload.phi[0]:.9g}"/>',
+            f"  <inertia {inertia}/>",
+        )
+        return "\n".join(("<inertial>", *lines, "</inertial>")) + "\n"

@@ -1,0 +1,26 @@
+"""UFACTORY xArm: `set_tcp_load`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from core.export.target import INERTIA_NAMES, MM, Lack, Target, digits, inertia_lacks
+from core.uncertain_parameters import UncertainParameters
+
+
+class XArm(Target):
+    """A line of Python for the xArm SDK; it knows no inertia."""
+
+    name = "xarm"
+    title = "UFACTORY xArm (set_tcp_load)"
+    file = "set_tcp_load.py"
+    says = "kg, mm; no inertia"
+    needs = slice(0, 4)
+
+    def text(self, payload: UncertainParameters) -> str:
+        """See `Target.text`."""
+        return f"arm.set_tcp_load({payload.phi[0]:.9g}, [{digits(payload.com_m, factor=MM)}])\n"
+
+    def lacks(self, payload: UncertainParameters) -> Iterator[Lack]:
+        """The whole inertia."""
+        yield from inertia_lacks(payload, INERTIA_NAMES)

@@ -1,0 +1,83 @@
+"""What a robot goes through in a run, planned from wherever it stands: the poses of the procedure, or something else from leg to leg."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell import Box, Cell
+from core.collision import CollisionModel
+from core.events import Event
+from core.plan import POSES, Plan, plan_procedure
+from core.plan_settings import Planner, Timing
+from core.robot import RobotModel
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class PlanRequest:
+    """What is to be planned: the legs that are left after `done`, from joint positions `start` (n,), with set points every `period` s."""
+
+    cell: Cell
+    payload_box: Box
+    start: Array
+    done: int
+    period: float
+    planner: Planner
+    seed: int
+
+
+class MotionSequence(Protocol):
+    """Legs, one after the other; plain data, which another process can plan."""
+
+    @property
+    def steps(self) -> int:
+        """How many legs there are."""
+
+    def planned(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
+        """A plan through the legs that are left, back to home.
+
+        Args:
+            robot, collision: of the cell with the payload box.
+
+        Raises:
+            NoStartConfiguration, NoPath: the cell leaves no safe way.
+        """
+
+
+@dataclass(frozen=True)
+class Procedure:
+    """All poses of the procedure (Fig. 2).
+
+    Args:
+        mass_guess_kg: what repetitions are planned for.
+    """
+
+    timing: Timing
+    mass_guess_kg: float = 1.0
+
+    @property
+    def steps(self) -> int:
+        """See `MotionSequence`."""
+        return len(POSES)
+
+    def planned(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
+        """See `MotionSequence`."""
+        return plan_procedure(
+            asked.cell,
+            robot,
+            collision,
+            asked.payload_box,
+            start=asked.start,
+            poses=POSES[asked.done :],
+            period=asked.period,
+            timing=self.timing,
+            mass_guess_kg=self.mass_guess_kg,
+            planner=asked.planner,
+            seed=asked.seed,
+        )

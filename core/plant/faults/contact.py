@@ -1,0 +1,141 @@
+"""Something outside touches the payload during part of the run."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from core.plant.faults.draws import direction, moment, seed_of, spread, three
+from core.plant.faults.fault import Act, Array, Fault, Machine, Setting, Three
+from core.plant.faults.grip import Grip, grip_of
+
+
+def window_of(rng: np.random.Generator, setting: Setting) -> tuple[float, float]:
+    """Begin and length of a touch, s."""
+    return moment(rng, setting), float(rng.uniform(0.03, 0.2)) * setting.seconds
+
+
+@dataclass(frozen=True)
+class Touch(Fault):
+    """Somebody leans on the payload: a constant force of 1 to 15 N in the world during part of the run."""
+
+    id = "external_contact"
+    variant = "window"
+
+    force_n: Three
+    at_m: Three
+    begin_s: float
+    duration_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        force = size * spread(rng, 1.0, 15.0) * direction(rng)
+        return cls(three(force), grip_of(rng), *window_of(rng, setting))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        grip, force, strength = Grip(machine, np.array(self.at_m)), np.array(self.force_n), self.strength()
+
+        def lean(t: float) -> None:
+            x = (t - self.begin_s) / self.duration_s
+            if 0 <= x < 1:
+                grip.push(grip.place(), strength(x) * force)
+
+        return lean
+
+    def strength(self) -> Callable[[float], float]:
+        """The share of the force over the course x of the touch, 0 to 1."""
+        return lambda _: 1.0
+
+
+@dataclass(frozen=True)
+class GrowingTouch(Touch):
+    """A touch that comes and goes over `ramp_share` of its time at either end."""
+
+    variant = "ramps"
+
+    ramp_share: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        force = size * spread(rng, 1.0, 15.0) * direction(rng)
+        return cls(three(force), grip_of(rng), *window_of(rng, setting), float(rng.uniform(0.15, 0.5)))
+
+    def strength(self) -> Callable[[float], float]:
+        """See `Touch.strength`."""
+        return lambda x: min(x / self.ramp_share, (1 - x) / self.ramp_share, 1.0)
+
+
+@dataclass(frozen=True)
+class Bumps(Touch):
+    """Several short bumps, half sines of about 0.2 s, of different strength."""
+
+    variant = "bumps"
+
+    count: int
+    seed: int
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        force = size * spread(rng, 1.0, 15.0) * direction(rng)
+        begin, duration = window_of(rng, setting)
+        return cls(three(force), grip_of(rng), begin, duration, int(rng.integers(2, 6)), seed_of(rng))
+
+    def strength(self) -> Callable[[float], float]:
+        """See `Touch.strength`."""
+        rng = np.random.default_rng(self.seed)
+        centres = (np.arange(self.count) + rng.uniform(0.3, 0.7, self.count)) / self.count
+        sizes = rng.uniform(0.5, 1.0, self.count)
+        half = min(0.1 / self.duration_s, 0.3 / self.count)
+
+        def bump(x: float) -> float:
+            k = int(np.argmin(np.abs(x - centres)))
+            return float(sizes[k]) * max(math.cos(0.5 * math.pi * min(abs(x - float(centres[k])) / half, 1.0)), 0.0)
+
+        return bump
+
+
+@dataclass(frozen=True)
+class Cushion(Touch):
+    """Leans against something soft that stands still: the force is the stated one where the touch begins, and grows or vanishes with the
+    way into it or out of it, over `depth`; never more than twice as much."""
+
+    variant = "cushion"
+
+    depth_m: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        force = size * spread(rng, 1.0, 15.0) * direction(rng)
+        return cls(three(force), grip_of(rng), *window_of(rng, setting), spread(rng, 0.02, 0.2))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        grip, force = Grip(machine, np.array(self.at_m)), np.array(self.force_n)
+        inward = -force / (math.sqrt(float(force @ force)) * self.depth_m)
+        first: Array | None = None
+
+        def press(t: float) -> None:
+            nonlocal first
+            if 0 <= t - self.begin_s < self.duration_s:
+                place = grip.place()
+                first = place if first is None else first
+                grip.push(place, min(max(1 + float(inward @ (place - first)), 0.0), 2.0) * force)
+
+        return press
+
+
+CONTACT: tuple[type[Fault], ...] = (
+    Touch,
+    GrowingTouch,
+    Bumps,
+    Cushion,
+)

@@ -1,0 +1,203 @@
+"""The toothing and the friction of the gears between a motor and its link."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Self
+
+import mujoco
+import numpy as np
+
+from core.plant.arm import arm_of_cell
+from core.plant.faults.draws import scattered, some_joints, spread
+from core.plant.faults.fault import Act, Array, Fault, Joints, Machine, Setting
+from core.plant.mechanics import arm_joints
+
+
+@dataclass(frozen=True)
+class Ripple(Fault):
+    """Toothing of the gears: the encoder is ahead of the link by `A sin(N q + phase)`, A about 0.5 arcmin, two waves per turn of the wave
+    generator."""
+
+    id = "gear_ripple"
+    variant = "sine"
+
+    amplitude_rad: tuple[float, ...]
+    waves_per_turn: tuple[int, ...]
+    phase_rad: tuple[float, ...]
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        A = [size * math.radians(spread(rng, 0.25, 1.0) / 60) for _ in range(setting.n)]
+        N = [2 * int(rng.choice([50, 80, 100, 120, 160])) for _ in range(setting.n)]
+        return cls(tuple(A), tuple(N), tuple(rng.uniform(0, 2 * np.pi, setting.n).tolist()))
+
+    def gear(self, machine: Machine) -> Joints | None:
+        """See `Fault.gear`."""
+        A, N, phase = np.array(self.amplitude_rad), np.array(self.waves_per_turn), np.array(self.phase_rad)
+        return lambda _, q, dq: (q + A * np.sin(N * q + phase), dq * (1 + A * N * np.cos(N * q + phase)))
+
+
+@dataclass(frozen=True)
+class UnevenRipple(Ripple):
+    """A ripple that is stronger on one side of the turn, with half as much of the second harmonic."""
+
+    variant = "modulated"
+
+    def gear(self, machine: Machine) -> Joints | None:
+        """See `Fault.gear`."""
+        A, N, phase = np.array(self.amplitude_rad), np.array(self.waves_per_turn), np.array(self.phase_rad)
+
+        def ahead(_: float, q: Array, dq: Array) -> tuple[Array, Array]:
+            strength, change = A * (1 + 0.7 * np.sin(q + 2 * phase)), 0.7 * A * np.cos(q + 2 * phase)
+            wave = np.sin(N * q + phase) + 0.5 * np.sin(2 * N * q)
+            slope = N * (np.cos(N * q + phase) + np.cos(2 * N * q))
+            return q + strength * wave, dq * (1 + strength * slope + change * wave)
+
+        return ahead
+
+
+def draw_friction(rng: np.random.Generator, size: float, setting: Setting) -> tuple[float, ...]:
+    """1 to 15 N m in one to all joints, at most 0.2 of a joint's torque; N m."""
+    chosen = some_joints(rng, setting.n, setting.n)
+    most = 0.2 * arm_of_cell(setting.cell).effort
+    return tuple((size * chosen * [min(spread(rng, 1.0, 15.0), top) for top in most]).tolist())
+
+
+@dataclass(frozen=True)
+class DryFriction(Fault):
+    """More dry and viscous friction than the drives are known to have."""
+
+    id = "joint_friction"
+    variant = "coulomb_viscous"
+
+    dry_n_m: tuple[float, ...]
+    viscous_n_m_s_per_rad: tuple[float, ...]
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        dry = draw_friction(rng, size, setting)
+        return cls(dry, tuple(value * float(rng.uniform(0.3, 2.0)) for value in dry))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        for joint, dry, viscous in zip(arm_joints(spec), self.dry_n_m, self.viscous_n_m_s_per_rad, strict=True):
+            joint.frictionloss += dry
+            joint.damping = np.asarray(joint.damping) + np.eye(np.size(joint.damping))[0] * viscous
+
+
+@dataclass(frozen=True)
+class LuGre(Fault):
+    """Friction of bristles (Canudas de Wit et al. 1995): `dz = v - s |v| z / g(v)`, torque `s z + d dz`, `g = dry + (stiction - dry)
+    exp(-(v / stribeck)^2)`, which stiffens before it slips and is larger at rest than in motion."""
+
+    id = "joint_friction"
+    variant = "lugre"
+
+    dry_n_m: tuple[float, ...]
+    stiction_share: float
+    stribeck_rad_per_s: float
+    bristle_n_m_per_rad: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(draw_friction(rng, size, setting), float(rng.uniform(0.2, 0.8)), spread(rng, 0.01, 0.05), spread(rng, 3e3, 1e4))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`. The bristles' equation is solved exactly for a velocity that is constant over the period."""
+        dry, s = np.array(self.dry_n_m), self.bristle_n_m_per_rad
+        rubbing = np.flatnonzero(dry)
+        dry = dry[rubbing]
+        dofs = np.arange(machine.model.nv)[machine.motors][rubbing]
+        data, period = machine.data, machine.period
+        d = 2 * 0.3 * math.sqrt(s * 0.2)
+        z = np.zeros(len(dry))
+
+        def rub(_: float) -> None:
+            nonlocal z
+            v = data.qvel[dofs]
+            g = dry * (1 + self.stiction_share * np.exp(-((v / self.stribeck_rad_per_s) ** 2)))
+            rate = s * np.abs(v) / g
+            slipping = -np.expm1(-rate * period)
+            before = z
+            z = z + np.where(rate * period > 1e-9, (np.sign(v) * g / s - z) * slipping, period * v)
+            # bristles damp while they bend, not while they slide
+            data.qfrc_applied[dofs] -= s * z + d * (z - before) / period
+
+        return rub
+
+
+@dataclass(frozen=True)
+class DamagedTooth(Fault):
+    """One bad tooth: once per turn of the wave generator the encoder leads the link by a short pulse `A exp(k (cos(N q + phase) - 1))`,
+    in one to three joints."""
+
+    id = "gear_ripple"
+    variant = "pulses"
+
+    height_rad: tuple[float, ...]
+    turns_per_turn: tuple[int, ...]
+    phase_rad: tuple[float, ...]
+    sharpness: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        A = size * some_joints(rng, setting.n, 3) * np.radians(scattered(rng, 0.5, 2.0, setting.n) / 60)
+        N = [int(rng.choice([50, 80, 100, 120, 160])) for _ in range(setting.n)]
+        return cls(tuple(A.tolist()), tuple(N), tuple(rng.uniform(0, 2 * np.pi, setting.n).tolist()), spread(rng, 3.0, 10.0))
+
+    def gear(self, machine: Machine) -> Joints | None:
+        """See `Fault.gear`."""
+        A, N, phase, k = np.array(self.height_rad), np.array(self.turns_per_turn), np.array(self.phase_rad), self.sharpness
+
+        def ahead(_: float, q: Array, dq: Array) -> tuple[Array, Array]:
+            turn = N * q + phase
+            pulse = A * np.exp(k * (np.cos(turn) - 1))
+            return q + pulse, dq * (1 - k * N * np.sin(turn) * pulse)
+
+        return ahead
+
+
+@dataclass(frozen=True)
+class FrictionByLoad(Fault):
+    """Dry friction that grows with the load on the teeth (Hamon et al. 2010): `dry + share |torque|`, where it is always more than the
+    drives are known to have."""
+
+    id = "joint_friction"
+    variant = "by_load"
+
+    dry_n_m: tuple[float, ...]
+    load_share: tuple[float, ...]
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        dry = np.array(draw_friction(rng, size, setting))
+        share = size * (dry > 0) * np.abs(scattered(rng, 0.03, 0.12, setting.n))
+        return cls(tuple((0.5 * dry).tolist()), tuple(share.tolist()))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        model, data = machine.model, machine.data
+        dofs = np.arange(model.nv)[machine.motors]
+        least, share = model.dof_frictionloss[dofs] + np.array(self.dry_n_m), np.array(self.load_share)
+
+        def rub(_: float) -> None:
+            model.dof_frictionloss[dofs] = least + share * np.abs(data.qfrc_applied[dofs])
+
+        return rub
+
+
+JOINT_GEARS: tuple[type[Fault], ...] = (
+    Ripple,
+    UnevenRipple,
+    DryFriction,
+    LuGre,
+    DamagedTooth,
+    FrictionByLoad,
+)

@@ -1,0 +1,146 @@
+"""Springs between a motor and its link."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Self
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from core.plant.arm import arm_of_cell
+from core.plant.faults.draws import spread
+from core.plant.faults.fault import Act, Array, Fault, Machine, Setting
+from core.plant.mechanics import SPRING, arm_joints
+
+WHEEL = 0.05
+"""Inertia of the gear's output side, kg m2: keeps the stiffest springs slow enough for a period of 1 ms."""
+
+
+DAMPING_RATIO = 0.4
+"""Of the gear's output side alone on its spring; with a link on it that is some per cent, as harmonic drives have."""
+
+
+def add_spring(joint: mujoco.MjsJoint, stiffness: float, damping: float) -> None:
+    """Puts a spring between a joint, which becomes the motor's, and its link, N m/rad and N m s/rad."""
+    joint.parent.add_joint(
+        name=joint.name + SPRING,
+        type=mujoco.mjtJoint.mjJNT_HINGE,
+        axis=np.array(joint.axis),
+        stiffness=stiffness,
+        damping=damping,
+        armature=WHEEL,
+    )
+
+
+def spring_damping(stiffness: float, ratio: float = DAMPING_RATIO) -> float:
+    """N m s/rad."""
+    return 2 * ratio * math.sqrt(stiffness * WHEEL)
+
+
+def spring_torques(machine: Machine, joints: NDArray[np.intp], torque: Callable[[Array, Array], Array]) -> Act:
+    """Adds `torque(twist, twist rate)` of the springs behind some joints (indices) to the forces on them."""
+    dofs = np.array([_spring_dofs(machine)[int(k)] for k in joints])
+    data = machine.data
+
+    def pull(_: float) -> None:
+        data.qfrc_applied[dofs] += torque(data.qpos[dofs], data.qvel[dofs])
+
+    return pull
+
+
+def _spring_dofs(machine: Machine) -> dict[int, int]:
+    """Where a joint's spring is, in `qpos` and `qvel` alike, by the joint's index."""
+    joints = arm_of_cell(machine.setting.cell).joints
+    names = {machine.model.joint(k).name for k in range(machine.model.njnt)}
+    return {k: machine.dof(joint.name + SPRING) for k, joint in enumerate(joints) if joint.name + SPRING in names}
+
+
+@dataclass(frozen=True)
+class ElasticJoints(Fault):
+    """Motor and link are two masses with a spring between them, 2 to 10 kN m/rad; the encoder is on the motor's side."""
+
+    id = "joint_elasticity"
+    variant = "two_mass"
+
+    stiffness_n_m_per_rad: tuple[float, ...]
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`. A larger size is a softer arm, down to 0.5 kN m/rad."""
+        K = [max(spread(rng, 2e3, 10e3) / size, 500.0) for _ in range(setting.n)]
+        return cls(tuple(K))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        for joint, K in zip(arm_joints(spec), self.stiffness_n_m_per_rad, strict=True):
+            add_spring(joint, K, spring_damping(K))
+
+
+@dataclass(frozen=True)
+class HardeningJoints(ElasticJoints):
+    """Soft at first and stiffer under load, as harmonic drives are: the torque of the spring is `K x + K (h - 1) (x - w tanh(x / w))`, so
+    its stiffness rises from K to h K beyond a wind-up w."""
+
+    variant = "hardening"
+
+    hardening: float
+    wind_up_rad: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        K = ElasticJoints.draw(rng, size, setting).stiffness_n_m_per_rad
+        return cls(K, float(rng.uniform(1.8, 3.0)), size * spread(rng, 3e-4, 3e-3))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        extra = (self.hardening - 1) * np.array(self.stiffness_n_m_per_rad)
+        w = self.wind_up_rad
+        return spring_torques(machine, np.arange(len(extra)), lambda x, _: -extra * (x - w * np.tanh(x / w)))
+
+
+@dataclass(frozen=True)
+class CreepingJoints(ElasticJoints):
+    """Stiff against what changes fast, and giving way farther under what stays, as belts and plastic wheels do: beside the spring K a
+    spring of `creep K` in series with a damper (the standard linear solid); it has carried its load for long at the start."""
+
+    variant = "creeping"
+
+    creep_share: float
+    time_constant_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        K = ElasticJoints.draw(rng, size, setting).stiffness_n_m_per_rad
+        return cls(K, float(rng.uniform(0.4, 1.0)), spread(rng, 0.5, 5.0))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        extra, forget = self.creep_share * np.array(self.stiffness_n_m_per_rad), -math.expm1(-machine.period / self.time_constant_s)
+        now, crept = 0.0, np.zeros(len(extra))
+
+        def branch(x: Array, _: Array) -> Array:
+            nonlocal crept
+            crept = x.copy() if now == 0.0 else crept + forget * (x - crept)
+            return np.asarray(-extra * (x - crept))
+
+        pull = spring_torques(machine, np.arange(len(extra)), branch)
+
+        def creep(t: float) -> None:
+            nonlocal now
+            now = t
+            pull(t)
+
+        return creep
+
+
+JOINT_SPRINGS: tuple[type[Fault], ...] = (
+    ElasticJoints,
+    HardeningJoints,
+    CreepingJoints,
+)

@@ -1,0 +1,149 @@
+"""The wrist sensor smooths what it reports."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from core.plant.faults.draws import six, spread
+from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
+
+
+@dataclass(frozen=True)
+class FirstOrderFilter(Fault):
+    """An analogue low-pass of first order before the noise of the converter; 2 to 20 Hz."""
+
+    id = "sensor_lowpass"
+    variant = "first_order"
+
+    cut_off_hz: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(spread(rng, 2.0, 20.0) / size)
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        gain = -math.expm1(-2 * math.pi * self.cut_off_hz * machine.period)
+        y: Array | None = None
+
+        def smooth(_: float, W: Array) -> Array:
+            nonlocal y
+            y = W if y is None else y + gain * (W - y)
+            return y
+
+        return smooth
+
+
+@dataclass(frozen=True)
+class Butterworth(Fault):
+    """An analogue low-pass of second order, Butterworth's, before the noise of the converter."""
+
+    id = "sensor_lowpass"
+    variant = "second_order"
+
+    cut_off_hz: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(spread(rng, 2.0, 20.0) / size)
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`. The bilinear transform with the cut-off where it should be; none where that is beyond what is sampled."""
+        if self.cut_off_hz * machine.period > 0.45:
+            return None
+        k = math.tan(math.pi * self.cut_off_hz * machine.period)
+        norm = 1 + math.sqrt(2) * k + k * k
+        b, a1, a2 = k * k / norm, 2 * (k * k - 1) / norm, (1 - math.sqrt(2) * k + k * k) / norm
+        u1 = u2 = y1 = y2 = np.zeros(6)
+        started = False
+
+        def smooth(_: float, W: Array) -> Array:
+            nonlocal u1, u2, y1, y2, started
+            if not started:
+                u1 = u2 = y1 = y2 = W
+                started = True
+            y = b * (W + 2 * u1 + u2) - a1 * y1 - a2 * y2
+            u1, u2, y1, y2 = W, u1, y, y1
+            return y
+
+        return smooth
+
+
+@dataclass(frozen=True)
+class MovingAverage(Fault):
+    """A digital mean over a window, noise included; 0.443 by the window is the cut-off, again 2 to 20 Hz."""
+
+    id = "sensor_lowpass"
+    variant = "moving_average"
+
+    window_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(size * 0.443 / spread(rng, 2.0, 20.0))
+
+    def amplify(self, machine: Machine) -> Channel | None:
+        """See `Fault.amplify`."""
+        N = max(1, round(self.window_s / machine.period))
+        window: deque[Array] = deque(maxlen=N)
+        total = np.zeros(6)
+
+        def mean(_: float, W: Array) -> Array:
+            nonlocal total
+            if not window:
+                window.extend([W] * N)
+                total = N * W
+            total = total + W - window[0]
+            window.append(W)
+            return total / N
+
+        return mean
+
+
+@dataclass(frozen=True)
+class WeighingFilter(Fault):
+    """The digital filter of scales: heavy while the reading is nearly still, and the faster the farther the signal has gone away, a first
+    order with the cut-off `f (1 + |W - y| / opening)` in each channel, noise included; f 2 to 20 Hz."""
+
+    id = "sensor_lowpass"
+    variant = "weighing"
+
+    cut_off_hz: float
+    opening_wrench: Six
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        opening = rng.uniform(0.03, 0.2) * np.maximum(setting.load, 1e-3 * setting.full_scale)
+        return cls(spread(rng, 2.0, 20.0) / size, six(opening))
+
+    def amplify(self, machine: Machine) -> Channel | None:
+        """See `Fault.amplify`."""
+        opening, per_hz = np.array(self.opening_wrench), -2 * math.pi * machine.period
+        y: Array | None = None
+
+        def smooth(_: float, W: Array) -> Array:
+            nonlocal y
+            if y is None:
+                y = W
+            away = W - y
+            y = y - np.expm1(per_hz * self.cut_off_hz * (1 + np.abs(away) / opening)) * away
+            return y
+
+        return smooth
+
+
+LOWPASS: tuple[type[Fault], ...] = (
+    FirstOrderFilter,
+    Butterworth,
+    MovingAverage,
+    WeighingFilter,
+)

@@ -1,0 +1,157 @@
+"""What the wrist sensor reads depends on the loads before."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from core.plant.faults.draws import channels, scattered, sign, six, spread
+from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
+
+
+@dataclass(frozen=True)
+class PlayHysteresis(Fault):
+    """Comes back on another line than it went: what is lost in a play of 0.1 to 0.4 % of the range to either side."""
+
+    id = "sensor_hysteresis"
+    variant = "play"
+
+    half_width_wrench: Six
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(six(size * channels(rng) * np.abs(scattered(rng, 0.001, 0.004, 6)) * setting.full_scale))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        half = np.array(self.half_width_wrench)
+        behind: Array | None = None
+
+        def follow(_: float, W: Array) -> Array:
+            nonlocal behind
+            behind = W if behind is None else np.minimum(np.maximum(behind, W - half), W + half)
+            return behind
+
+        return follow
+
+
+@dataclass(frozen=True)
+class BoucWen(Fault):
+    """Smooth hysteresis (Wen 1976, without rate): `W + h z`, `dz = du (1 - |z|^n (beta sign(z du) + 1 - beta))`, u = W
+    by `yield`."""
+
+    id = "sensor_hysteresis"
+    variant = "bouc_wen"
+
+    height_wrench: Six
+    yield_wrench: Six
+    beta_share: float
+    exponent: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        height = size * channels(rng) * scattered(rng, 0.001, 0.004, 6) * setting.full_scale
+        width = rng.uniform(0.05, 0.3) * np.maximum(setting.load, 1e-3 * setting.full_scale)
+        return cls(six(height), six(width), float(rng.uniform(0.5, 0.9)), float(rng.uniform(1.0, 2.0)))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        h, width, beta, n = np.array(self.height_wrench), np.array(self.yield_wrench), self.beta_share, self.exponent
+        last: Array | None = None
+        z = np.zeros(6)
+
+        def follow(_: float, W: Array) -> Array:
+            nonlocal last, z
+            du = np.zeros(6) if last is None else (W - last) / width
+            z = z + du * (1 - np.abs(z) ** n * (beta * np.sign(z * du) + 1 - beta))
+            z = np.minimum(np.maximum(z, -1.0), 1.0)
+            last = W
+            return W + h * z
+
+        return follow
+
+
+@dataclass(frozen=True)
+class Creep(Fault):
+    """After a load step the reading creeps on by a share of it (about 0.3 %, to 1 % on plain sensors) with time constants that
+    have their shares each; loaded for long before the start."""
+
+    id = "sensor_creep"
+    variant = "exponential"
+
+    creep_share: float
+    time_constant_s: tuple[float, ...]
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(size * sign(rng) * spread(rng, 0.002, 0.01), (spread(rng, 3.0, 30.0),))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        forget = -np.expm1(-machine.period / np.array(self.time_constant_s))[:, None]
+        share = self.creep_share / len(self.time_constant_s)
+        crept: Array | None = None
+
+        def creep(_: float, W: Array) -> Array:
+            nonlocal crept
+            crept = np.tile(W, (len(forget), 1)) if crept is None else crept + forget * (W - crept)
+            return np.asarray(W + share * crept.sum(0))
+
+        return creep
+
+
+@dataclass(frozen=True)
+class LogarithmicCreep(Creep):
+    """Creeps on with the logarithm of time: as much in each of three decades of time constants."""
+
+    variant = "logarithmic"
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        first = spread(rng, 0.3, 1.0)
+        return cls(size * sign(rng) * spread(rng, 0.002, 0.01), (first, 10 * first, 100 * first))
+
+
+@dataclass(frozen=True)
+class StickAndSnap(Fault):
+    """A clamped joint beside the beams sticks and holds back a share of each change of the load, until that is `half_width`; then it
+    slips as a whole, and nothing is left of it (the slip jump of sticking valves, Choudhury et al. 2005): a sawtooth, no loop."""
+
+    id = "sensor_hysteresis"
+    variant = "stick_and_snap"
+
+    half_width_wrench: Six
+    stuck_share: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        half = size * channels(rng) * np.abs(scattered(rng, 0.001, 0.004, 6)) * setting.full_scale
+        return cls(six(half), float(rng.uniform(0.1, 0.4)))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        half, share = np.array(self.half_width_wrench), self.stuck_share
+        stuck_at: Array | None = None
+
+        def stick(_: float, W: Array) -> Array:
+            nonlocal stuck_at
+            stuck_at = W if stuck_at is None else np.where(share * np.abs(W - stuck_at) > half, W, stuck_at)
+            return W - share * (W - stuck_at)
+
+        return stick
+
+
+SENSOR_MEMORY: tuple[type[Fault], ...] = (
+    PlayHysteresis,
+    BoucWen,
+    Creep,
+    LogarithmicCreep,
+    StickAndSnap,
+)

@@ -1,0 +1,198 @@
+"""What goes wrong in the cell's mechanics and has no name in the table of effects."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Self
+
+import mujoco
+import numpy as np
+
+from core.plant.arm import arm_of_cell
+from core.plant.faults.base import leaning, tilt_of
+from core.plant.faults.draws import direction, scattered, some_joints, spread, three
+from core.plant.faults.fault import Act, Array, Fault, Joints, Machine, Setting, Three, Unknown
+from core.plant.faults.grip import Grip, cross
+from core.plant.faults.mounting import turned
+from core.plant.mechanics import arm_joints
+
+
+@dataclass(frozen=True)
+class WarpingBase(Unknown):
+    """The sun on one side of the column: the base leans over with time, `tilt (1 - exp(-t / time_constant))`."""
+
+    variant = "warping_base"
+
+    tilt_rad: tuple[float, float]
+    time_constant_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(tilt_of(rng, size * spread(rng, 0.2, 2.0)), setting.seconds * spread(rng, 0.2, 1.0))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        model, R = machine.model, machine.setting.cell.robot.base.rotation
+        g0 = R.T @ model.opt.gravity
+        x, y = self.tilt_rad
+
+        def lean(t: float) -> None:
+            share = -math.expm1(-t / self.time_constant_s)
+            model.opt.gravity[:] = R @ leaning(g0, share * x, share * y)
+
+        return lean
+
+
+@dataclass(frozen=True)
+class SlippingEncoders(Unknown):
+    """Encoders lose counts when they turn fast: of the way a share of `loss` times the speed."""
+
+    variant = "slipping_encoders"
+
+    loss_per_rad_per_s: tuple[float, ...]
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        loss = size * some_joints(rng, setting.n, 3) * np.abs(scattered(rng, 0.01, 0.06, setting.n))
+        return cls(tuple(loss.tolist()))
+
+    def gear(self, machine: Machine) -> Joints | None:
+        """See `Fault.gear`."""
+        loss = np.array(self.loss_per_rad_per_s)
+        lost = np.zeros(len(loss))
+
+        def slip(_: float, q: Array, dq: Array) -> tuple[Array, Array]:
+            nonlocal lost
+            rate = loss * dq * np.abs(dq)
+            lost = lost + machine.period * rate
+            return q - lost, dq - rate
+
+        return slip
+
+
+@dataclass(frozen=True)
+class BentLink(Unknown):
+    """A link has been bent in a crash: the axis of the next joint is turned, across itself, by 0.2 to 2 deg."""
+
+    variant = "bent_link"
+
+    joint: int
+    bend_rad: Three
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        k = int(rng.integers(2, setting.n))
+        axis = arm_of_cell(setting.cell).joints[k].axis
+        across = np.cross(axis, direction(rng))
+        return cls(k, three(math.radians(size * spread(rng, 0.2, 2.0)) * across / np.linalg.norm(across)))
+
+    def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
+        """See `Fault.alter`."""
+        body = arm_joints(spec)[self.joint].parent
+        body.quat = turned(body.quat, np.array(self.bend_rad))
+
+
+@dataclass(frozen=True)
+class SpinningRotor(Unknown):
+    """A spindle in the tool turns at full speed: its angular momentum resists every turn of the wrist by a torque across both, `w x h`."""
+
+    variant = "spinning_rotor"
+
+    momentum_kg_m2_per_s: Three
+    """Sensor frame."""
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(three(size * spread(rng, 0.03, 0.3) * direction(rng)))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        data, body = machine.data, machine.body("payload")
+        h = np.array(self.momentum_kg_m2_per_s)
+
+        def resist(_: float) -> None:
+            carried = data.xmat[body].reshape(3, 3) @ h
+            data.xfrc_applied[body, 3:] -= cross(data.cvel[body, :3], carried)
+
+        return resist
+
+
+@dataclass(frozen=True)
+class NeighbouringPress(Unknown):
+    """A press in the next cell strikes every few seconds, and the floor rings on for a while: horizontal shocks of 0.1 to 1 m/s2, 5 to
+    12 Hz, felt as a gravity that swings."""
+
+    variant = "neighbouring_press"
+
+    acceleration_m_per_s2: Three
+    every_s: float
+    first_s: float
+    ring_hz: float
+    decay_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        heading = rng.uniform(0, 2 * np.pi)
+        shock = size * spread(rng, 0.1, 1.0) * np.array([np.cos(heading), np.sin(heading), 0.0])
+        every = spread(rng, 1.0, 4.0)
+        return cls(three(shock), every, float(rng.uniform(0.0, every)), spread(rng, 5.0, 12.0), spread(rng, 0.1, 0.5))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        model, shock, omega = machine.model, np.array(self.acceleration_m_per_s2), 2 * math.pi * self.ring_hz
+        still = model.opt.gravity.copy()
+
+        def ring(t: float) -> None:
+            if t >= self.first_s:
+                since = (t - self.first_s) % self.every_s
+                model.opt.gravity[:] = still - math.exp(-since / self.decay_s) * math.sin(omega * since) * shock
+
+        return ring
+
+
+@dataclass(frozen=True)
+class Fan(Unknown):
+    """A ventilator blows at a payload that is a panel: a force along its normal with the square of the wind across it, seen from the panel
+    that moves; much in some poses, none in others."""
+
+    variant = "fan"
+
+    drag_n_s2_per_m2: float
+    wind_m_per_s: Three
+    """World frame."""
+    normal: Three
+    """Unit vector, sensor frame, at the nominal centre of mass."""
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(size * spread(rng, 0.05, 0.5), three(float(rng.uniform(2.0, 4.0)) * direction(rng)), three(direction(rng)))
+
+    def act(self, machine: Machine) -> Act | None:
+        """See `Fault.act`."""
+        data, body = machine.data, machine.body("payload")
+        grip, wind, normal = Grip(machine, machine.setting.payload.com), np.array(self.wind_m_per_s), np.array(self.normal)
+
+        def blow(_: float) -> None:
+            place = grip.place()
+            facing = data.xmat[body].reshape(3, 3) @ normal
+            across = float(facing @ (wind - grip.velocity(place)))
+            grip.push(place, self.drag_n_s2_per_m2 * across * abs(across) * facing)
+
+        return blow
+
+
+UNKNOWN_MECHANISM: tuple[type[Fault], ...] = (
+    WarpingBase,
+    SlippingEncoders,
+    BentLink,
+    SpinningRotor,
+    NeighbouringPress,
+    Fan,
+)

@@ -1,0 +1,73 @@
+"""Clocks and channels that do not run together, in ways that have no name in the table of effects."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from core.plant.faults.draws import channels, scattered, six, spread
+from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six, Unknown
+from core.plant.faults.history import History
+
+
+@dataclass(frozen=True)
+class DriftingClock(Unknown):
+    """The sensor's clock runs slow against the robot's: its samples come later and later."""
+
+    variant = "drifting_clock"
+
+    slow_share: float
+    longest_s: float
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`. Some 10 to 60 ms late in the end."""
+        late = size * spread(rng, 0.01, 0.06)
+        return cls(late / setting.seconds, 2 * late)
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        history = History(self.longest_s, machine.period)
+
+        def late(t: float, W: Array) -> Array:
+            history.push(W)
+            return history.ago(self.slow_share * t)
+
+        return late
+
+
+@dataclass(frozen=True)
+class SkewedChannels(Unknown):
+    """The sensor's channels are converted one after the other by a slow multiplexer: one to three of them are late by 10 to 50 ms each, the
+    others are not."""
+
+    variant = "skewed_channels"
+
+    late_s: Six
+
+    @classmethod
+    def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
+        """See `Fault.draw`."""
+        return cls(six(size * channels(rng, 3) * np.abs(scattered(rng, 0.01, 0.05, 6))))
+
+    def sense(self, machine: Machine) -> Channel | None:
+        """See `Fault.sense`."""
+        history = History(max(self.late_s), machine.period)
+        late = [c for c in range(6) if self.late_s[c] > 0]
+
+        def skew(_: float, W: Array) -> Array:
+            history.push(W)
+            W = W.copy()
+            for c in late:
+                W[c] = history.ago(self.late_s[c])[c]
+            return W
+
+        return skew
+
+
+UNKNOWN_TIMING: tuple[type[Fault], ...] = (
+    DriftingClock,
+    SkewedChannels,
+)

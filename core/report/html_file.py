@@ -1,0 +1,31 @@
+"""A report as a single HTML file that needs no network: a template of this folder, filled in."""
+
+from __future__ import annotations
+
+import uuid
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+
+def write_html(file: Path, template: str, content: Mapping[str, Any]) -> None:
+    """Writes the page; the file appears complete or not at all, and replaces an older one of the same name.
+
+    Args:
+        template: name of a file beside this one; `style.css` is included by all.
+        content: everything that the template names.
+
+    Raises:
+        jinja2.UndefinedError: the template names what `content` lacks.
+    """
+    templates = jinja2.FileSystemLoader(Path(__file__).parent)
+    environment = jinja2.Environment(loader=templates, autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True)
+    text = environment.get_template(template).render(content)
+    partial = file.with_name(f".{file.name}.{uuid.uuid4().hex[:8]}.partial")
+    try:
+        partial.write_text(text, encoding="utf-8")
+        partial.replace(file)
+    finally:
+        partial.unlink(missing_ok=True)

@@ -1,0 +1,62 @@
+"""What a service that ended in the middle of it left behind: runs that are closed now, and samples that become a recording."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from datetime import datetime
+from pathlib import Path
+from typing import NamedTuple
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from core.cell import Cell
+from core.errors import HeftError
+from server.packml import FINAL, Command, State
+from server.run_ledger import steps
+from server.run_tables import RunRow
+from server.runner.messages import Failed, Recovered
+from server.runner.work import said
+
+log = logging.getLogger("heft.runs")
+
+
+class Left(NamedTuple):
+    """The cell of a run, and the folder of the recording that it continued."""
+
+    cell: Cell
+    continues: Path | None
+
+
+def close_crashed(db: Session, now: datetime) -> list[str]:
+    """Aborts the runs that an earlier service left under way; those that only waited go on waiting. Returns which had begun to move."""
+    closed = []
+    for row in db.scalars(select(RunRow).where(RunRow.state.not_in((*FINAL, State.ABORTED, State.RESETTING)))):
+        row.reason = f"the service ended while the run was in {row.state}; the robot was stopped. Look at the cell, then clear the run."
+        moved = row.released
+        if row.state == State.CLEARING:
+            steps(db, row, [None], now)
+        else:
+            steps(db, row, [None] if row.state == State.ABORTING else [Command.ABORT, None], now)
+        if moved:
+            closed.append(row.id)
+    return closed
+
+
+def recover(folder: Path, left: Callable[[], Left]) -> None:
+    """The samples of a run whose control process died with its server, as a recording; where that cannot be, the log says why.
+
+    Args:
+        folder: of the run, named like it.
+        left: what is known of the run, as far as its cell can still be read.
+    """
+    try:
+        words = list(said("server.runner.recovery", folder, *left()))
+    except HeftError as error:
+        words = [Failed(type(error).__name__, str(error))]
+    for word in words:
+        if isinstance(word, Recovered):
+            log.info("recovered %d samples of run %s", word.samples, folder.name)
+        else:
+            log.error("the samples of run %s could not be recovered: %s", folder.name, word)

@@ -1,0 +1,49 @@
+"""Runs that no process carries: they are changed in the store alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import datetime
+
+from sqlalchemy.orm import Session
+
+from server import run_ledger
+from server.packml import Command
+from server.run_metrics import RunMetrics
+from server.run_tables import RunRow
+from server.store import Store
+
+
+class IdleRuns:
+    """Those of a store; every method waits for the database.
+
+    Args:
+        metrics: that count what happens to them.
+    """
+
+    def __init__(self, store: Store, now: Callable[[], datetime], metrics: RunMetrics) -> None:
+        self._store, self._now, self._metrics = store, now, metrics
+
+    def first(self) -> list[RunRow]:
+        """Of each cell the one that comes next, see `run_ledger.waiting`."""
+        with self._store.read() as db:
+            return run_ledger.waiting(db)
+
+    def command(self, run: str, command: Command, reason: str, also: Callable[[Session], object]) -> None:
+        """A command and what follows from it; `also` is written in the same transaction.
+
+        Raises:
+            NotFound: there is no such run.
+            IllegalCommandError: not in its state.
+        """
+        with self._store.write() as db:
+            row = run_ledger.load(db, run)
+            row.reason = row.reason or reason
+            told = run_ledger.steps(db, row, [command, None], self._now())
+            also(db)
+        self._metrics.told(told, row)
+
+    def end(self, run: str, reason: str) -> None:
+        """The end of a run that did not come through, see `run_ledger.end`."""
+        with self._store.write() as db:
+            run_ledger.end(db, run_ledger.load(db, run), reason, self._now())

@@ -1,0 +1,54 @@
+"""What every job of the API has in common: how far it is, who asked for it, where to ask again."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Annotated, Any, Self
+
+from fastapi import Query, Response
+
+from server.jobs import State, Worker
+from server.run_tables import JobRow
+from server.schemas import Answer
+
+Limit = Annotated[int, Query(ge=1, le=200)]
+"""How many of a list are answered."""
+
+
+class JobAnswer(Answer):
+    """A job as it stands now.
+
+    Args:
+        progress: 0 to 1.
+        reason: why it failed or was cancelled.
+    """
+
+    state: State
+    progress: float
+    reason: str | None
+    requested_by: str
+    requested_at: datetime
+    ended_at: datetime | None
+
+    @classmethod
+    def of(cls, row: JobRow, worker: Worker, **own: Any) -> Self:
+        """The job of a row with the fields that its kind has of its own.
+
+        Args:
+            worker: that works through the jobs of this kind.
+        """
+        return cls(
+            state=State(row.state),
+            progress=1.0 if row.state == State.done else worker.progress.get(row.id, 0.0),
+            reason=row.reason,
+            requested_by=row.requested_by,
+            requested_at=row.requested_at,
+            ended_at=row.ended_at,
+            **own,
+        )
+
+
+def accepted(response: Response, location: str, ask_again_s: int) -> None:
+    """The headers of a 202: where what was asked for is, and when it is worth a look."""
+    response.headers["Location"] = location
+    response.headers["Retry-After"] = str(ask_again_s)

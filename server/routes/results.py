@@ -1,0 +1,78 @@
+"""What a run found out: read, taken for good, set beside another run."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from fastapi import APIRouter
+
+from core.cell import Cell
+from core.comparison import Comparison, compared
+from core.export.exports import payload_of
+from server import audit, run_ledger
+from server.dependencies import Asking, Here, Now, Stored
+from server.errors import Conflict
+from server.payload_answer import PayloadAnswer, payload_answer
+from server.run_answer import answered
+from server.run_schemas import RunAnswer
+from server.run_tables import RunRow
+from server.schemas import Answer
+from server.service import Service
+
+router = APIRouter(prefix="/api/runs/{run}", tags=["results"])
+
+Frame = Literal["sensor", "flange"]
+
+
+class ComparisonAnswer(Answer):
+    """The run `other` minus the run `run`; both in the sensor's frame, or in the flange's where they were made in two cells."""
+
+    run: str
+    other: str
+    frame: Frame
+    comparison: Comparison
+
+
+@router.get("/result")
+def read_result(run: str, store: Stored) -> PayloadAnswer:
+    """What the robot carries, with uncertainties."""
+    with store.read() as db:
+        row = run_ledger.load(db, run)
+    return payload_answer(run, run_ledger.result_of(row))
+
+
+@router.post("/acceptance")
+def accept_result(run: str, here: Here, asking: Asking, now: Now) -> RunAnswer:
+    """An operator takes the result for good; once, and by name."""
+    with here.store.write() as db:
+        row = run_ledger.load(db, run)
+        verdict = run_ledger.result_of(row).verdict
+        if row.accepted_by is not None:
+            raise Conflict(f"run {run}: was accepted already, by {row.accepted_by}; a result is accepted once")
+        row.accepted_by, row.accepted_at = asking.who, now
+        audit.record(db, asking.who, "run.accept", {"run": run, "verdict": verdict}, now=now)
+    return answered(here, run)
+
+
+@router.get("/comparison/{other}")
+def compare_runs(run: str, other: str, here: Here) -> ComparisonAnswer:
+    """What differs between two runs, and whether that is more than chance."""
+    with here.store.read() as db:
+        rows = run_ledger.load(db, run), run_ledger.load(db, other)
+    results = [run_ledger.result_of(row) for row in rows]
+    frame: Frame = "sensor" if rows[0].cell == rows[1].cell else "flange"
+    cells = [None if frame == "sensor" else _mounted(here, row) for row in rows]
+    first, second = (payload_of(result, cell) for result, cell in zip(results, cells, strict=True))
+    offsets = [(np.array(part.offset, float), np.array(part.offset_std, float)) for part in (each.estimate for each in results) if part]
+    return ComparisonAnswer(run=run, other=other, frame=frame, comparison=compared(first, second, offsets[0], offsets[1]))
+
+
+def _mounted(here: Service, row: RunRow) -> Cell:
+    """The cell of a run, which says how its sensor is mounted."""
+    cell = here.cells.load(row.cell)
+    if cell.sensor.mount is None:
+        raise Conflict(
+            f"cell {row.cell!r}: does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common"
+        )
+    return cell

@@ -1,0 +1,118 @@
+"""What moves a run: its plan is shown, released by an operator at the cell, and commanded."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+from fastapi import APIRouter
+from pydantic import Field
+
+from core.sessions.leased import Renewal
+from server import audit, run_ledger
+from server.dependencies import Asking, Here, Now
+from server.errors import Conflict
+from server.packml import State
+from server.plan_schemas import RunPlan
+from server.run_answer import answered
+from server.run_schemas import RunAnswer
+from server.schemas import Answer, Body
+
+router = APIRouter(prefix="/api/runs/{run}", tags=["runs"])
+
+
+class Commanded(StrEnum):
+    """What may be asked of a run."""
+
+    hold = "hold"
+    resume = "resume"
+    stop = "stop"
+    abort = "abort"
+    clear = "clear"
+
+
+COMMANDS = {name: command for command, name in run_ledger.OFFERED.items()}
+WITHOUT_CONTROL = frozenset({Commanded.stop, Commanded.abort})
+"""Who sees that the robot has to stop need not be in control of it."""
+
+
+class Sent(Body):
+    """What makes a command of whoever is in control count once and now.
+
+    Args:
+        fence: of their control; `number` counts their commands up; `stamp_s` is the newest stamp that the server sent them.
+    """
+
+    fence: int
+    number: int = Field(ge=0)
+    stamp_s: float
+
+
+class CommandBody(Body):
+    """A command; `sent` may be left out of stop and abort."""
+
+    command: Commanded
+    sent: Sent | None = None
+
+
+class ReleaseBody(Body):
+    """What is released: exactly the plan that was shown."""
+
+    plan_sha256: str
+    offer: str
+    sent: Sent
+
+
+class PlanAnswer(Answer):
+    """A plan that waits for its release.
+
+    Args:
+        offer: comes back with the release; good for `expires_s` seconds.
+    """
+
+    run: str
+    plan: RunPlan
+    offer: str
+    expires_s: float
+
+
+@router.get("/plan")
+def read_plan(run: str, here: Here) -> PlanAnswer:
+    """What is going to happen: to be looked at before it is released."""
+    with here.store.read() as db:
+        row = run_ledger.load(db, run)
+    if row.plan is None:
+        raise Conflict(
+            f"run {run}: there is no plan yet, it is in {row.state}; wait until it is Idle", run_ledger.offered(State(row.state))
+        )
+    plan = RunPlan.model_validate_json(row.plan)
+    return PlanAnswer(run=run, plan=plan, offer=here.offers.make(run, plan.sha256), expires_s=here.offers.length_s)
+
+
+@router.post("/release")
+async def release_run(run: str, body: ReleaseBody, here: Here, asking: Asking) -> RunAnswer:
+    """An operator at the cell lets the shown plan begin; void (409) when anything has changed or the offer is older than 60 s."""
+    await here.releases.release(run, asking.who, body.plan_sha256, body.offer, renewal(body.sent))
+    return answered(here, run)
+
+
+@router.post("/commands")
+async def command_run(run: str, body: CommandBody, here: Here, asking: Asking, now: Now) -> RunAnswer:
+    """Holds, resumes, stops, aborts or clears. All but stop and abort need control of the cell."""
+    with here.store.read() as db:
+        cell = run_ledger.load(db, run).cell
+    if body.command not in WITHOUT_CONTROL:
+        if body.sent is None:
+            raise Conflict(f"command {body.command}: needs control of cell {cell!r}; send `sent` with your fence, number and stamp")
+        here.control.command(cell, asking.who, renewal(body.sent))
+    await here.conductor.command(
+        run,
+        COMMANDS[body.command],
+        f"{body.command} was asked for by {asking.who}.",
+        lambda db: audit.record(db, asking.who, f"run.{body.command}", {"run": run}, now=now),
+    )
+    return answered(here, run)
+
+
+def renewal(sent: Sent) -> Renewal:
+    """What the control of a cell checks."""
+    return Renewal(sent.fence, sent.number, sent.stamp_s)

@@ -1,0 +1,58 @@
+"""Runs as they are asked for: each is queued once, however often the request comes."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Annotated, NamedTuple
+
+from fastapi import Header, Response
+from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
+
+from server import audit, idempotency, run_ledger
+from server.errors import Conflict
+from server.job_answer import accepted
+from server.run_schemas import ProposedMotion, RunAnswer, RunOrder
+from server.run_tables import RunRow
+from server.service import Service
+
+IdempotencyKey = Annotated[str | None, Header(alias="Idempotency-Key", min_length=1, max_length=128)]
+PLANNING_S = 5
+"""When to ask again after queueing."""
+
+
+class Request(NamedTuple):
+    """Who asks for a run, and what makes two requests the same."""
+
+    who: str
+    now: datetime
+    key: str | None
+    body: bytes
+
+
+def queued(here: Service, response: Response, asked: Request, order: RunOrder, motion: ProposedMotion | None = None) -> RunAnswer:
+    """The run that the request makes, or has made already.
+
+    Raises:
+        Unprocessable: the key came with another body.
+        Conflict: the same request is just being answered.
+    """
+    try:
+        with here.store.write() as db:
+            made = None if asked.key is None else idempotency.made_before(db, asked.who, asked.key, asked.body)
+            row = _made(db, asked, order, motion) if made is None else run_ledger.load(db, made)
+            found = run_ledger.answer(row)
+    except IntegrityError as error:
+        raise Conflict(f"Idempotency-Key {asked.key!r}: the first request is still under way; ask again") from error
+    here.conductor.wake()
+    accepted(response, f"/api/runs/{found.run}", PLANNING_S)
+    return found
+
+
+def _made(db: Session, asked: Request, order: RunOrder, motion: ProposedMotion | None) -> RunRow:
+    row = run_ledger.queue(db, order, asked.who, asked.now, motion)
+    if asked.key is not None:
+        idempotency.once(db, asked.who, asked.key, asked.body, row.id, asked.now)
+    proposed = {} if motion is None else {"diagnosis": motion.diagnosis}
+    audit.record(db, asked.who, "run.queue", {"run": row.id, "cell": order.cell, **proposed}, now=asked.now)
+    return row

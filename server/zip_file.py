@@ -1,0 +1,48 @@
+"""A zip from outside: whatever is wrong with it is a refusal in words, and no entry unpacks to more than it may."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from core.errors import BadInput
+
+BROKEN = (zipfile.BadZipFile, NotImplementedError, EOFError, OSError, ValueError, RuntimeError)
+"""What `zipfile` raises at a zip that is cut short, forged, encrypted, or packed in a way that it does not know."""
+CHUNK = 1 << 16
+
+
+@contextmanager
+def opened_zip(archive: Path, kind: type[BadInput], expected: str) -> Iterator[zipfile.ZipFile]:
+    """The zip, to be looked at and unpacked inside.
+
+    Args:
+        kind: of the refusal.
+        expected: what the zip should have been.
+
+    Raises:
+        BadInput: of that kind, where the zip or one of its entries cannot be read.
+    """
+    try:
+        with zipfile.ZipFile(archive) as opened:
+            yield opened
+    except BROKEN as error:
+        raise kind("upload", f"a zip that cannot be unpacked ({str(error)[:120]})", expected) from error
+
+
+def write_entry(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, target: Path, *, most: int, too_much: BadInput) -> int:
+    """Unpacks one entry into a new file and returns how many bytes it has.
+
+    Args:
+        too_much: raised where there are more than `most`, whatever the zip's own index says.
+    """
+    written = 0
+    with opened.open(entry) as source, target.open("xb") as sink:
+        while chunk := source.read(CHUNK):
+            written += len(chunk)
+            if written > most:
+                raise too_much
+            sink.write(chunk)
+    return written

@@ -1,0 +1,67 @@
+"""`core.gap.attribution` on fits that are made up: only how well they predict, and with how many parameters, is told."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from core.effects.library import library
+from core.gap.attribution import UNKNOWN_MOST, leftover, probabilities
+from core.gap.effect_fit import EffectFit
+
+BY_ID = {effect.id: effect for effect in library()}
+ROWS = 2000
+NONE = np.zeros(0)
+
+
+def fit(name: str, left_sigma2: float, parameters: int = 5) -> EffectFit:
+    """Effects joined by a plus sign that leave so much chi-square per row beyond what noise leaves."""
+    effects = tuple(BY_ID[part] for part in name.split("+")) if name else ()
+    held_out = np.full((6, ROWS), 1.0 + left_sigma2)
+    flat = np.zeros((6, ROWS))
+    return EffectFit(effects, (), np.zeros(parameters), NONE, NONE, NONE, flat, 0.0, 0.0, held_out, flat)
+
+
+def weighed(*fits: EffectFit, before: float = 100.0) -> dict[str, float]:
+    """Probabilities by name; `before` is what the nominal twin leaves."""
+    none, unknown, shares = probabilities(fit("", before, 0), list(fits))
+    found = {"none": none, "unknown": unknown} | {it.name: share for it, share in zip(fits, shares, strict=True)}
+    assert sum(found.values()) == pytest.approx(1.0)
+    return found
+
+
+def test_a_gap_that_an_effect_closes_to_the_noise_is_that_effect():
+    assert weighed(fit("base_tilt", 0.0), fit("time_delay", 40.0))["base_tilt"] > 0.9
+
+
+def test_the_more_is_left_over_the_less_certain_is_the_name():
+    """Parts per thousand of the gap that are left over may be another shape of the same effect, or another effect."""
+    shares = [weighed(fit("base_tilt", left), fit("time_delay", 80.0))["base_tilt"] for left in (0.0, 0.2, 1.0, 5.0, 20.0)]
+    assert shares == sorted(shares, reverse=True)
+    assert shares[2] < shares[0] - 0.1
+
+
+def test_where_nothing_explains_the_gap_it_is_unknown_but_never_for_certain():
+    """Shares of a rest that is some effect of the library in a shape that it does not have."""
+    found = weighed(fit("base_tilt", 90.0), fit("time_delay", 95.0))
+    assert max(found, key=found.__getitem__) == "unknown"
+    assert 0.9 * UNKNOWN_MOST < found["unknown"] <= UNKNOWN_MOST
+
+
+def test_many_parameters_do_not_lose_to_few_that_fit_worse_by_far_where_they_fit_down_to_the_noise():
+    """A wrong model may bend, but not exactly onto the noise: the gap is 12 000 times 100, the few leave 0.1 % of it."""
+    assert weighed(fit("sensor_crosstalk", 0.0, 31), fit("sensor_hysteresis", 0.1, 13))["sensor_crosstalk"] > 0.9
+
+
+def test_of_two_that_predict_alike_the_smaller_is_named():
+    assert weighed(fit("sensor_crosstalk", 0.0, 31), fit("sensor_gain", 0.0, 12))["sensor_gain"] > 0.9
+
+
+def test_two_effects_that_leave_a_remainder_are_not_believed():
+    """Together they bend onto much: what one effect may leave is too much for two."""
+    nominal, alone = fit("", 100.0, 0), fit("base_tilt", 30.0)
+    pair = fit("base_tilt+joint_offset", 4.0, 20)
+    assert leftover(nominal, pair) < 0.1
+    found = weighed(alone, pair)
+    assert max(found, key=found.__getitem__) == "unknown"
+    assert weighed(alone, fit("base_tilt+joint_offset", 0.0, 20))["base_tilt+joint_offset"] > 0.9

@@ -1,0 +1,39 @@
+"""`core.gap.spared_noise`: a filter that smooths the twin's own noise is not believed for that."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from core.effects.library import library
+from core.gap.basis import basis_of
+from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
+from core.gap.windows import Windows
+from tests.synthetic import Imperfections, payload, record, run_of
+
+DELAY, FILTER = (next(effect for effect in library() if effect.id == name) for name in ("time_delay", "sensor_lowpass"))
+
+
+def fits(delay_s: float, seed: int, encoder_std: float = 2e-6) -> tuple[EffectFit, EffectFit]:
+    """Delay and filter, fitted to a run with a pure delay in which noise of the joints is plain to see."""
+    imperfections = Imperfections(delay_s=delay_s, encoder_std=encoder_std)
+    recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(seed), imperfections)
+    windows = Windows(basis_of(recording))
+    nominal = fit_nominal(windows)
+    scene = windows.basis.scene.carrying(nominal.phi)
+    residual = windows.on_grid(nominal.residual)
+    late, filtered = (fit_effects(windows, (effect,), nominal, effect.starts(scene, residual)) for effect in (DELAY, FILTER))
+    return late, filtered
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_pure_delay_beats_the_filter_that_leaves_less_residual(seed: int) -> None:
+    late, filtered = fits(0.012, seed)
+    assert filtered.cost < late.cost - 50.0  # what it looks like
+    assert late.held_out.sum() < filtered.held_out.sum() - 50.0  # what it is
+
+
+def test_a_filter_gains_nothing_on_a_run_that_nothing_is_wrong_with() -> None:
+    late, filtered = fits(0.0, 0)
+    assert filtered.cost < late.cost - 10.0
+    assert abs(filtered.held_out.sum() - late.held_out.sum()) < 20.0  # the mean over the draws is right to a few units

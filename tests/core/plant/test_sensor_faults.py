@@ -1,0 +1,173 @@
+"""Faults in what the sensor makes of a load, fed with signals whose answer is known in closed form."""
+
+import numpy as np
+import pytest
+from fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, through, triangle
+from hypothesis import given
+from hypothesis import strategies as st
+
+from core.plant.faults.sensor_memory import BoucWen, Creep, LogarithmicCreep, PlayHysteresis, StickAndSnap
+from core.plant.faults.sensor_offset import (
+    ExponentialDrift,
+    LinearDrift,
+    OffsetKnock,
+    OffsetRamp,
+    OffsetStep,
+    RandomWalk,
+    Thermostat,
+    TwoTimeConstantDrift,
+)
+from core.plant.faults.sensor_response import (
+    Bow,
+    Crosstalk,
+    Gain,
+    Knee,
+    ProductCrosstalk,
+    Quadratic,
+    RectifiedCrosstalk,
+    TwoSidedGain,
+    WanderingSupply,
+)
+from core.plant.faults.sensor_saturation import Clipping, Compression
+
+ALL = (1.0,) * 6
+
+
+@pytest.mark.parametrize(
+    ("fault", "expected"),
+    [
+        (ExponentialDrift(tuple(SIX), 2.0), lambda t: 1 - np.exp(-t / 2)),
+        (LinearDrift(tuple(SIX), 8.0), lambda t: t / 8),
+        (TwoTimeConstantDrift(tuple(SIX), 0.5, tuple(-0.5 * SIX), 4.0), lambda t: 1 - np.exp(-t / 0.5) - 0.5 * (1 - np.exp(-t / 4))),
+        (OffsetStep(tuple(SIX), 1.0), lambda t: np.where(t >= 1.0 - 1e-9, 1.0, 0.0)),
+        (OffsetRamp(tuple(SIX), 1.0, 0.4), lambda t: np.interp(t, [1.0, 1.4], [0, 1])),
+        (OffsetKnock(tuple(SIX), 1.0, 0.6, 0.3), lambda t: np.where(t < 1.0 - 1e-9, 0, 0.6 + 0.4 * np.exp((1.0 - t) / 0.3))),
+    ],
+    ids=lambda value: getattr(value, "variant", ""),
+)
+def test_offsets_move_as_their_formula_says(fault, expected):
+    t = PERIOD * np.arange(3000)
+    load = np.linspace(-5, 5, 3000)[:, None] * np.ones(6)
+    np.testing.assert_allclose(through(fault.sense(SIGNAL), load) - load, np.outer(expected(t), SIX), atol=1e-9)
+
+
+def test_a_random_walk_spreads_with_the_root_of_time():
+    ends = []
+    for seed in range(60):
+        walk = through(RandomWalk(ALL, 4.0, seed).sense(SIGNAL), np.zeros((1000, 6)))
+        ends.append(walk[[249, 999]])
+    np.testing.assert_allclose(np.std(ends, axis=(0, 2)), [0.25, 0.5], rtol=0.15)
+
+
+@given(st.lists(st.floats(-100, 100), min_size=6, max_size=6))
+def test_static_errors_are_functions_of_the_load(load):
+    W = np.array(load)
+    e, f = np.linspace(-0.05, 0.05, 6), np.linspace(0.02, -0.02, 6)
+    C = 0.01 * np.arange(36).reshape(6, 6)
+    rows = tuple(map(tuple, C))
+    full = np.array(SETTING.full_scale)
+    knee = np.full(6, 20.0)
+    beyond = np.sign(W) * np.maximum(np.abs(W) - 20.0, 0)
+    for fault, expected in (
+        (Gain(tuple(e)), W * (1 + e)),
+        (TwoSidedGain(tuple(e), tuple(f)), W + np.where(W > 0, e, f) * W),
+        (Crosstalk(rows), W + C @ W),
+        (RectifiedCrosstalk(rows), W + C @ np.abs(W)),
+        (Quadratic(tuple(e)), W + e * W * np.abs(W) / full),
+        (Knee(tuple(knee), tuple(e)), W + e * beyond),
+    ):
+        np.testing.assert_allclose(fault.sense(SIGNAL)(0.0, W), expected, atol=1e-9)
+
+
+def test_play_opens_a_loop_of_its_width():
+    load = triangle(10.0, 0.5, 9)
+    W = np.outer(load, np.ones(6))
+    half = np.full(6, 0.3)
+    error = through(PlayHysteresis(tuple(half)).sense(SIGNAL), W)[:, 0] - load
+    assert np.abs(error).max() <= 0.3 + 1e-12
+    rising, falling = error[2250], error[2750]  # at zero load, going up and down
+    np.testing.assert_allclose([rising, falling], [-0.3, 0.3], atol=1e-9)
+
+
+def test_bouc_wen_opens_a_smooth_loop_that_does_not_depend_on_speed():
+    fault = BoucWen((0.4,) * 6, (2.0,) * 6, 0.7, 1.5)
+    loops = []
+    for quarter in (0.25, 1.0):
+        load = triangle(10.0, quarter, 9)
+        error = through(fault.sense(SIGNAL), np.outer(load, np.ones(6)))[:, 0] - load
+        loops.append([error[round(k * quarter / PERIOD)] for k in (5, 5.5, 6, 7, 8)])
+        assert np.abs(error).max() <= 0.4 + 1e-12
+        assert np.abs(np.diff(error)).max() < 0.02
+    np.testing.assert_allclose(loops[0], loops[1], atol=0.01)
+    up_through_zero, down_through_zero = loops[0][4], loops[0][2]
+    assert up_through_zero > 0.3
+    assert down_through_zero < -0.3
+
+
+@pytest.mark.parametrize("creep", [Creep(0.01, (0.5,)), LogarithmicCreep(0.01, (0.1, 1.0, 10.0))])
+def test_creep_begins_loaded_and_follows_a_step(creep):
+    W = np.vstack((constant(0.5), 2 * constant(2.0)))
+    error = through(creep.sense(SIGNAL), W)[:, 0] / SIX[0]
+    np.testing.assert_allclose(error[:500], 1.01, atol=1e-12)
+    t = PERIOD * np.arange(1, 2001)
+    expected = 2 + 0.01 * (1 + np.mean([1 - np.exp(-t / tau) for tau in creep.time_constant_s], axis=0))
+    np.testing.assert_allclose(error[500:], expected, atol=2e-5)
+
+
+@given(st.floats(-50, 50))
+def test_a_saturated_channel_keeps_below_its_level_and_the_others_stay(load):
+    W = np.full(6, load)
+    level = (5.0, *[1e4] * 5)
+    clipped, pressed = Clipping(level).amplify(SIGNAL)(0, W), Compression(level, 0.7).amplify(SIGNAL)(0, W)
+    assert clipped[0] == min(max(load, -5.0), 5.0)
+    assert abs(pressed[0]) <= min(5.0, abs(load)) + 1e-12
+    if abs(load) < 3.5:
+        assert pressed[0] == pytest.approx(load)
+    np.testing.assert_allclose(clipped[1:], load)
+    np.testing.assert_allclose(pressed[1:], load)
+
+
+def test_a_wandering_supply_swings_about_its_gain_and_takes_part_of_the_offset():
+    amplified = WanderingSupply((0.02,) * 6, 0.5, 8.0, 0.0).amplify(SIGNAL)
+    for t, gain in ((0.0, 0.02), (2.0, 0.03), (4.0, 0.02), (6.0, 0.01)):
+        np.testing.assert_allclose(amplified(t, SIX) / SIX, 1 + gain, atol=1e-12)
+
+
+def test_products_of_two_channels_show_in_a_third():
+    fault = ProductCrosstalk((3, 5), (0, 1), (2, 0), (0.001, -0.002))
+    error = fault.sense(SIGNAL)(0.0, SIX) - SIX
+    np.testing.assert_allclose(error, [0, 0, 0, 0.001 * 10 * 20, 0, -0.002 * -5 * 10], atol=1e-12)
+    np.testing.assert_allclose(fault.sense(SIGNAL)(0.0, -SIX) + SIX, error, atol=1e-12)
+
+
+def test_a_bow_is_right_without_load_and_at_its_weight_and_off_by_its_share_half_way():
+    error = [Bow((0.01,) * 6, (30.0,) * 6).sense(SIGNAL)(0.0, np.full(6, x))[2] - x for x in (0.0, 15.0, 30.0, 45.0, -15.0)]
+    np.testing.assert_allclose(error, [0.0, 0.3, 0.0, -0.3, -0.3], atol=1e-12)
+
+
+def test_what_sticks_holds_back_to_its_width_and_snaps():
+    load = np.linspace(0.0, 10.0, 5001)
+    error = through(StickAndSnap((0.3,) * 6, 0.2).sense(SIGNAL), np.outer(load, np.ones(6)))[:, 0] - load
+    assert -0.3 - 1e-9 <= error.min() < -0.298
+    assert error.max() <= 0
+    assert np.count_nonzero(np.diff(error) > 0.2) == 6  # every 0.3 / 0.2 of the way
+    slopes = np.diff(error)
+    np.testing.assert_allclose(slopes[slopes < 0], -0.2 * 0.002, atol=1e-9)
+    back = through(StickAndSnap((0.3,) * 6, 0.2).sense(SIGNAL), np.outer(load[::-1], np.ones(6)))[:, 0] - load[::-1]
+    assert back.max() > 0.298
+
+
+def test_a_thermostat_warms_and_cools_in_turn():
+    drift = through(Thermostat(tuple(SIX), 2.0, 1.5, 0.5).sense(SIGNAL), np.zeros((4000, 6))) / SIX
+    warm = 1 - np.exp(-1.5 / 2.0)
+    cool = warm * np.exp(-1.5 / 2.0)
+    expected = [0.0, 1 - np.exp(-0.25), warm, cool, 1 - (1 - cool) * np.exp(-0.2)]
+    np.testing.assert_allclose(drift[[499, 999, 1999, 3499, 3899]], np.outer(expected, np.ones(6)), atol=1e-3)
+
+
+def test_a_saturated_sensor_reads_no_more_than_its_level_whatever_its_offset():
+    level = (145.0, 145.0, 20.0, 5.0, 5.0, 5.0)
+    found = run(Clipping(level))
+    assert np.abs(found.wrench[:, 2]).max() <= 20.0 + 0.0625
+    assert np.abs(clean().wrench[:, 2]).max() > 22.0
+    np.testing.assert_array_equal(found.wrench[:, [0, 1, 3, 4, 5]], clean().wrench[:, [0, 1, 3, 4, 5]])

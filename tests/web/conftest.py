@@ -1,0 +1,37 @@
+"""A service with the built console, and the screens of the whole way, each looked at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import ExitStack
+
+import pytest
+from playwright.sync_api import Browser
+
+from tests.server.real_service import ROOT, RealService, real_service
+from tests.web.tablet import chromium
+from tests.web.urgency import urgent
+from tests.web.way import Way, walked
+
+
+@pytest.fixture(scope="package")
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
+    """`heft serve`, which serves the console that `make web/dist/index.html` has built."""
+    assert (ROOT / "web" / "dist" / "index.html").is_file(), "the console has not been built: make web/dist/index.html"
+    with ExitStack() as stack:
+        with urgent():
+            running = stack.enter_context(real_service(tmp_path_factory.mktemp("console")))
+        yield running
+
+
+@pytest.fixture(scope="package")
+def browser() -> Iterator[Browser]:
+    with ExitStack() as stack:
+        with urgent():
+            found = stack.enter_context(chromium())
+        yield found
+
+
+@pytest.fixture(scope="package")
+def way(service: RealService, browser: Browser) -> Way:
+    return walked(service, browser)

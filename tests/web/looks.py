@@ -1,0 +1,105 @@
+"""What a screen is like, measured in the browser: what axe finds, how large its targets are, what colours it has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from playwright.sync_api import Page
+
+from tests.web.tablet import LANDSCAPE, PORTRAIT
+
+AXE = Path(__file__).parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
+ASKED = {"rules": {"color-contrast-enhanced": {"enabled": True}}, "iframes": False}
+"""Contrast 7:1 everywhere, not for states and values alone; the viewer's page is its own."""
+
+THEMES: tuple[Literal["dark", "light"], ...] = ("dark", "light")
+
+TARGETS = """() => [...document.querySelectorAll('button, a[href], input, select, summary, .option')]
+    .filter(each => each.checkVisibility() && !(each.matches('input') && each.closest('.option')))
+    .map(each => { const {x, y, width, height} = each.getBoundingClientRect();
+        const moves = each.matches('.press-start, .press-stop, .press-move');
+        return {name: each.textContent.trim() || each.name, x, y, width, height, moves} })"""
+
+ABNORMAL = ".state-abnormal, .state-aborted, .line-lost, .notice, .warnings, .in-the-way, .flaw, [aria-invalid=true]"
+"""Where something is said to be abnormal."""
+
+COLOURS = """abnormal => [...document.querySelectorAll('body, body *')].filter(each => each.checkVisibility()).flatMap(each => {
+    const style = getComputedStyle(each);
+    return ['color', 'backgroundColor', 'borderTopColor', 'outlineColor']
+        .filter(kind => kind !== 'borderTopColor' || style.borderTopStyle !== 'none')
+        .filter(kind => kind !== 'outlineColor' || style.outlineStyle !== 'none')
+        .map(kind => ({of: each.className || each.tagName, kind, colour: style[kind], abnormal: each.closest(abnormal) !== null})) })"""
+
+CUT = """least => {
+    const own = each => [...each.childNodes].some(node => node.nodeType === 3 && node.data.trim());
+    const said = [...document.querySelectorAll('header *, nav *, main *, footer *')]
+        .filter(each => each.checkVisibility() && !each.closest('.out-of-sight, option, svg'));
+    const out = said.filter(each => each.clientWidth && each.scrollWidth > each.clientWidth + 1
+        && (own(each) || getComputedStyle(each).overflowX !== 'visible'));
+    const beside = said.filter(each => { const {left, right} = each.getBoundingClientRect(); return left < -1 || right > innerWidth + 1 });
+    const [main, bar] = ['main', 'footer'].map(part => document.querySelector(part).getBoundingClientRect());
+    const frame = [['bar below the screen', bar.bottom > innerHeight + 1], ['bar over the page', main.bottom > bar.top + 1],
+        ['no room for the page', main.height < least]].filter(([_, wrong]) => wrong).map(([what]) => what);
+    const named = each => `${each.className || each.tagName}: ${each.textContent.trim().slice(0, 40)}`;
+    return [...new Set([...out, ...beside])].map(named).concat(frame) }"""
+"""Texts and boxes wider than their place or beside the screen, and what is wrong with page and bar; a page has a height of `least` px."""
+LEAST_PAGE_PX = 250
+
+
+@dataclass(frozen=True)
+class Look:
+    """A screen in one orientation and one theme.
+
+    Args:
+        targets: what can be tapped: name, x, y, width, height (px), and whether it moves the robot or stops it.
+        colours: of everything to be seen: whose, which, as CSS says it, and whether it is where something is said to be abnormal.
+        cut: what sticks out of its place or of the screen.
+    """
+
+    screen: str
+    orientation: str
+    theme: str
+    violations: list[dict[str, Any]]
+    targets: list[dict[str, Any]]
+    colours: list[dict[str, Any]]
+    cut: list[str]
+
+    @property
+    def name(self) -> str:
+        return f"{self.screen}, {self.orientation}, {self.theme}"
+
+
+def look(page: Page, screen: str) -> list[Look]:
+    """A screen in both orientations and themes, with what axe finds."""
+    page.evaluate(AXE.read_text())
+    return [glance(page, screen, *each, page.evaluate("asked => axe.run(document, asked)", ASKED)) for each in turned(page)]
+
+
+def glimpse(page: Page, screen: str) -> list[Look]:
+    """The same without axe, which would hold up a page for longer than one that is in control of a robot may be."""
+    return [glance(page, screen, *each, {"violations": []}) for each in turned(page)]
+
+
+def turned(page: Page) -> Iterator[tuple[str, str]]:
+    """Turns the tablet and its theme; landscape and light in the end."""
+    for orientation, size in (("portrait", PORTRAIT), ("landscape", LANDSCAPE)):
+        page.set_viewport_size(size)
+        for theme in THEMES:
+            page.emulate_media(color_scheme=theme)
+            yield orientation, theme
+
+
+def glance(page: Page, screen: str, orientation: str, theme: str, axe: dict[str, Any]) -> Look:
+    """A screen as it stands."""
+    return Look(
+        screen,
+        orientation,
+        theme,
+        axe["violations"],
+        page.evaluate(TARGETS),
+        page.evaluate(COLOURS, ABNORMAL),
+        page.evaluate(CUT, LEAST_PAGE_PX),
+    )

@@ -1,0 +1,168 @@
+"""Hands that tap, drag, turn, reload and type in an order that nobody has thought of, always the same for one seed."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from collections.abc import Callable
+
+from playwright.sync_api import Error, Page
+
+from tests.web.tablet import LANDSCAPE, PORTRAIT, Tablet
+
+MOST_TABS = 3
+TAPS_TO_START = 4
+"""To where the run is, take control, release, START."""
+REACHABLE = "button:enabled, a[href]:not([target]):not([download]), input:enabled, select, summary, .option"
+TO_PRESS = ".press:enabled"
+LEADS_ON = ".command-bar .actions :is(.press-primary, .press-start):enabled"
+TO_THE_RUN = ".navigation a[href='#/'], a[href^='#/runs/']"
+MIDDLES = """selector => [...document.querySelectorAll(selector)].filter(each => each.checkVisibility())
+    .map(each => each.getBoundingClientRect()).map(({x, y, width, height}) => [x + width / 2, y + height / 2])"""
+TEXTS = ("1,5", "-3", "0", "abc", "", "1e9", "2.783", "  ", "0.2", "0.3", "0,25", "1.2")
+
+WATCH = """(() => {
+    const taps = [];
+    document.addEventListener('click', event => {
+        const at = event.isTrusted && event.target.closest('button');
+        if (at) taps.push(at.className);
+    }, true);
+    const fetched = window.fetch;
+    window.fetch = (address, request) => {
+        if (String(address).endsWith('/release')) window.releaseAsked(taps.slice(-2));
+        return fetched(address, request);
+    };
+    window.print = () => undefined;
+})()"""
+"""Notes which two buttons were tapped last whenever the page asks for a release, and prints nothing."""
+RELEASE_THEN_START = ["press press-primary", "press press-start"]
+
+
+class RandomHands:
+    """Does one thing after the other with the console in one browser.
+
+    Args:
+        tablet: opened nowhere yet; its complaints are those of all its tabs.
+
+    Attributes:
+        acts: how often each kind of thing was done.
+        blank: what was done last where a page was blank then.
+        releases: the last two buttons that were tapped before each release that a page asked for.
+    """
+
+    def __init__(self, tablet: Tablet, seed: int) -> None:
+        self.tablet, self.chance = tablet, random.Random(seed)
+        self.acts: Counter[str] = Counter()
+        self.blank: list[str] = []
+        self.releases: list[list[str]] = []
+        context = tablet.page.context
+        context.expose_function("releaseAsked", self._note)
+        context.add_init_script(WATCH)
+        tablet.hurry()
+        tablet.without_viewer()
+        tablet.open()
+        tablet.sign_in()
+        tablet.page.locator(".command-bar .press-primary").tap()
+        tablet.wait(".preview table")
+
+    def _note(self, taps: list[str]) -> None:
+        self.releases.append(taps)
+
+    @property
+    def releases_without_start(self) -> list[list[str]]:
+        """Releases that were asked for by anything but a tap on START after one on the button that asks whether to release."""
+        return [taps for taps in self.releases if taps != RELEASE_THEN_START]
+
+    def act(self) -> None:
+        """Does one thing, in any of the tabs, and looks whether all of them still show something."""
+        pages = self.tablet.page.context.pages
+        page = self.chance.choice(pages)
+        page.bring_to_front()
+        kinds: dict[Callable[[Page], None], int] = {
+            self.go_on: 20, self.press: 15, self.tap: 25, self.type: 6, self.poke: 10,
+            self.drag: 8, self.turn: 6, self.reload: 5, self.second_tab: 5,
+        }  # fmt: skip
+        (kind,) = self.chance.choices(list(kinds), weights=list(kinds.values()))
+        self.acts[kind.__name__] += 1
+        try:
+            kind(page)
+        except Error as error:
+            self.blank.append(f"{kind.__name__}: {error}")
+        self.look_around(kind.__name__)
+
+    def look_around(self, did: str) -> None:
+        """A page that was signed out of is signed in to again; another tab may sign it out in that moment, then the next look does it."""
+        for page in self.tablet.page.context.pages:
+            page.wait_for_selector("h1, .page", timeout=15_000)
+            if not page.inner_text("body").strip():
+                self.blank.append(did)
+            if page.locator("form.sign-in").is_visible():
+                page.locator("input[name=username]").fill("operator")
+                page.locator("input[name=password]").fill(self.tablet.service.password)
+                with page.expect_response("**/api/session"):
+                    page.locator("form button").tap()
+
+    def go_on(self, page: Page) -> None:
+        """The button that leads on, as often as it takes from a plan to START: without it hardly any run would ever be released."""
+        for _ in range(TAPS_TO_START):
+            if not self._tap_one_of(page, LEADS_ON):
+                self._tap_one_of(page, TO_THE_RUN)
+            page.wait_for_timeout(200)
+
+    def press(self, page: Page) -> None:
+        """One of the buttons."""
+        self._tap_one_of(page, TO_PRESS)
+
+    def tap(self, page: Page) -> None:
+        """Anything that can be tapped."""
+        self._tap_one_of(page, REACHABLE)
+
+    def _tap_one_of(self, page: Page, selector: str) -> bool:
+        """Whether there was one. It may be gone, or covered, before the finger is there: then the finger hits whatever is there."""
+        places = page.evaluate(MIDDLES, selector)
+        if places:
+            self._touch(page, *self.chance.choice(places))
+        return bool(places)
+
+    def type(self, page: Page) -> None:
+        """Something, readable or not, into a field."""
+        fields = page.locator("main input:not([type]):visible").all()
+        if fields:
+            self.chance.choice(fields).fill(self.chance.choice(TEXTS), timeout=2_000)
+
+    def poke(self, page: Page) -> None:
+        """Anywhere."""
+        self._touch(page, *self._place(page))
+
+    def _touch(self, page: Page, x: float, y: float) -> None:
+        size = page.viewport_size or LANDSCAPE
+        if 0 <= x < size["width"] and 0 <= y < size["height"]:
+            page.touchscreen.tap(x, y)
+
+    def drag(self, page: Page) -> None:
+        """From anywhere to anywhere."""
+        page.mouse.move(*self._place(page))
+        page.mouse.down()
+        page.mouse.move(*self._place(page), steps=4)
+        page.mouse.up()
+
+    def _place(self, page: Page) -> tuple[int, int]:
+        size = page.viewport_size or LANDSCAPE
+        return self.chance.randrange(size["width"]), self.chance.randrange(size["height"])
+
+    def turn(self, page: Page) -> None:
+        """The tablet."""
+        page.set_viewport_size(self.chance.choice((LANDSCAPE, PORTRAIT)))
+
+    def reload(self, page: Page) -> None:
+        page.reload()
+
+    def second_tab(self, page: Page) -> None:
+        """One more at the same place, or one less where there are enough."""
+        context = page.context
+        if len(context.pages) >= MOST_TABS:
+            self.chance.choice(context.pages[1:]).close()
+            return
+        other = context.new_page()
+        self.tablet.listen(other)
+        other.goto(page.url)

@@ -1,0 +1,29 @@
+"""Tablets of whoever it is, on whatever page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from playwright.sync_api import Browser, Page
+
+from tests.server.real_service import RealService
+from tests.web.tablet import Tablet, tablet
+
+
+@contextmanager
+def signed_in(service: RealService, browser: Browser, name: str = "operator", password: str = "") -> Iterator[Tablet]:
+    """A tablet of somebody's."""
+    with tablet(browser, service) as at:
+        at.open()
+        at.page.get_by_label("Name").fill(name)
+        at.page.get_by_label("Password").fill(password or service.password)
+        at.press("Sign in")
+        at.wait(".setup .cell-facts")
+        yield at
+
+
+def show(at: Tablet, *place: str) -> Page:
+    """Goes to a page of the console."""
+    at.page.goto(f"http://{at.service.address}/#/{'/'.join(place)}")
+    return at.page

@@ -1,0 +1,65 @@
+"""What works in the background is cancelled on the tablet by who may begin it, and leaves nothing behind. Trials: test_blind_trials.py."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from server.job_kinds import DiagnosisOrder
+from server.service import utc_now
+from server.store import Store
+from tests.server.finished_diagnosis import explanation, finished_diagnosis
+from tests.server.real_service import RealService
+from tests.web.judgement import check_looks
+from tests.web.looks import look
+from tests.web.screens import show, signed_in
+from tests.web.tablet import Tablet
+from tests.web.tilted import tilted_recording
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tilted_recording(tmp_path_factory.mktemp("tilted"))
+
+
+@pytest.fixture
+def engineer(service: RealService, browser: Browser) -> Iterator[Tablet]:
+    """A tablet of the first account."""
+    with signed_in(service, browser) as at:
+        yield at
+
+
+def test_a_diagnosis_is_cancelled_and_another_one_can_be_begun(engineer: Tablet, recording: Path) -> None:
+    page = show(engineer, "gap")
+    page.get_by_label("Recording (zip)").set_input_files(recording)
+    engineer.tap(page.locator(".recording-upload button"))
+    expect(page.get_by_role("progressbar")).to_be_visible()
+    engineer.press("Cancel")
+    expect(page.locator(".job-progress")).to_contain_text("cancelled by account:operator")
+    expect(page.get_by_role("button", name="Cancel")).to_have_count(0)
+    check_looks(look(page, "diagnosis cancelled"))
+    engineer.press("All diagnoses")
+    expect(page.locator(".rows li", has_text="Cancelled").first).to_be_visible()
+    assert engineer.complaints == []
+
+
+def test_an_addition_to_the_twin_is_cancelled_and_the_twin_stays_without_it(
+    engineer: Tablet, service: RealService, recording: Path
+) -> None:
+    store = Store(service.store_url)
+    order = DiagnosisOrder(recording=recording.with_name("recording"), cell="lwr4_bench")
+    diagnosis = finished_diagnosis(store, utc_now(), order, effects=[explanation("base_tilt", 0.95)])
+    store.close()
+    page = show(engineer, "gap", diagnosis)
+    engineer.press("Add to the twin")
+    expect(page.locator(".actions")).to_contain_text("is being added to the twin")
+    check_looks(look(page, "addition under way"))
+    engineer.press("Cancel")
+    expect(page.locator(".actions")).to_contain_text("Base not level was not added")
+    expect(page.get_by_role("button", name="Add to the twin")).to_be_enabled()
+    twin = page.request.get(f"http://{service.address}/api/cells/lwr4_bench/twin").json()
+    assert twin == {"effects": []}
+    assert engineer.complaints == []

@@ -1,0 +1,76 @@
+"""A line that was lost, a page that was loaded again, a robot that lost its console: the screen says what the service says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.server.real_service import Console, RealService
+from tests.web.judgement import check_looks
+from tests.web.looks import look
+from tests.web.tablet import Tablet, tablet
+
+UNREACHABLE = "ERR_INTERNET_DISCONNECTED"
+"""What the browser says of every question that it could not put."""
+
+
+@pytest.fixture
+def person(service: RealService) -> Iterator[Console]:
+    """Somebody at another screen."""
+    console = Console(service)
+    yield console
+    console.leave()
+
+
+@pytest.fixture
+def watching(service: RealService, browser: Browser) -> Iterator[Tablet]:
+    """A tablet that is signed in and looks on."""
+    with tablet(browser, service) as at:
+        at.without_viewer()
+        at.open()
+        at.sign_in()
+        yield at
+
+
+def test_a_screen_without_a_line_says_so_and_shows_what_happened_meanwhile_once_it_is_back(watching: Tablet, person: Console):
+    run = person.queue()
+    watching.wait(".command-bar .press-stop")
+    watching.press("Open the run")
+    watching.page.context.set_offline(True)
+    watching.wait(".line-lost")
+    check_looks(look(watching.page, "connection lost"))
+    person.http.delete(f"/api/runs/{run}")
+    person.wait(run, "Stopped")
+    watching.page.context.set_offline(False)
+    watching.wait("[data-state=Stopped]")
+    expect(watching.page.locator(".line-lost")).to_have_count(0)
+    expect(watching.page.locator(".ended")).to_contain_text(person.run(run)["reason"])
+    check_that_loading_it_again_changes_nothing(watching)
+    assert [said for said in watching.complaints if UNREACHABLE not in said] == []
+
+
+def check_that_loading_it_again_changes_nothing(at: Tablet) -> None:
+    before = at.page.inner_text("main")
+    at.page.reload()
+    at.wait(".ended h1")
+    assert at.page.inner_text("main") == before
+
+
+def test_a_run_that_lost_its_console_is_aborted_on_every_screen_until_somebody_has_looked(watching: Tablet, person: Console):
+    person.take_control()
+    run = person.queue(pace="real_time")
+    person.wait(run, "Idle")
+    assert person.release(run).status_code == 200
+    person.wait(run, "Execute")
+    person.answering.clear()
+    person.wait(run, "Aborted")
+    watching.page.goto(f"http://{watching.service.address}/#/runs/{run}")
+    watching.wait(".ended [data-state=Aborted]")
+    expect(watching.page.locator(".ended")).to_contain_text(person.run(run)["reason"])
+    check_looks(look(watching.page, "aborted"))
+    watching.press("Clear")
+    watching.wait(".ended [data-state=Stopped]")
+    assert person.run(run)["state"] == "Stopped"
+    assert watching.complaints == []

@@ -1,0 +1,248 @@
+"""The gap on the tablet: a real recording with a planted fault is uploaded, diagnosed, added to the twin and taken out of it again."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, Page, Route, expect
+
+from core.effects.library import library, symptoms
+from core.gap.answer import Diagnosis, Experiment, Tied
+from core.gap.experiment import Stop, Swings
+from tests.server.real_service import ROOT, Console, RealService
+from tests.web.judgement import check_looks, check_nothing_is_cut_off
+from tests.web.looks import glimpse, look
+from tests.web.screens import show, signed_in
+from tests.web.tablet import Tablet
+from tests.web.tilted import TILT_RAD, tilted_recording
+from tests.web.way import Way
+
+WORDS = ROOT / "web" / "src" / "words"
+TURN = [Stop(down=(0.0, 1.0, 0.0), swings=Swings(about="x"))]
+WATCHER = {"name": "watcher", "password": "looks on from afar", "roles": ["viewer"]}
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A short run on a base that is not level, as a zip."""
+    return tilted_recording(tmp_path_factory.mktemp("tilted"))
+
+
+@pytest.fixture(scope="module")
+def person(service: RealService) -> Iterator[Console]:
+    """The first account, which is operator, engineer and administrator; there is somebody who only watches, too."""
+    console = Console(service)
+    assert console.http.post("/api/accounts", json=WATCHER).status_code == 201
+    yield console
+    console.leave()
+
+
+@pytest.fixture(scope="module")
+def diagnosed(service: RealService, browser: Browser, recording: Path, person: Console) -> str:
+    """The diagnosis of that recording, asked for at the tablet and waited for there."""
+    del person
+    with signed_in(service, browser) as at:
+        at.tap(at.page.get_by_role("link", name="Gap"))
+        diagnose = at.page.locator(".recording-upload button")
+        expect(diagnose).to_be_disabled()
+        check_looks(look(at.page, "gap"))
+        at.page.get_by_label("Recording (zip)").set_input_files(recording)
+        at.tap(diagnose)
+        expect(at.page.get_by_role("progressbar")).to_be_visible()
+        check_looks(look(at.page, "diagnosis under way"))
+        at.wait(".heat")
+        assert at.complaints == []
+        return at.page.url.rsplit("/", 1)[1]
+
+
+@pytest.fixture
+def engineer(service: RealService, browser: Browser) -> Iterator[Tablet]:
+    """A tablet of the first account."""
+    with signed_in(service, browser) as at:
+        yield at
+
+
+def answer_of(person: Console, diagnosis: str) -> Diagnosis:
+    """What the service says."""
+    return Diagnosis.model_validate(person.http.get(f"/api/diagnoses/{diagnosis}").json()["result"])
+
+
+def test_a_planted_tilt_is_named_with_its_stage_its_size_and_where_it_lies(engineer: Tablet, person: Console, diagnosed: str):
+    page = show(engineer, "gap", diagnosed)
+    expect(page.get_by_role("heading", level=1)).to_have_text("Base not level explains the gap (stage: mounting).")
+    answer = answer_of(person, diagnosed)
+    assert answer.where is not None
+    first = max(answer.where.cells, key=lambda cell: cell.share)
+    loudest = max(cell.times_noise for cell in answer.where.cells if (cell.channel, cell.phase) == (first.channel, first.phase))
+    expect(page.locator(".heat .most")).to_have_text(f"{loudest:.0f}")
+    expect(page.locator(".heat tbody tr")).to_have_count(6)
+    size = page.locator(".effect-parameters div", has_text="about x").inner_text()
+    value, half = (float(number) for number in re.findall(r"[\d.]+", size))
+    assert abs(value - np.rad2deg(TILT_RAD)) < 1.5 * half < 0.1
+    check_looks(look(page, "diagnosis"))
+    assert engineer.complaints == []
+
+
+def test_none_and_unknown_have_bars_beside_the_effects_with_numbers_and_words(engineer: Tablet, person: Console, diagnosed: str):
+    bars = show(engineer, "gap", diagnosed).locator(".bars li")
+    answer = answer_of(person, diagnosed)
+    best = max(answer.effects, key=lambda effect: effect.probability)
+    expect(bars.filter(has_text="Base not level")).to_contain_text(f"{100 * best.probability:.0f} %")
+    for name in ("None: ", "Unknown: "):
+        expect(bars.filter(has_text=name)).to_contain_text("very unlikely")
+
+
+def test_how_far_it_closes_stands_in_numbers_for_the_whole_and_for_each_channel(engineer: Tablet, person: Console, diagnosed: str):
+    page = show(engineer, "gap", diagnosed)
+    gap = answer_of(person, diagnosed).gap
+    assert gap is not None
+    expect(page.locator(".how-far")).to_contain_text(f"{gap.before:.2f} → {gap.after:.2f}")
+    for channel, change in gap.by_channel.items():
+        row = page.locator(".channel-bars tbody tr", has_text=channel)
+        expect(row).to_contain_text(f"{change.before:.1f}")
+        expect(row).to_contain_text(f"{change.after:.1f}")
+    expect(page.locator(".payload-change tbody tr")).to_have_count(10)
+
+
+def test_measured_and_simulated_are_drawn_for_the_channel_and_the_motion_that_are_chosen(engineer: Tablet, diagnosed: str):
+    overlay = show(engineer, "gap", diagnosed).locator(".overlay")
+    expect(overlay.locator("canvas")).to_have_count(2)
+    engineer.tap(overlay.get_by_text("fz", exact=True))
+    expect(overlay).to_contain_text("fz, N")
+    expect(overlay.get_by_role("status")).not_to_contain_text("Whole recording")
+    engineer.press("Whole recording")
+    expect(overlay.get_by_role("status")).to_contain_text("Whole recording")
+    engineer.press("Motion after")
+    expect(overlay.get_by_role("status")).not_to_contain_text("Whole recording")
+    assert engineer.complaints == []
+
+
+def test_it_is_said_in_german_with_a_decimal_comma_and_in_the_chosen_units(engineer: Tablet, person: Console, diagnosed: str):
+    engineer.page.evaluate("localStorage.setItem('heft.language', 'de'), localStorage.setItem('heft.units', 'mm_g')")
+    engineer.page.reload()
+    page = show(engineer, "gap", diagnosed)
+    expect(page.get_by_role("heading", level=1)).to_have_text("Die Abweichung ist erklärt: Schiefe Basis (Stufe: Montage).")
+    gap = answer_of(person, diagnosed).gap
+    assert gap is not None
+    expect(page.locator(".how-far")).to_contain_text(f"{gap.before:.2f}".replace(".", ","))
+    expect(page.locator(".payload-change tbody tr").nth(1)).to_contain_text("g mm")
+    check_looks(look(page, "diagnosis in German"))
+
+
+def test_words_that_are_longer_have_their_place(engineer: Tablet, diagnosed: str):
+    for page, there in (("gap", ".recording-upload"), (f"gap/{diagnosed}", ".overlay canvas"), ("trials", ".trials h2")):
+        engineer.page.goto(f"http://{engineer.service.address}/?words=longer#/{page}")
+        engineer.wait(there)
+        check_nothing_is_cut_off(glimpse(engineer.page, f"{page}, longer"))
+
+
+def test_the_effect_goes_into_the_twin_and_out_again_in_two_taps(engineer: Tablet, person: Console, diagnosed: str):
+    page = show(engineer, "gap", diagnosed)
+    engineer.press("Add to the twin")
+    expect(page.locator(".actions")).to_contain_text("Base not level is in the twin.", timeout=120_000)
+    expect(page.get_by_role("button", name="Add to the twin")).to_be_disabled()
+    assert effects_of(person) == ["base_tilt"]
+    engineer.press("All diagnoses")
+    expect(page.locator(".twin li")).to_contain_text("about x")
+    engineer.press("Remove")
+    check_looks(look(page, "gap with a twin"))
+    assert effects_of(person) == ["base_tilt"]
+    engineer.press("Remove it for good")
+    expect(page.locator(".twin li")).to_have_count(0)
+    assert effects_of(person) == []
+    assert engineer.complaints == []
+
+
+def effects_of(person: Console) -> list[str]:
+    """What the twin of the cell has."""
+    return [entry["effect"] for entry in person.http.get("/api/cells/lwr4_bench/twin").json()["effects"]]
+
+
+def test_who_may_only_watch_sees_everything_and_which_role_may_do_what(service: RealService, browser: Browser, diagnosed: str):
+    with signed_in(service, browser, WATCHER["name"], WATCHER["password"]) as at:
+        page = show(at, "gap", diagnosed)
+        expect(page.get_by_role("button", name="Add to the twin")).to_be_disabled()
+        expect(page.locator(".actions")).to_contain_text("Only an engineer may do this.")
+        check_looks(look(page, "diagnosis watched"))
+        at.press("All diagnoses")
+        expect(page.locator(".recording-upload button")).to_be_disabled()
+        expect(page.locator(".recording-upload")).to_contain_text("Only an engineer or an operator may do this.")
+        at.tap(page.get_by_role("link", name="Blind trials"))
+        expect(page.get_by_role("button", name="Start a blind trial")).to_be_disabled()
+
+
+def test_what_is_not_settled_names_both_and_the_motion_that_settles_it(engineer: Tablet, person: Console, diagnosed: str):
+    tie = Tied(ids=("base_tilt", "joint_offset"), distance_sigma=2.1, why="They bend alike.", splits="turning about x")
+    motion = Experiment(
+        id="x", motion="Turn about x.", stops=TURN, splits=[tie.ids], sigma_before=2.1, sigma_after=11.4, seconds=12.0, planned=True
+    )
+    page = show_instead(engineer, person, diagnosed, verdict="ambiguous", indistinguishable=[tie], next_experiment=motion)
+    heading = page.get_by_role("heading", level=1)
+    expect(heading).to_contain_text("Not settled: Base not level or Joint encoders whose zero is off")
+    expect(page.locator(".ties")).to_contain_text("2.1 standard deviations apart")
+    expect(page.locator(".next-motion")).to_contain_text("Turn about x.")
+    expect(page.locator(".next-motion")).to_contain_text("11.4 σ")
+    expect(page.locator(".bars li", has_text="Joint encoders whose zero is off")).to_have_count(1)
+    check_looks(look(page, "not settled"))
+    engineer.press("Plan this motion")
+    expect(page.get_by_role("alert")).to_contain_text("motion")  # the service knows that its own answer proposes none
+
+
+@pytest.mark.parametrize(
+    ("verdict", "said"),
+    [
+        ("unknown", "No known effect explains the gap"),
+        ("no_gap", "Simulation and recording agree"),
+        ("not_enough", "This recording tells too little"),
+    ],
+)
+def test_a_verdict_that_names_no_effect_offers_none_for_the_twin(
+    engineer: Tablet, person: Console, diagnosed: str, verdict: str, said: str
+):
+    nothing = {"effects": [], "where": None, "gap": None, "payload": None} if verdict == "not_enough" else {}
+    page = show_instead(engineer, person, diagnosed, verdict=verdict, **nothing)
+    expect(page.get_by_role("heading", level=1)).to_contain_text(said)
+    expect(page.get_by_role("button", name="Add to the twin")).to_have_count(0)
+    assert engineer.complaints == []
+
+
+def show_instead(at: Tablet, person: Console, diagnosis: str, **changed: object) -> Page:
+    """The page of a diagnosis whose answer is the real one but for what is changed."""
+    answer = Diagnosis.model_validate(answer_of(person, diagnosis).model_dump() | changed)
+
+    def answered(route: Route) -> None:
+        response = route.fetch()
+        route.fulfill(response=response, json=response.json() | {"result": json.loads(answer.model_dump_json())})
+
+    at.page.route(f"**/api/diagnoses/{diagnosis}", answered)
+    page = show(at, "gap", diagnosis)
+    at.wait(".gap-verdict")
+    return page
+
+
+def test_a_run_is_diagnosed_from_its_result_and_one_that_was_stopped_from_the_list(engineer: Tablet, person: Console, way: Way):
+    assert "Diagnose the gap" in way.told["result"]
+    person.take_control()
+    run = person.queue(pace="real_time")
+    person.wait(run, "Idle")
+    assert person.release(run).status_code == 200
+    person.wait(run, "Execute")
+    person.command(run, "stop")
+    person.wait(run, "Stopped")
+    page = show(engineer, "gap")
+    engineer.tap(page.locator(f".rows li[id='{run}']", has_text="Stopped").get_by_role("button", name="Diagnose"))
+    expect(page).to_have_url(re.compile(r"#/gap/.+"))
+    listed = person.http.get("/api/diagnoses").json()
+    assert [each["run"] for each in listed if each["diagnosis"] == page.url.rsplit("/", 1)[1]] == [run]
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_every_effect_has_a_name_and_every_stage_a_word(language: str):
+    known = set(re.findall(r"^    (\w+): '", (WORDS / f"{language}-effects.ts").read_text(), re.MULTILINE))
+    effects = (*library(), *symptoms())
+    assert {effect.id for effect in effects} | {effect.stage for effect in effects} <= known

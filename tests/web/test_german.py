@@ -1,0 +1,143 @@
+"""In German no verdict is English: what the engine says in sentences stands on no screen, what it found in figures does, in German."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from core.effects.library import library, symptoms
+from core.gap.answer import Diagnosis
+from core.gap.experiment import candidates, second_payload
+from server.job_kinds import DiagnosisOrder
+from server.service import utc_now
+from server.store import Store
+from tests.server.finished_diagnosis import SWINGS, explanation, finished_diagnosis
+from tests.server.real_service import ROOT, Console, RealService
+from tests.synthetic import payload, record, run_of
+from tests.web.judgement import check_looks
+from tests.web.looks import look
+from tests.web.screens import show, signed_in
+from tests.web.tablet import Tablet
+from tests.web.urgency import urgent
+
+WORDS = ROOT / "web" / "src" / "words" / "de-effects.ts"
+PAYLOAD = {
+    "before": {"phi": [2.8, 0.01, 0.02, 0.3, *[0.01] * 6], "std": [0.001] * 10},
+    "after": {"phi": [2.7, 0.01, 0.02, 0.28, *[0.008] * 6], "std": [0.001] * 10},
+}
+TIE = {"ids": ["time_delay", "sensor_lowpass"], "distance_sigma": 2.0, "why": "both come late", "splits": SWINGS["motion"]}
+MINOR = {"id": "sensor_noise", "parameters": {}, "sentence": "detected, but too small to matter"}
+ANSWERS: dict[str, dict[str, Any]] = {
+    "explained": {"effects": [explanation("base_tilt", 0.95)], "payload": PAYLOAD, "minor": [MINOR]},
+    "ambiguous": {
+        "effects": [explanation("time_delay", 0.6), explanation("sensor_lowpass", 0.4)], "indistinguishable": [TIE],
+        "next_experiment": SWINGS, "payload": PAYLOAD,
+    },
+    "unknown": {"effects": [explanation("base_tilt", 0.1)], "unknown_probability": 0.9, "payload": PAYLOAD},
+    "no_gap": {"none_probability": 0.99, "payload": PAYLOAD},
+}  # fmt: skip
+SAID = {
+    "explained": "Die Abweichung ist erklärt: Schiefe Basis",
+    "ambiguous": "Nicht entschieden: Kraftmessung später als die Gelenke oder Tiefpass im Sensor",
+    "unknown": "Kein bekannter Effekt erklärt die Abweichung",
+    "no_gap": "Simulation und Aufzeichnung stimmen überein",
+}
+LISTED = {
+    "explained": "Erklärt: Schiefe Basis",
+    "ambiguous": "Nicht entschieden; am wahrscheinlichsten: Kraftmessung später als die Gelenke",
+    "unknown": "Kein bekannter Effekt erklärt die Abweichung.",
+    "no_gap": "Simulation und Aufzeichnung stimmen überein",
+}
+ENGLISH = "The engine says this in English."
+
+
+@pytest.fixture
+def german(service: RealService, browser: Browser) -> Iterator[Tablet]:
+    """A tablet of the first account, in German."""
+    with signed_in(service, browser) as at:
+        at.page.evaluate("localStorage.setItem('heft.language', 'de')")
+        at.page.reload()
+        at.wait(".setup .cell-facts")
+        yield at
+
+
+def diagnosed(service: RealService, verdict: str) -> str:
+    """A diagnosis with that answer, as its job leaves it."""
+    store = Store(service.store_url)
+    found = ANSWERS[verdict] | {"verdict": verdict, "summary": ENGLISH, "consequence": ENGLISH}
+    order = DiagnosisOrder(recording=service.data / "nowhere", cell="lwr4_bench")
+    diagnosis = finished_diagnosis(store, utc_now(), order, **found)
+    store.close()
+    return diagnosis
+
+
+def sentences(answer: Diagnosis) -> set[str]:
+    """Whatever the engine says in words of its own."""
+    said = {answer.summary, answer.consequence, *(effect.advice for effect in answer.effects), *(each.sentence for each in answer.minor)}
+    said |= {text for tie in answer.indistinguishable for text in (tie.why, tie.splits)}
+    return (said | ({answer.next_experiment.motion} if answer.next_experiment else set())) - {""}
+
+
+def check_says_none_of(page: Page, english: set[str]) -> None:
+    told = page.inner_text("body")
+    assert not [sentence for sentence in english if sentence in told]
+
+
+@pytest.mark.parametrize("verdict", list(ANSWERS))
+def test_a_diagnosis_is_german_from_its_verdict_to_what_is_to_be_done(german: Tablet, service: RealService, verdict: str) -> None:
+    diagnosis = diagnosed(service, verdict)
+    page = show(german, "gap", diagnosis)
+    expect(page.get_by_role("heading", level=1)).to_contain_text(SAID[verdict])
+    answer = Diagnosis.model_validate(page.request.get(f"http://{service.address}/api/diagnoses/{diagnosis}").json()["result"])
+    check_says_none_of(page, sentences(answer))
+    assert page.locator("main [lang=en]").count() == 0
+    check_looks(look(page, f"{verdict} in German"))
+    show(german, "gap")
+    listed = page.locator(".rows li", has=page.locator(f"a[href='#/gap/{diagnosis}']"))
+    expect(listed).to_contain_text(LISTED[verdict])
+    check_says_none_of(page, {ENGLISH})
+
+
+def test_results_history_and_comparison_are_german(german: Tablet, service: RealService) -> None:
+    person = Console(service)
+    with urgent():
+        person.take_control()
+    runs = []
+    for seed, tool in ((21, "steel_block"), (22, "cylinder")):
+        runs.append(person.queue(seed=seed, payload=tool))
+        person.wait(runs[-1], "Idle")
+        assert person.release(runs[-1]).status_code == 200
+        person.wait(runs[-1], "Complete")
+    determined = person.run(runs[1])["result"]["determined"]
+    verdicts = {person.http.get(f"/api/runs/{run}/result").json()["verdict"] for run in runs}
+    differ = person.http.get(f"/api/runs/{runs[0]}/comparison/{runs[1]}").json()["comparison"]["verdict"]
+    person.leave()
+    page = show(german, "runs", runs[0])
+    expect(page.locator(".verdict-words")).to_contain_text("Die Last hat 2,7")
+    check_says_none_of(page, verdicts)
+    show(german, "history")
+    expect(page.locator(".run-list tbody tr").first).to_contain_text(
+        "alle zehn Größen bestimmt" if determined == 10 else f"{determined} von 10 Größen bestimmt"
+    )
+    check_says_none_of(page, verdicts)
+    show(german, "history", *runs)
+    expect(page.locator(".comparison .verdict")).to_contain_text("Am deutlichsten: ")
+    check_says_none_of(page, {differ})
+    assert german.complaints == []
+
+
+def test_every_remedy_and_every_motion_that_can_be_proposed_has_german_words() -> None:
+    text = WORDS.read_text()
+    remedies, motions = (
+        set(re.findall(r"^    (\w+):", part, re.MULTILINE)) for part in re.findall(r"(?:remedies|motions): {(.+?)\n  }", text, re.DOTALL)
+    )
+    recording = record(run_of(repetitions=1), payload("steel_block"), np.random.default_rng(1))
+    assert recording.q is not None
+    proposed = {motion.id for motion in (*candidates(recording, (), np.tile([0.0, 0.0, -9.81], (len(recording), 1))), second_payload(1.0))}
+    assert remedies == {effect.id for effect in (*library(), *symptoms())}
+    assert motions == proposed

@@ -1,0 +1,87 @@
+"""Every screen in a language with words 40 % longer than English: there is room for all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.server.real_service import Console, RealService
+from tests.web.judgement import check_nothing_is_cut_off
+from tests.web.looks import Look, glimpse
+from tests.web.tablet import Tablet, tablet
+from tests.web.way import Way
+
+ADDRESS = "?words=longer"
+MARK = "ë"
+"""What words are made longer with."""
+
+
+@pytest.fixture(scope="module")
+def complete(service: RealService, way: Way) -> str:
+    """A run with a result."""
+    assert way.taps
+    console = Console(service)
+    found = console.http.get("/api/runs", params={"state": "Complete", "limit": 1}).json()
+    console.leave()
+    return str(found[0]["run"])
+
+
+@pytest.fixture
+def at(service: RealService, browser: Browser) -> Iterator[Tablet]:
+    """A tablet whose words are longer; nobody is signed in."""
+    with tablet(browser, service) as found:
+        found.hurry()
+        found.without_viewer()
+        found.open(ADDRESS)
+        yield found
+        assert found.complaints == []
+
+
+def enter(at: Tablet) -> None:
+    at.page.locator("input[name=username]").fill("operator")
+    at.page.locator("input[name=password]").fill(at.service.password)
+    at.tap(at.page.locator("form button"))
+    at.wait(".navigation")
+
+
+def check(at: Tablet, screen: str) -> None:
+    """It shows longer words, and all of them."""
+    expect(at.page.locator("footer .next")).to_contain_text(MARK)
+    looks: list[Look] = glimpse(at.page, screen)
+    check_nothing_is_cut_off(looks)
+
+
+def test_pages_have_room_for_longer_words(at: Tablet, complete: str):
+    check(at, "sign in")
+    enter(at)
+    pages = {
+        "": ".setup .cell-facts", "settings": ".settings h1", "history": ".run-list tbody tr", "cells": ".zone-places .tile",
+        f"history/{complete}/{complete}": ".comparison-table", f"runs/{complete}": ".result .downloads",
+        "gap": "h1", "trials": "h1",
+    }  # fmt: skip
+    for place, shows in pages.items():
+        at.page.evaluate("place => { location.hash = place }", f"#/{place}")
+        at.wait(shows)
+        check(at, place)
+
+
+def test_a_run_has_room_for_longer_words_from_its_plan_to_its_end(at: Tablet):
+    enter(at)
+    proceed = at.page.locator(".command-bar .press-primary")
+    proceed.tap()
+    at.wait(".planning, .preview")
+    check(at, "planning or plan")
+    at.wait(".preview table")
+    at.wait(".command-bar .press-primary")
+    check(at, "plan")
+    proceed.tap()
+    at.wait(".press-start")
+    check(at, "about to start")
+    at.tap(at.page.locator(".press-start"))
+    at.wait(".running")
+    check(at, "running")
+    at.tap(at.page.locator(".press-stop"))
+    at.wait(".ended")
+    check(at, "stopped")

@@ -1,0 +1,81 @@
+"""Whatever is tapped, in whatever order: the robot moves after a release of the shown plan only, and the console stays whole.
+
+`HEFT_TAPS=5000 HEFT_TAPS_SEED=7 python -m pytest -s tests/web/test_random_taps.py` taps for longer, and in another order.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+
+import pytest
+from playwright.sync_api import Browser
+
+from tests.server.real_service import Console, RealService, wait_for
+from tests.web.random_hands import RandomHands
+from tests.web.tablet import tablet
+
+TAPS = int(os.environ.get("HEFT_TAPS", "150"))
+SEED = int(os.environ.get("HEFT_TAPS_SEED", "1"))
+REFUSED = tuple(f"Failed to load resource: the server responded with a status of {status}" for status in (403, 409))
+"""What the browser says of a refusal, which the page says in words: 409 where two tabs want the same, 403 after one of them signed out."""
+UNREADABLE = re.compile(r"Failed .* a status of 422 .* at http://[^/]+/api/(runs|cells/[^/]+/zones/[^/]+)$")
+"""The same of an order or a zone's place of nonsense, as of 1e9 kg; of nothing else that a page asks."""
+NOT_RELEASED = {"Resetting", "Idle", "Stopped"}
+"""States of a run that nobody has released; it may be stopped from there."""
+
+
+@pytest.fixture(scope="module")
+def hands(service: RealService, browser: Browser, request: pytest.FixtureRequest) -> RandomHands:
+    """Hands that have done all their tapping."""
+    with tablet(browser, service) as at:
+        found = RandomHands(at, SEED)
+        for _ in range(TAPS):
+            found.act()
+    did = f"{TAPS} acts: {dict(found.acts)}, {len(found.releases)} releases asked for"
+    request.config.get_terminal_writer().line(did)
+    return found
+
+
+def test_no_page_is_blank_and_the_browser_complains_of_nothing(hands: RandomHands):
+    assert sum(hands.acts.values()) == TAPS
+    assert hands.blank == []
+    assert [said for said in hands.tablet.complaints if not said.startswith(REFUSED) and not UNREADABLE.match(said)] == []
+
+
+def test_a_release_is_asked_for_only_by_start_after_release(hands: RandomHands):
+    assert hands.releases_without_start == []
+
+
+def test_no_run_has_moved_without_a_release_that_stands_in_the_audit_log(hands: RandomHands, service: RealService):
+    console = Console(service)
+    wait_for(lambda: all(run["state"] != "Stopping" for run in listed(console)), "what is being stopped to be stopped")
+    runs = listed(console)
+    assert 0 < len(runs) < 500, "more than one answer holds: tap less"
+    released = {entry["detail"]["run"] for entry in audited(console) if entry["action"] == "run.release"}
+    assert runs
+    for run in runs:
+        moved = any(message["event"]["kind"] == "phase_started" for message in events(console, run["run"]))
+        if moved or run["state"] not in NOT_RELEASED:
+            assert run["run"] in released, (run["state"], run["reason"], moved)
+            assert run["released_by"] == "account:operator", run
+    console.leave()
+
+
+def listed(console: Console) -> list[dict]:
+    """All runs."""
+    return list(console.http.get("/api/runs", params={"limit": 500}).json())
+
+
+def audited(console: Console) -> list[dict]:
+    """All of the log, from its end."""
+    found: list[dict] = []
+    before = 2**53
+    while page := console.http.get("/api/audit", params={"limit": 1000, "before": before}).json():
+        found += page
+        before = page[-1]["number"]
+    return found
+
+
+def events(console: Console, run: str) -> list[dict]:
+    return list(console.http.get(f"/api/runs/{run}/events", params={"kind": "event"}).json())

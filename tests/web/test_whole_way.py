@@ -1,0 +1,36 @@
+"""From signing in to the accepted result, by touch, on the built console and a real service."""
+
+from __future__ import annotations
+
+import gzip
+
+from tests.server.real_service import ROOT
+from tests.web.way import Way
+
+BUNDLE_BYTES = 150_000
+
+
+def test_the_whole_way_takes_at_most_eight_taps_beside_typing(way: Way):
+    assert 0 < way.taps <= 8
+
+
+def test_the_result_stands_on_the_screen_with_its_interval_and_who_accepted_it(way: Way):
+    told = way.told["accepted"]
+    assert "±" in told
+    assert "2.78" in told
+    assert "Accepted by operator" in told
+
+
+def test_every_screen_of_a_run_says_how_to_stop_what_comes_next_and_that_it_is_no_safety_function(way: Way):
+    for screen in ("plan", "about to start", "on hold"):
+        told = way.told[screen]
+        assert all(word in told for word in ("STOP", "Next", "Not a safety function", "You have control")), screen
+
+
+def test_the_browser_complains_of_nothing(way: Way):
+    assert way.complaints == []
+
+
+def test_the_bundle_is_small(way: Way):
+    files = [file for file in (ROOT / "web" / "dist").rglob("*") if file.is_file()]
+    assert sum(len(gzip.compress(file.read_bytes())) for file in files) <= BUNDLE_BYTES

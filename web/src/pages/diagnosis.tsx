@@ -1,0 +1,130 @@
+import type { DiagnosisAnswer } from '../api';
+import { addressOf } from '../client';
+import { candidatesOf, effectName } from '../effect-values';
+import { Findings } from '../parts/findings';
+import { HowFar } from '../parts/how-far';
+import { JobProgress } from '../parts/job-progress';
+import { NextMotion } from '../parts/next-motion';
+import { OverlayPlots } from '../parts/overlay-plots';
+import { PayloadChange } from '../parts/payload-change';
+import { Press } from '../parts/press';
+import { Reserved } from '../parts/reserved';
+import type { Screen } from '../parts/screen';
+import { TwinAddition } from '../parts/twin-addition';
+import { Verdict } from '../parts/verdict';
+import { Where } from '../parts/where';
+import { Which } from '../parts/which';
+import { go } from '../route';
+import { cancelDiagnosis, diagnosis, overlay } from '../stores/diagnoses';
+import { isUnderWay } from '../stores/jobs';
+import { queueMotion } from '../stores/runs';
+import { addEffect, addition } from '../stores/twin';
+import { words } from '../words';
+
+function Diagnosis() {
+  const shown = diagnosis.value;
+  if (shown === null) return <p class="page">…</p>;
+  if (shown.result === null) return <Waiting shown={shown} />;
+  const { result } = shown;
+  return (
+    <div class="page diagnosis">
+      <Verdict diagnosis={result} />
+      {result.where && <Where where={result.where} />}
+      <Which diagnosis={result} />
+      <Findings diagnosis={result} />
+      <HowFar diagnosis={result} />
+      {overlay.value && <OverlayPlots overlay={overlay.value} />}
+      {result.payload && <PayloadChange payload={result.payload} />}
+      {result.next_experiment && <NextMotion motion={result.next_experiment} diagnosis={shown.diagnosis} />}
+      <section>
+        <p class="downloads">
+          <a
+            class="download"
+            href={addressOf('/api/diagnoses/{diagnosis}/report', { diagnosis: shown.diagnosis })}
+            target="_blank"
+            rel="noreferrer"
+          >
+            {words.value.gap.report}
+          </a>
+          <Press act={() => window.print()}>{words.value.result.print}</Press>
+        </p>
+      </section>
+    </div>
+  );
+}
+
+function Waiting({ shown }: { shown: DiagnosisAnswer }) {
+  const said = words.value.gap;
+  return (
+    <div class="page">
+      <section>
+        <h1>{said.title}</h1>
+        <JobProgress title={shown.run === null ? said.upload : said.run(shown.run)} job={shown} />
+      </section>
+    </div>
+  );
+}
+
+function Actions() {
+  const said = words.value.gap;
+  const shown = diagnosis.value;
+  if (shown === null) return null;
+  const proposed = shown.cell !== null && (shown.result?.next_experiment?.planned ?? false);
+  return (
+    <>
+      <TwinAddition diagnosis={shown.diagnosis} />
+      {isUnderWay(shown) && (
+        <Reserved roles={['engineer', 'operator']} act={() => cancelDiagnosis(shown.diagnosis)}>
+          {said.cancel}
+        </Reserved>
+      )}
+      {proposed && (
+        <Reserved
+          kind="primary"
+          roles={['operator']}
+          act={async () => go('runs', (await queueMotion(shown.diagnosis)).run)}
+        >
+          {said.planMotion}
+        </Reserved>
+      )}
+      <AddToTwin shown={shown} kind={proposed ? 'plain' : 'primary'} />
+      <Press act={() => go('gap')}>{said.back}</Press>
+    </>
+  );
+}
+
+/** The most probable effect goes into the twin, where the verdict names one. */
+function AddToTwin({ shown, kind }: { shown: DiagnosisAnswer; kind: 'plain' | 'primary' }) {
+  const said = words.value.gap;
+  const { result, cell } = shown;
+  if (result === null || cell === null) return null;
+  const named = result.verdict === 'explained' || result.verdict === 'ambiguous';
+  const [best] = candidatesOf(result);
+  if (!named || best === undefined) return null;
+  const asked = addition.value;
+  const settled = asked?.state === 'done' && asked.diagnosis === shown.diagnosis;
+  const busy = asked !== null && isUnderWay(asked);
+  return (
+    <Reserved
+      kind={kind}
+      roles={['engineer']}
+      disabled={busy || settled}
+      act={() => addEffect(cell, shown.diagnosis, best.id)}
+    >
+      {said.add}
+      <small>{effectName(best.id)}</small>
+    </Reserved>
+  );
+}
+
+function next(): string {
+  const said = words.value.gap;
+  const shown = diagnosis.value;
+  if (shown === null || isUnderWay(shown)) return said.jobNext;
+  if (shown.result === null) return said.failedNext;
+  const { verdict } = shown.result;
+  const named = verdict === 'explained' || verdict === 'ambiguous';
+  return named && shown.cell === null ? said.noCell : said.verdictNext[verdict];
+}
+
+export const diagnosisScreen: Screen = { Page: Diagnosis, Actions, next };

@@ -1,0 +1,65 @@
+import { addressOf } from '../client';
+import { CommandButtons } from '../parts/command-buttons';
+import { Press } from '../parts/press';
+import { ProposedBy } from '../parts/proposed-by';
+import type { Screen } from '../parts/screen';
+import { StateMark } from '../parts/state-mark';
+import { Viewer } from '../parts/viewer';
+import { go } from '../route';
+import { run } from '../stores/run';
+import { words } from '../words';
+
+type End = 'stopped' | 'refused' | 'aborted';
+
+/** How a run ended that did not come through. */
+function endOf(): End {
+  if (run.value?.state !== 'Stopped') return 'aborted';
+  return run.value.job_state === 'Aborted' && !run.value.released ? 'refused' : 'stopped';
+}
+
+function Ended() {
+  const said = words.value.ended;
+  const shown = run.value;
+  if (shown === null) return null;
+  const end = endOf();
+  return (
+    <div class="page ended">
+      <section class={`verdict verdict-${end}`}>
+        <StateMark state={shown.state} />
+        <h1>{said[end]}</h1>
+        <ProposedBy />
+        {shown.reason && <p lang="en">{shown.reason}</p>}
+        {shown.in_the_way && (
+          <p class="in-the-way">
+            <span aria-hidden="true">▲</span> {said.inTheWay}: <b>{shown.in_the_way}</b>
+          </p>
+        )}
+        {shown.released && (
+          <p>
+            {said.samples}{' '}
+            <a class="download" href={addressOf('/api/runs/{run}/recording', { run: shown.run })} download>
+              {words.value.result.recording}
+            </a>
+          </p>
+        )}
+      </section>
+      <Viewer cell={shown.cell} />
+    </div>
+  );
+}
+
+function Actions() {
+  if (run.value?.state !== 'Stopped') return <CommandButtons />;
+  return (
+    <Press kind="primary" act={() => go()}>
+      {words.value.ended.again}
+    </Press>
+  );
+}
+
+function next(): string {
+  const said = words.value.ended;
+  return { stopped: said.stoppedNext, refused: said.refusedNext, aborted: said.abortedNext }[endOf()];
+}
+
+export const ended: Screen = { Page: Ended, Actions, next };

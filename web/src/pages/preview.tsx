@@ -1,0 +1,141 @@
+import { effect, signal } from '@preact/signals';
+import type { PlanAnswer } from '../api';
+import { Facts } from '../parts/facts';
+import { PlannedPoses } from '../parts/planned-poses';
+import { Press } from '../parts/press';
+import { ProposedBy } from '../parts/proposed-by';
+import type { Screen } from '../parts/screen';
+import { Viewer } from '../parts/viewer';
+import { cell } from '../stores/cells';
+import { holder, mine, takeControl } from '../stores/control';
+import { offered_s, plan, releasePlan, showPlan } from '../stores/plan';
+import { run } from '../stores/run';
+import { may } from '../stores/session';
+import { clock, spelt } from '../units';
+import { words } from '../words';
+
+/** The plan whose release was asked for and waits for its START: any other plan has to be asked for anew. */
+const armed = signal<PlanAnswer | null>(null);
+effect(() => {
+  if (armed.value !== plan.value || offered_s.value === 0) armed.value = null;
+});
+
+/** What was refused has to be asked for anew. */
+async function start(shown: PlanAnswer): Promise<void> {
+  try {
+    await releasePlan(shown);
+  } catch (refused) {
+    armed.value = null;
+    throw refused;
+  }
+}
+
+function Preview() {
+  const said = words.value.preview;
+  const found = plan.value?.plan;
+  return (
+    <div class="page preview">
+      <Viewer cell={run.value?.cell ?? ''} />
+      <section>
+        <h1>{said.title}</h1>
+        <ProposedBy />
+        <Validity />
+        {found && (
+          <>
+            <Facts
+              facts={[
+                { name: said.robotTime, value: clock(found.summary.robot_s) },
+                {
+                  name: said.margin,
+                  value: `+ ${spelt('length', found.summary.least_margin_m)}`,
+                  note: said.marginNote(spelt('length', cell.value?.limits?.clearance_m ?? 0)),
+                },
+                { name: said.speed, value: spelt('speed', cell.value?.limits?.cartesian_speed_m_s ?? 0) },
+                { name: said.zones, value: cell.value?.zones?.map((zone) => zone.name).join(', ') },
+              ]}
+            />
+            <PlannedPoses plan={found} />
+            <p class="hint">
+              {said.plan} {found.sha256.slice(0, 12)}
+            </p>
+          </>
+        )}
+      </section>
+    </div>
+  );
+}
+
+/** For how long the shown plan may be released: a shape that empties, and words. */
+function Validity() {
+  const said = words.value.preview;
+  const left = offered_s.value;
+  return (
+    <div class="validity" role="timer">
+      <progress max={plan.value?.expires_s ?? 60} value={left} aria-label={said.valid} />
+      <b>{left > 0 ? `${said.valid} ${clock(left)}` : said.expired}</b>
+    </div>
+  );
+}
+
+function Actions() {
+  const said = words.value.preview;
+  const shown = plan.value;
+  if (shown === null || !may('operator')) return null;
+  if (!mine.value) {
+    const others = holder.value !== null;
+    return others ? null : (
+      <Press kind="primary" act={() => takeControl(cellOfRun())}>
+        {words.value.bar.takeControl}
+      </Press>
+    );
+  }
+  if (offered_s.value === 0) {
+    return (
+      <Press kind="primary" act={() => showPlan(shown.run)}>
+        {said.again}
+      </Press>
+    );
+  }
+  if (armed.value === null) {
+    return (
+      <Press
+        kind="primary"
+        act={() => {
+          armed.value = shown;
+        }}
+      >
+        {said.release}
+      </Press>
+    );
+  }
+  return (
+    <>
+      <Press kind="start" act={() => start(shown)}>
+        <b>
+          <span aria-hidden="true">▶</span> {said.start}
+        </b>
+        <small>{said.startWhat(clock(shown.plan.summary.robot_s))}</small>
+      </Press>
+      <Press
+        act={() => {
+          armed.value = null;
+        }}
+      >
+        {said.back}
+      </Press>
+    </>
+  );
+}
+
+function cellOfRun(): string {
+  return run.value?.cell ?? '';
+}
+
+function next(): string {
+  const said = words.value.preview;
+  if (armed.value !== null) return said.armedNext;
+  if (mine.value) return said.next;
+  return holder.value === null ? said.needControl : said.watching(holder.value);
+}
+
+export const preview: Screen = { Page: Preview, Actions, next };

@@ -1,0 +1,56 @@
+import { CommandButtons } from '../parts/command-buttons';
+import { EstimateSoFar } from '../parts/estimate-so-far';
+import { NearestNow } from '../parts/nearest-now';
+import { RunProgress } from '../parts/run-progress';
+import type { Screen } from '../parts/screen';
+import { Viewer } from '../parts/viewer';
+import { MassPlot, WrenchPlot } from '../parts/wrench-plots';
+import { newest, run } from '../stores/run';
+import { words } from '../words';
+
+function Running() {
+  return (
+    <div class="page running">
+      <RunProgress />
+      <Viewer cell={run.value?.cell ?? ''} />
+      <div class="plots">
+        <WrenchPlot part="force" />
+        <WrenchPlot part="torque" />
+      </div>
+      <div class="figures">
+        <NearestNow />
+        <EstimateSoFar />
+        <MassPlot />
+      </div>
+    </div>
+  );
+}
+
+function next(): string {
+  const said = words.value.running;
+  switch (run.value?.state) {
+    case 'Held':
+    case 'Holding':
+      return said.heldNext;
+    case 'Suspending':
+    case 'Suspended':
+      return blocked() ?? said.suspendedNext;
+    case 'Completing':
+      return said.estimatingNext;
+    case 'Stopping':
+    case 'Aborting':
+      return said.endingNext;
+    default:
+      return said.next;
+  }
+}
+
+/** What the robot waits for, where the service knows it. */
+function blocked(): string | null {
+  const waits = newest('waiting_for_zone');
+  return waits?.in_the_way
+    ? `${words.value.running.waitsFor(waits.in_the_way)} ${words.value.running.suspendedNext}`
+    : null;
+}
+
+export const running: Screen = { Page: Running, Actions: CommandButtons, next };

@@ -1,0 +1,103 @@
+import { CellChoice } from '../parts/cell-choice';
+import { Choice } from '../parts/choice';
+import { Facts } from '../parts/facts';
+import { Press } from '../parts/press';
+import type { Screen } from '../parts/screen';
+import { ToolFields } from '../parts/tool-fields';
+import { go } from '../route';
+import { cell, chosenCell, payloads } from '../stores/cells';
+import { holder, mine, takeControl } from '../stores/control';
+import { order, tool } from '../stores/order';
+import { activeRun, queueRun } from '../stores/runs';
+import { may, session } from '../stores/session';
+import { spelt } from '../units';
+import { words } from '../words';
+
+function Setup() {
+  const said = words.value.setup;
+  return (
+    <div class="page setup">
+      <h1>{said.title}</h1>
+      <CellChoice
+        legend={said.cell}
+        chosen={chosenCell.value}
+        choose={(value) => {
+          chosenCell.value = value;
+        }}
+      />
+      <Choice
+        legend={said.tool}
+        options={payloads.value.map(([name, payload]) => ({
+          value: name,
+          label: payload.title,
+          note: `${name} · ${spelt('mass', payload.mass_kg)}`,
+        }))}
+        chosen={tool.value}
+        choose={(value) => {
+          tool.value = value;
+        }}
+      />
+      <ToolFields />
+      <CellFacts />
+    </div>
+  );
+}
+
+function CellFacts() {
+  const said = words.value.setup;
+  const here = cell.value;
+  if (here === null) return null;
+  const names = (all: { name: string }[] | undefined) =>
+    all?.map((each) => each.name).join(', ') || said.none;
+  return (
+    <section class="cell-facts">
+      <h2>{said.about}</h2>
+      <Facts
+        facts={[
+          { name: said.zones, value: names(here.zones) },
+          { name: said.obstacles, value: names(here.obstacles) },
+          { name: said.speed, value: spelt('speed', here.limits?.cartesian_speed_m_s ?? 0) },
+          { name: said.clearance, value: spelt('length', here.limits?.clearance_m ?? 0) },
+        ]}
+      />
+    </section>
+  );
+}
+
+function Actions() {
+  const said = words.value.setup;
+  const active = activeRun.value;
+  if (active !== null) {
+    return (
+      <Press kind="primary" act={() => go('runs', active.run)}>
+        {said.open}
+      </Press>
+    );
+  }
+  if (!may('operator') || heldElsewhere()) return null;
+  return (
+    <Press kind="primary" disabled={order.value === null} act={plan}>
+      {mine.value ? said.planOnly : said.plan}
+    </Press>
+  );
+}
+
+function heldElsewhere(): boolean {
+  return holder.value !== null && holder.value !== session.value?.name;
+}
+
+async function plan(): Promise<void> {
+  const asked = order.value;
+  if (asked === null) return;
+  if (!mine.value) await takeControl(asked.cell);
+  go('runs', (await queueRun(asked)).run);
+}
+
+function next(): string {
+  const said = words.value.setup;
+  if (activeRun.value !== null) return said.running;
+  if (!may('operator')) return said.mayNot;
+  return heldElsewhere() ? said.busy(holder.value ?? '') : said.next;
+}
+
+export const setup: Screen = { Page: Setup, Actions, next };

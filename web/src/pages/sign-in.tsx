@@ -1,0 +1,54 @@
+import { useSignal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import type { Screen } from '../parts/screen';
+import { attempt } from '../stores/notice';
+import { signIn } from '../stores/signing-in';
+import { words } from '../words';
+
+function SignIn() {
+  const said = words.value.signIn;
+  const name = useSignal('');
+  const password = useSignal('');
+  const first = useRef<HTMLInputElement>(null);
+  useEffect(() => first.current?.focus(), []);
+  const submitted = (event: Event) => {
+    event.preventDefault();
+    void attempt(() => signIn(name.value, password.value));
+  };
+  return (
+    <form class="page sign-in" onSubmit={submitted}>
+      <h1>{said.title}</h1>
+      <label class="field">
+        <span>{said.name}</span>
+        <input
+          name="username"
+          autocomplete="username"
+          autocapitalize="off"
+          required
+          ref={first}
+          onInput={({ currentTarget }) => {
+            name.value = currentTarget.value;
+          }}
+        />
+      </label>
+      <label class="field">
+        <span>{said.password}</span>
+        <input
+          name="password"
+          type="password"
+          autocomplete="current-password"
+          required
+          onInput={({ currentTarget }) => {
+            password.value = currentTarget.value;
+          }}
+        />
+      </label>
+      <button type="submit" class="press press-primary">
+        {said.act}
+      </button>
+      <p class="hint">{said.first}</p>
+    </form>
+  );
+}
+
+export const signingIn: Screen = { Page: SignIn, next: () => words.value.signIn.next };

@@ -1,0 +1,40 @@
+import { notice } from '../stores/notice';
+import { current } from '../stores/run';
+import { isOver, stopRun } from '../stores/runs';
+import { words } from '../words';
+import { Press } from './press';
+import type { Screen } from './screen';
+
+/** How to stop, what comes next, and what can be done: at the lower edge of every page. */
+export function CommandBar({ screen }: { screen: Screen }) {
+  const said = words.value.bar;
+  const run = current.value;
+  const stoppable = run !== null && !isOver(run) && run.commands.includes('stop');
+  return (
+    <footer class="command-bar">
+      {notice.value && (
+        <div class="notice" role="alert">
+          <span aria-hidden="true">▲</span>
+          <p lang="en">{notice.value}</p>
+          <Press
+            act={() => {
+              notice.value = '';
+            }}
+          >
+            {words.value.close}
+          </Press>
+        </div>
+      )}
+      {stoppable && (
+        <Press kind="stop" act={() => stopRun(run.run)}>
+          <span aria-hidden="true">■</span> {said.stop}
+        </Press>
+      )}
+      <p class="next">
+        <small>{said.next}</small>
+        {screen.next()}
+      </p>
+      <div class="actions">{screen.Actions && <screen.Actions />}</div>
+    </footer>
+  );
+}

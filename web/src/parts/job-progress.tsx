@@ -1,0 +1,24 @@
+import type { ServerJobsState } from '../api';
+import { number } from '../units';
+import { words } from '../words';
+
+interface Props {
+  title: string;
+  job: { state: ServerJobsState; progress: number; reason: string | null };
+}
+
+/** How far a job is, or why it came to nothing. */
+export function JobProgress({ title, job: { state, progress, reason } }: Props) {
+  const said = words.value.gap.jobs[state];
+  const ended = state === 'failed' || state === 'cancelled';
+  return (
+    <section class="job-progress">
+      <h2>{title}</h2>
+      {!ended && <progress max={1} value={progress} aria-label={title} />}
+      <p role="status" class={state === 'failed' ? 'flaw hint' : undefined}>
+        <b>{said}</b> {state === 'running' && progress > 0 && `${number(100 * progress, 0)} %`}
+      </p>
+      {reason && <p lang="en">{reason}</p>}
+    </section>
+  );
+}

@@ -1,0 +1,52 @@
+import type { DiagnosisAnswer } from '../api';
+import { effectName, openOf } from '../effect-values';
+import { consequence, gapSentence } from '../gap-sentences';
+import { words } from '../words';
+import { EngineSentence } from './engine-sentence';
+
+type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+
+/** The answer in one sentence, what to do, and what it means for the payload. */
+export function Verdict({ diagnosis }: { diagnosis: Diagnosis }) {
+  const said = words.value.gap;
+  const [best] = openOf(diagnosis);
+  const advised = diagnosis.verdict === 'explained' || diagnosis.verdict === 'ambiguous';
+  const atStake = consequence(diagnosis);
+  return (
+    <section class="gap-verdict">
+      <h1>{gapSentence(diagnosis)}</h1>
+      {diagnosis.verdict === 'not_enough' && (
+        <p lang="en" class="hint">
+          {diagnosis.summary}
+        </p>
+      )}
+      <dl class="advice">
+        {advised && best && (
+          <>
+            <dt>{said.todo}</dt>
+            {best.advice.map(
+              ([effect, english]) =>
+                english && (
+                  <dd key={effect}>
+                    <EngineSentence said={said.remedies[effect]} english={english} />
+                  </dd>
+                ),
+            )}
+          </>
+        )}
+        {atStake && (
+          <>
+            <dt>{said.payloadEffect}</dt>
+            <dd>{atStake}</dd>
+          </>
+        )}
+        {(diagnosis.twin ?? []).length > 0 && (
+          <>
+            <dt>{said.twinHad}</dt>
+            <dd>{diagnosis.twin?.map(effectName).join(', ')}</dd>
+          </>
+        )}
+      </dl>
+    </section>
+  );
+}

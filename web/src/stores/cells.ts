@@ -1,0 +1,36 @@
+import { computed, effect, signal, untracked } from '@preact/signals';
+import type { CellListed, CoreCellCell, CoreCellPayload } from '../api';
+import { ask } from '../client';
+import { kept } from './kept';
+import { session } from './session';
+
+export type Cell = CoreCellCell;
+export type Payload = CoreCellPayload;
+
+/** All cells; null until they are known. */
+export const cells = signal<CellListed[] | null>(null);
+/** Name of the cell that this console stands at; empty where none was chosen. */
+export const chosenCell = kept('cell', '', (_text): _text is string => true);
+/** The chosen cell, its zones where they were when it was read. */
+export const cell = signal<Cell | null>(null);
+export const payloads = computed<[string, Payload][]>(() => Object.entries(cell.value?.payloads ?? {}));
+
+export async function readCells(): Promise<void> {
+  cells.value = await ask('GET /api/cells');
+  const usable = cells.value.filter((each) => each.flaw === null);
+  if (!usable.some((each) => each.name === chosenCell.value)) chosenCell.value = usable[0]?.name ?? '';
+}
+
+export async function readCell(name: string): Promise<void> {
+  const found = await ask('GET /api/cells/{cell}', { path: { cell: name } });
+  if (chosenCell.value === name) cell.value = found.cell;
+}
+
+effect(() => {
+  if (session.value) void untracked(readCells).catch(() => undefined);
+});
+effect(() => {
+  const name = chosenCell.value;
+  cell.value = null;
+  if (session.value && name) void untracked(() => readCell(name)).catch(() => undefined);
+});

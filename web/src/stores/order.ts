@@ -1,0 +1,53 @@
+import { computed, effect, signal } from '@preact/signals';
+import type { RunOrder } from '../api';
+import { NARROW_SPACE, number, scaleOf, typed } from '../units';
+import { cell, payloads } from './cells';
+import { units } from './settings';
+
+/** Name of the tool on the robot, as the cell knows it. */
+export const tool = signal('');
+/** Its bounding box and mass as they stand in the fields, in the chosen units. */
+export const size = signal<[string, string, string]>(['', '', '']);
+export const mass = signal('');
+
+export const payload = computed(() => payloads.value.find(([name]) => name === tool.value)?.[1] ?? null);
+/** SI; null where a field cannot be read. */
+export const mass_kg = computed(() => read(mass.value, 'mass'));
+export const size_m = computed(() => size.value.map((text) => read(text, 'length')));
+
+function read(text: string, quantity: 'mass' | 'length'): number | null {
+  const found = typed(text);
+  return found === null || found <= 0 ? null : found / scaleOf(quantity).factor;
+}
+
+/** As `typed` reads it: without the spaces that group digits. */
+function written(value: number, quantity: 'mass' | 'length'): string {
+  const { factor, places } = scaleOf(quantity);
+  return number(factor * value, places).replaceAll(NARROW_SPACE, '');
+}
+
+effect(() => {
+  const known = payloads.value.map(([name]) => name);
+  if (!known.includes(tool.peek())) tool.value = known[0] ?? '';
+});
+effect(() => {
+  const chosen = payload.value;
+  if (chosen === null || !units.value) return;
+  const [x, y, z] = chosen.box.size_m;
+  size.value = [written(x, 'length'), written(y, 'length'), written(z, 'length')];
+  mass.value = written(chosen.mass_kg, 'mass');
+});
+
+/** What is to be identified, as the fields say; null while they cannot be read. */
+export const order = computed<RunOrder | null>(() => {
+  const [x, y, z] = size_m.value;
+  const chosen = payload.value;
+  if (cell.value === null || chosen === null || mass_kg.value === null || !x || !y || !z) return null;
+  const [px = 0, py = 0] = chosen.box.pose?.xyz_m ?? [];
+  const pose = { xyz_m: [px, py, z / 2] as [number, number, number] };
+  const edited = [x, y, z].some((length, k) => Math.abs(length - (chosen.box.size_m[k] ?? 0)) > 1e-4);
+  const payload_box = edited
+    ? { kind: 'box' as const, size_m: [x, y, z] as [number, number, number], pose }
+    : null;
+  return { cell: cell.value.name, payload: tool.value, payload_box, mass_guess_kg: mass_kg.value };
+});

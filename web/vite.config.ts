@@ -1,0 +1,12 @@
+import { defineConfig, loadEnv } from 'vite';
+
+/** `npx vite` serves the sources beside a running service: HEFT_HOST and HEFT_PORT say where that is. */
+export default defineConfig(({ mode }) => {
+  const { HEFT_HOST = '127.0.0.1', HEFT_PORT = '8000' } = loadEnv(mode, '.', 'HEFT_');
+  const proxied = { target: `http://${HEFT_HOST}:${HEFT_PORT}`, ws: true };
+  return {
+    build: { target: ['chrome123', 'firefox128', 'safari17.5'] },
+    worker: { format: 'es' },
+    server: { proxy: { '/api': proxied, '/viewer': proxied } },
+  };
+});
