@@ -55,6 +55,7 @@ class Conductor:
         self._broadcasts: dict[str, Broadcast] = {}
         self._tasks: set[asyncio.Task[None]] = set()
         self._wake = asyncio.Event()
+        self._taking = asyncio.Lock()  # a run that is changed in the store alone is not given its cell meanwhile
         self._loop: asyncio.AbstractEventLoop | None = None
         self._closing = False
 
@@ -131,14 +132,22 @@ class Conductor:
         if command is Command.CLEAR and ((active is not None and active.state is State.ABORTED) or not free(self.folder / run)):
             raise Conflict(f"run {run}: its control process still closes the recording; ask again in some seconds", ["clear"])
         try:
+            if active is None:
+                active = await self._changed(run, command, reason, also)
             if active is not None:
                 await active.command(command, reason, also)
-            else:
-                await asyncio.to_thread(self._idle.command, run, command, reason, also)
-                self._over(run)
         except IllegalCommandError:
             with self.store.read() as db:
                 raise run_ledger.refusal(run_ledger.load(db, run), run_ledger.OFFERED.get(command, command)) from None
+
+    async def _changed(self, run: str, command: Command, reason: str, also: Callable[[Session], object]) -> ActiveRun | None:
+        """Changes a run in the store, unless it has just got its cell: then it is returned."""
+        async with self._taking:
+            active = self.of_run(run)
+            if active is None:
+                await asyncio.to_thread(self._idle.command, run, command, reason, also)
+                self._over(run)
+            return active
 
     async def _queue(self) -> None:
         while not self._closing:
@@ -151,9 +160,10 @@ class Conductor:
             await self._wake.wait()
 
     async def _begin_waiting(self) -> None:
-        for row in await asyncio.to_thread(self._idle.first):
-            if row.state == State.RESETTING and row.cell not in self.active and not self._closing:
-                await self._begin(row)
+        async with self._taking:
+            for row in await asyncio.to_thread(self._idle.first):
+                if row.state == State.RESETTING and row.cell not in self.active and not self._closing:
+                    await self._begin(row)
 
     async def _begin(self, row: RunRow) -> None:
         try:

@@ -16,11 +16,11 @@ from tests.web.way import Way, walked
 
 @pytest.fixture(scope="package")
 def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
-    """`heft serve`, which serves the console that `make web/dist/index.html` has built."""
+    """`heft serve` with the console that `make web/dist/index.html` has built."""
     assert (ROOT / "web" / "dist" / "index.html").is_file(), "the console has not been built: make web/dist/index.html"
     with ExitStack() as stack:
         with urgent():
-            running = stack.enter_context(real_service(tmp_path_factory.mktemp("console")))
+            running = stack.enter_context(real_service(tmp_path_factory.mktemp("console"), "tests.web.patient_service"))
         yield running
 
 

@@ -21,7 +21,10 @@ TARGETS = """() => [...document.querySelectorAll('button, a[href], input, select
     .filter(each => each.checkVisibility() && !(each.matches('input') && each.closest('.option')))
     .map(each => { const {x, y, width, height} = each.getBoundingClientRect();
         const moves = each.matches('.press-start, .press-stop, .press-move');
-        return {name: each.textContent.trim() || each.name, x, y, width, height, moves} })"""
+        const page = (each.closest('main') ?? document.documentElement).getBoundingClientRect();
+        const top = Math.max(y, page.top), seen = Math.min(y + height, page.bottom) - top;
+        return {name: each.textContent.trim() || each.name, width, height, moves, place: {x, y: top, width, height: seen}} })"""
+"""The place of one is what the page shows of it: of negative height where it is scrolled out of it, and nobody can tap it."""
 
 ABNORMAL = ".state-abnormal, .state-aborted, .line-lost, .notice, .warnings, .in-the-way, .flaw, [aria-invalid=true]"
 """Where something is said to be abnormal."""
@@ -54,7 +57,7 @@ class Look:
     """A screen in one orientation and one theme.
 
     Args:
-        targets: what can be tapped: name, x, y, width, height (px), and whether it moves the robot or stops it.
+        targets: what can be tapped: name, width, height and place (px), and whether it moves the robot or stops it.
         colours: of everything to be seen: whose, which, as CSS says it, and whether it is where something is said to be abnormal.
         cut: what sticks out of its place or of the screen.
     """

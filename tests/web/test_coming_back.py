@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterator
 
 import pytest
@@ -18,9 +19,12 @@ UNREACHABLE = "ERR_INTERNET_DISCONNECTED"
 
 @pytest.fixture
 def person(service: RealService) -> Iterator[Console]:
-    """Somebody at another screen."""
+    """Somebody at another screen, who leaves no run behind."""
     console = Console(service)
     yield console
+    for run in console.http.get("/api/runs", params={"limit": 5}).json():
+        if "stop" in run["commands"]:
+            console.http.post(f"/api/runs/{run['run']}/commands", json={"command": "stop"})
     console.leave()
 
 
@@ -38,6 +42,7 @@ def test_a_screen_without_a_line_says_so_and_shows_what_happened_meanwhile_once_
     run = person.queue()
     watching.wait(".command-bar .press-stop")
     watching.press("Open the run")
+    watching.wait("main h2, main table")
     watching.page.context.set_offline(True)
     watching.wait(".line-lost")
     check_looks(look(watching.page, "connection lost"))
@@ -49,6 +54,30 @@ def test_a_screen_without_a_line_says_so_and_shows_what_happened_meanwhile_once_
     expect(watching.page.locator(".ended")).to_contain_text(person.run(run)["reason"])
     check_that_loading_it_again_changes_nothing(watching)
     assert [said for said in watching.complaints if UNREACHABLE not in said] == []
+
+
+def test_a_page_of_which_nothing_is_known_yet_says_why_and_fills_by_itself(watching: Tablet, person: Console):
+    run = person.queue()
+    about_it = f"**/api/runs/{run}"
+    watching.page.context.route(about_it, lambda route: route.abort())
+    watching.page.goto(f"http://{watching.service.address}/#/runs/{run}")
+    expect(watching.page.get_by_role("heading", level=1)).to_have_text("Reading from the service")
+    expect(watching.page.locator("main")).to_contain_text("fills by itself")
+    check_looks(look(watching.page, "nothing known"))
+    watching.page.context.unroute(about_it)
+    expect(watching.page.get_by_role("heading", level=1)).not_to_have_text("Reading from the service")
+    assert [said for said in watching.complaints if "ERR_FAILED" not in said] == []
+
+
+def test_a_service_that_answers_nothing_at_all_is_a_lost_line_too_and_is_found_again(watching: Tablet):
+    expect(watching.page.locator(".line-lost")).to_have_count(0)
+    watching.service.send(signal.SIGSTOP)
+    try:
+        watching.wait(".line-lost")
+    finally:
+        watching.service.send(signal.SIGCONT)
+    expect(watching.page.locator(".line-lost")).to_have_count(0)
+    assert watching.complaints == []
 
 
 def check_that_loading_it_again_changes_nothing(at: Tablet) -> None:

@@ -5,6 +5,9 @@ import { csrfToken, session } from './stores/session';
 type Method = 'get' | 'post' | 'put' | 'patch' | 'delete';
 type Path = keyof paths & string;
 
+/** How long an answer may take. A line that swallows everything ends no request, and the screen would go on saying that all is well. */
+const PATIENCE_MS = { get: 5_000, others: 30_000 };
+
 /** Every endpoint by the name that the service's table of authority gives it: "GET /api/runs/{run}". */
 export type Endpoint = {
   [P in Path]: {
@@ -45,7 +48,7 @@ export class Refusal extends Error {
 /**
  * Asks the service.
  *
- * @throws Refusal: it says no; TypeError: it cannot be reached.
+ * @throws Refusal: it says no; TypeError: it cannot be reached; TimeoutError: it is not heard of. A zip takes as long as it takes.
  */
 export async function ask<E extends Endpoint>(
   endpoint: E,
@@ -56,7 +59,14 @@ export async function ask<E extends Endpoint>(
   if (method !== 'GET') headers.set('X-CSRF-Token', csrfToken.value ?? '');
   const body = asked.zip ?? (asked.body === undefined ? null : JSON.stringify(asked.body));
   if (body !== null) headers.set('Content-Type', asked.zip ? 'application/zip' : 'application/json');
-  const response = await reached(addressOf(template, asked.path, asked.query), { method, headers, body });
+  const patience_ms = method === 'GET' ? PATIENCE_MS.get : PATIENCE_MS.others;
+  const signal = asked.zip ? null : AbortSignal.timeout(patience_ms);
+  const response = await reached(addressOf(template, asked.path, asked.query), {
+    method,
+    headers,
+    body,
+    signal,
+  });
   return (response.status === 204 ? undefined : await response.json()) as Good<Operation<E>>;
 }
 

@@ -1,11 +1,13 @@
-import { effect, signal, untracked } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import { comparedOffsets, comparedPayload, mostClearly } from '../comparison-rows';
 import { ComparisonTable } from '../parts/comparison-table';
 import { Press } from '../parts/press';
+import { Reading } from '../parts/reading';
 import type { Screen } from '../parts/screen';
 import { go, route, to } from '../route';
 import { type Compared, compare } from '../stores/comparison';
-import { attempt } from '../stores/notice';
+import { until } from '../stores/connection';
+import { told } from '../stores/notice';
 import { session } from '../stores/session';
 import { moment, percent } from '../units';
 import { words } from '../words';
@@ -16,19 +18,17 @@ const shown = signal<Compared | null>(null);
 effect(() => {
   const [page, one, other] = route.value;
   shown.value = null;
-  if (!session.value || page !== 'history' || one === undefined || other === undefined) return;
-  void untracked(() =>
-    attempt(async () => {
-      const found = await compare(one, other);
-      if (route.value[1] === one && route.value[2] === other) shown.value = found;
-    }),
-  );
+  if (!session.value || page !== 'history' || one === undefined || other === undefined) return undefined;
+  return until(async () => {
+    const found = await compare(one, other).catch(told);
+    if (route.value[1] === one && route.value[2] === other) shown.value = found;
+  });
 });
 
 function Comparison() {
   const said = words.value.comparison;
   const found = shown.value;
-  if (found === null) return <p class="page">…</p>;
+  if (found === null) return <Reading />;
   const { chance, differ } = found.answer.comparison;
   const when = found.runs.map((run) => moment(run.ended_at ?? run.requested_at));
   return (

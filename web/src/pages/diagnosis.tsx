@@ -8,6 +8,7 @@ import { NextMotion } from '../parts/next-motion';
 import { OverlayPlots } from '../parts/overlay-plots';
 import { PayloadChange } from '../parts/payload-change';
 import { Press } from '../parts/press';
+import { Reading } from '../parts/reading';
 import { Reserved } from '../parts/reserved';
 import type { Screen } from '../parts/screen';
 import { TwinAddition } from '../parts/twin-addition';
@@ -23,7 +24,7 @@ import { words } from '../words';
 
 function Diagnosis() {
   const shown = diagnosis.value;
-  if (shown === null) return <p class="page">…</p>;
+  if (shown === null) return <Reading />;
   if (shown.result === null) return <Waiting shown={shown} />;
   const { result } = shown;
   return (

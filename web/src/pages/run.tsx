@@ -1,4 +1,5 @@
 import type { RunAnswer } from '../api';
+import { Reading } from '../parts/reading';
 import type { Screen } from '../parts/screen';
 import { run } from '../stores/run';
 import { words } from '../words';
@@ -8,7 +9,7 @@ import { preview } from './preview';
 import { result } from './result';
 import { running } from './running';
 
-const loading: Screen = { Page: () => <p class="page">…</p>, next: () => words.value.planning.next };
+const reading: Screen = { Page: Reading, next: () => words.value.planning.next };
 
 const BY_STATE: Record<RunAnswer['state'], Screen> = {
   Resetting: planning,
@@ -32,5 +33,5 @@ const BY_STATE: Record<RunAnswer['state'], Screen> = {
 
 /** What a run shows depends on what it is at. */
 export function runScreen(): Screen {
-  return run.value === null ? loading : BY_STATE[run.value.state];
+  return run.value === null ? reading : BY_STATE[run.value.state];
 }

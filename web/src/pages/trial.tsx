@@ -2,6 +2,7 @@ import { computed } from '@preact/signals';
 import { JobProgress } from '../parts/job-progress';
 import { OpenedTrials } from '../parts/opened-trials';
 import { Press } from '../parts/press';
+import { Reading } from '../parts/reading';
 import { Reserved } from '../parts/reserved';
 import { ScoreSheet } from '../parts/score-sheet';
 import type { Screen } from '../parts/screen';
@@ -15,7 +16,7 @@ const answered = computed(() => trials.value?.opened ?? null);
 function Trial() {
   const said = words.value.gap.trials;
   const shown = trials.value;
-  if (shown === null) return <p class="page">…</p>;
+  if (shown === null) return <Reading />;
   return (
     <div class="page trials">
       <section>

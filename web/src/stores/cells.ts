@@ -1,6 +1,7 @@
-import { computed, effect, signal, untracked } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import type { CellListed, CoreCellCell, CoreCellPayload } from '../api';
 import { ask } from '../client';
+import { until } from './connection';
 import { kept } from './kept';
 import { session } from './session';
 
@@ -26,11 +27,9 @@ export async function readCell(name: string): Promise<void> {
   if (chosenCell.value === name) cell.value = found.cell;
 }
 
-effect(() => {
-  if (session.value) void untracked(readCells).catch(() => undefined);
-});
+effect(() => (session.value ? until(readCells) : undefined));
 effect(() => {
   const name = chosenCell.value;
   cell.value = null;
-  if (session.value && name) void untracked(() => readCell(name)).catch(() => undefined);
+  return session.value && name ? until(() => readCell(name)) : undefined;
 });

@@ -1,6 +1,7 @@
-import { computed, effect, signal, untracked } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import type { DiagnosisAnswer, OverlayAnswer } from '../api';
 import { ask } from '../client';
+import { until } from './connection';
 import { jobsOf } from './jobs';
 
 /** So many of the newest are listed. */
@@ -37,5 +38,5 @@ const compared = computed(() => (diagnosis.value?.result?.gap ? diagnosis.value.
 effect(() => {
   const id = compared.value;
   overlay.value = null;
-  if (id !== null) void untracked(() => readOverlay(id)).catch(() => undefined);
+  return id !== null ? until(() => readOverlay(id)) : undefined;
 });

@@ -1,9 +1,9 @@
-import { computed, effect, signal, untracked } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import type { RunAnswer } from '../api';
 import { ask } from '../client';
 import { route } from '../route';
 import { chosenCell } from './cells';
-import { every } from './connection';
+import { every, until } from './connection';
 import { session } from './session';
 
 const ASK_MS = 3000;
@@ -69,7 +69,7 @@ const looking = computed(() => Boolean(session.value) && route.value[0] === 'his
 effect(() => {
   const cell = historyCell.value;
   historyTools.value = [];
-  if (looking.value && cell) void untracked(() => readTools(cell)).catch(() => undefined);
+  return looking.value && cell ? until(() => readTools(cell)) : undefined;
 });
 effect(() => {
   const [cell, payload, limit] = [historyCell.value, historyTool.value, length.value];

@@ -1,4 +1,5 @@
 import { signal } from '@preact/signals';
+import { Refusal } from '../client';
 
 /** What went wrong last, as a sentence; empty where nothing did, or it was read. */
 export const notice = signal('');
@@ -11,4 +12,11 @@ export async function attempt(act: () => Promise<void>): Promise<void> {
   } catch (error) {
     notice.value = error instanceof Error ? error.message : String(error);
   }
+}
+
+/** A no becomes the notice; whatever else went wrong is thrown on. */
+export function told(error: unknown): null {
+  if (!(error instanceof Refusal)) throw error;
+  notice.value = error.message;
+  return null;
 }

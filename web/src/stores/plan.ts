@@ -1,6 +1,7 @@
-import { computed, effect, signal, untracked } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import type { PlanAnswer } from '../api';
 import { ask } from '../client';
+import { until } from './connection';
 import { sent } from './control';
 import { newest, run } from './run';
 import { readRuns } from './runs';
@@ -39,7 +40,7 @@ effect(() => {
   const id = waiting.value;
   const changed = shownSha.value;
   plan.value = null;
-  if (id !== null && changed !== null) void untracked(() => showPlan(id)).catch(() => undefined);
+  return id !== null && changed !== null ? until(() => showPlan(id)) : undefined;
 });
 effect(() => {
   if (plan.value === null) return undefined;

@@ -50,6 +50,10 @@ export const de: Words = {
     Aborted: 'Abgebrochen',
     Clearing: 'Wird quittiert',
   },
+  reading: {
+    title: 'Wird vom Dienst gelesen',
+    lost: 'Der Dienst antwortet nicht. Diese Seite füllt sich von selbst, sobald er es tut.',
+  },
   bar: {
     next: 'Als Nächstes',
     stop: 'STOPP',

@@ -49,6 +49,10 @@ export const en = {
     Aborted: 'Aborted',
     Clearing: 'Clearing',
   },
+  reading: {
+    title: 'Reading from the service',
+    lost: 'The service does not answer. This page fills by itself as soon as it does.',
+  },
   bar: {
     next: 'Next',
     stop: 'STOP',
