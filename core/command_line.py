@@ -218,7 +218,7 @@ def _answer(result: Result, json: str | None) -> None:
     for line in verification_lines(result):
         answers.print(line, highlight=False)
     for warning in result.warnings:
-        answers.print(f"Warning: {warning}", highlight=False)
+        answers.print(f"Warning: {warning.sentence}", highlight=False)
     answers.print(result.verdict, highlight=False)
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
 from core.recording import Recording
+from core.remark import Remark
 
 if TYPE_CHECKING:  # who only reads answers waits for no estimator
     from core.estimation.estimate import Estimate, Identification, Verification
@@ -107,7 +108,7 @@ class Result(Part):
     cell: str | None
     payload: str | None
     verdict: str
-    warnings: list[str]
+    warnings: list[Remark]
     reference: ReferencePart | None
     paper: PaperPart
     estimate: EstimatePart | None

@@ -12,6 +12,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from core.cell import Cell
+from core.errors import Commanded
 from core.events import Event, Progress
 from core.sessions.leased import Renewal
 from server import run_ledger
@@ -19,6 +20,8 @@ from server.broadcast import Broadcast
 from server.event_schemas import EventMessage, PlanShown
 from server.packml import MOVING, Command, State
 from server.plan_schemas import RunPlan
+from server.reason import Reason, because
+from server.reason import failed as failure
 from server.run_ledger import Step
 from server.run_metrics import RunMetrics
 from server.run_order import order_of
@@ -115,20 +118,20 @@ class ActiveRun:
         await self._step(lambda _: [Command.START], change=change, also=also)
         self._process.tell(Release(plan_sha256))
 
-    async def command(self, command: Command, reason: str, also: Callable[[Session], object]) -> None:
+    async def command(self, command: Command, reason: Reason, also: Callable[[Session], object]) -> None:
         """Holds, resumes, stops or aborts; the robot hears of an end before the store does.
 
         Raises:
             IllegalCommandError: not in this state.
         """
         if command in (Command.STOP, Command.ABORT):
-            self._end(reason)
+            self._end(reason.sentence)
             asyncio.get_running_loop().call_later(GRACE_S, self._process.kill)
         elif command is Command.HOLD and self.state is State.EXECUTE:
             self._process.tell(Hold())
 
         def change(row: RunRow) -> None:
-            row.reason = None if command is Command.UNHOLD else reason
+            because(row, None if command is Command.UNHOLD else reason)
 
         await self._step(lambda _: [command], change=change, also=also)
         if command is Command.UNHOLD:
@@ -168,10 +171,11 @@ class ActiveRun:
         """The end of a run that did not come through: where it was told to end, as told; before any motion Stopped; else Aborted."""
 
         def change(row: RunRow) -> None:
-            if row.state == State.STOPPING:
-                row.reason = row.reason or failed.message
-            else:
-                row.aborted, row.reason, row.in_the_way = True, failed.message, failed.in_the_way
+            asked = row.state == State.STOPPING or (row.state == State.ABORTING and failed.error == Commanded.__name__)
+            if row.reason is None or not asked:
+                because(row, failure(failed))
+            if row.state != State.STOPPING:
+                row.aborted, row.in_the_way = True, failed.in_the_way
 
         await self._step(run_ledger.ending, change=change)
 

@@ -25,6 +25,7 @@ from server.crashed_runs import Left, close_crashed, recover
 from server.errors import Conflict
 from server.idle_runs import IdleRuns
 from server.packml import Command, IllegalCommandError, State
+from server.reason import NOT_KEPT, SHUT_DOWN, Reason, of_error
 from server.request_context import run_id
 from server.run_metrics import RunMetrics
 from server.run_tables import RunRow
@@ -37,6 +38,8 @@ from server.zones import positions, with_zones_where_they_are
 log = logging.getLogger("heft.runs")
 
 RETRY_S = 1.0
+SHUT_DOWN_NOW = Reason(SHUT_DOWN, "the service was shut down; the robot was stopped.")
+STATE_NOT_KEPT = Reason(NOT_KEPT, "the run's state could not be written; the robot was stopped.")
 
 
 class Conductor:
@@ -75,7 +78,7 @@ class Conductor:
         self._wake.set()
         for active in list(self.active.values()):
             with suppress(IllegalCommandError):
-                await active.command(Command.ABORT, "the service was shut down; the robot was stopped.", lambda _: None)
+                await active.command(Command.ABORT, SHUT_DOWN_NOW, lambda _: None)
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
     def wake(self) -> None:
@@ -121,7 +124,7 @@ class Conductor:
             motion = run_ledger.motion_of(row)
             return Left(self.cell_now(db, row.cell), None if motion is None else motion.recording)
 
-    async def command(self, run: str, command: Command, reason: str, also: Callable[[Session], object]) -> None:
+    async def command(self, run: str, command: Command, reason: Reason, also: Callable[[Session], object]) -> None:
         """Passes a command on; a run that has no process is changed in the store alone.
 
         Raises:
@@ -140,7 +143,7 @@ class Conductor:
             with self.store.read() as db:
                 raise run_ledger.refusal(run_ledger.load(db, run), run_ledger.OFFERED.get(command, command)) from None
 
-    async def _changed(self, run: str, command: Command, reason: str, also: Callable[[Session], object]) -> ActiveRun | None:
+    async def _changed(self, run: str, command: Command, reason: Reason, also: Callable[[Session], object]) -> ActiveRun | None:
         """Changes a run in the store, unless it has just got its cell: then it is returned."""
         async with self._taking:
             active = self.of_run(run)
@@ -171,7 +174,7 @@ class Conductor:
                 cell = self.cell_now(db, row.cell)
             active = ActiveRun(self.store, row, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
         except (HeftError, OSError) as error:
-            await asyncio.to_thread(self._idle.end, row.id, str(error))
+            await asyncio.to_thread(self._idle.end, row.id, of_error(error))
             self._over(row.id)
             return
         self.active[row.cell] = active
@@ -192,7 +195,7 @@ class Conductor:
         """Tries to write the end of a run until the store can be written again."""
         while not self._closing:
             try:
-                await asyncio.to_thread(self._idle.end, run, "the run's state could not be written; the robot was stopped.")
+                await asyncio.to_thread(self._idle.end, run, STATE_NOT_KEPT)
             except SQLAlchemyError:
                 await asyncio.sleep(RETRY_S)
             else:

@@ -14,6 +14,7 @@ from sqlalchemy.orm import Session
 from core.cell import Cell
 from core.errors import HeftError
 from server.packml import FINAL, Command, State
+from server.reason import SERVICE_ENDED, Reason, because
 from server.run_ledger import steps
 from server.run_tables import RunRow
 from server.runner.messages import Failed, Recovered
@@ -33,7 +34,8 @@ def close_crashed(db: Session, now: datetime) -> list[str]:
     """Aborts the runs that an earlier service left under way; those that only waited go on waiting. Returns which had begun to move."""
     closed = []
     for row in db.scalars(select(RunRow).where(RunRow.state.not_in((*FINAL, State.ABORTED, State.RESETTING)))):
-        row.reason = f"the service ended while the run was in {row.state}; the robot was stopped. Look at the cell, then clear the run."
+        ended = f"the service ended while the run was in {row.state}; the robot was stopped. Look at the cell, then clear the run."
+        because(row, Reason(SERVICE_ENDED, ended))
         moved = row.released
         if row.state == State.CLEARING:
             steps(db, row, [None], now)

@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 
 from server import run_ledger
 from server.packml import Command
+from server.reason import Reason, because
 from server.run_metrics import RunMetrics
 from server.run_tables import RunRow
 from server.store import Store
@@ -29,7 +30,7 @@ class IdleRuns:
         with self._store.read() as db:
             return run_ledger.waiting(db)
 
-    def command(self, run: str, command: Command, reason: str, also: Callable[[Session], object]) -> None:
+    def command(self, run: str, command: Command, reason: Reason, also: Callable[[Session], object]) -> None:
         """A command and what follows from it; `also` is written in the same transaction.
 
         Raises:
@@ -38,12 +39,13 @@ class IdleRuns:
         """
         with self._store.write() as db:
             row = run_ledger.load(db, run)
-            row.reason = row.reason or reason
+            if row.reason is None:
+                because(row, reason)
             told = run_ledger.steps(db, row, [command, None], self._now())
             also(db)
         self._metrics.told(told, row)
 
-    def end(self, run: str, reason: str) -> None:
+    def end(self, run: str, reason: Reason) -> None:
         """The end of a run that did not come through, see `run_ledger.end`."""
         with self._store.write() as db:
             run_ledger.end(db, run_ledger.load(db, run), reason, self._now())

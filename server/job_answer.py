@@ -20,12 +20,13 @@ class JobAnswer(Answer):
 
     Args:
         progress: 0 to 1.
-        reason: why it failed or was cancelled.
+        reason: why it failed or was cancelled; `reason_kind` is the kind of it, see docs/runs.md.
     """
 
     state: State
     progress: float
     reason: str | None
+    reason_kind: str | None
     requested_by: str
     requested_at: datetime
     ended_at: datetime | None
@@ -41,6 +42,7 @@ class JobAnswer(Answer):
             state=State(row.state),
             progress=1.0 if row.state == State.done else worker.progress.get(row.id, 0.0),
             reason=row.reason,
+            reason_kind=row.reason_kind,
             requested_by=row.requested_by,
             requested_at=row.requested_at,
             ended_at=row.ended_at,

@@ -16,6 +16,7 @@ from sqlalchemy.orm import Session
 
 from core.errors import HeftError
 from server.errors import Conflict, NotFound
+from server.reason import Reason, because, cancelled, failed, of_error
 from server.run_ledger import new_id
 from server.run_tables import JobRow
 from server.runner.messages import Advanced, Answered, Failed
@@ -92,7 +93,8 @@ def cancel(db: Session, kind: str, job: str, who: str, now: datetime) -> JobRow:
     row = load(db, kind, job)
     if row.state not in UNDER_WAY:
         raise Conflict(f"{kind} {job}: it is {row.state}; only what waits or runs can be cancelled")
-    row.state, row.ended_at, row.reason = State.cancelled, now, f"cancelled by {who}."
+    row.state, row.ended_at = State.cancelled, now
+    because(row, cancelled(who))
     return row
 
 
@@ -175,10 +177,10 @@ class Worker:
                         self._change(row.id, told=told)
                     case Answered(text=text):
                         self._end(row.id, State.done, result=text)
-                    case Failed(message=message):
-                        self._end(row.id, State.failed, reason=message)
+                    case Failed():
+                        self._fail(row.id, failed(word))
         except HeftError as error:
-            self._end(row.id, State.failed, reason=str(error))
+            self._fail(row.id, of_error(error))
         finally:
             self._running = None
             self.progress.pop(row.id, None)
@@ -187,6 +189,9 @@ class Worker:
         """Whether nobody has cancelled it."""
         with self._store.read() as db:
             return load(db, self._kind.name, job).state == State.running
+
+    def _fail(self, job: str, reason: Reason) -> None:
+        self._end(job, State.failed, reason=reason.sentence, reason_kind=reason.kind)
 
     def _end(self, job: str, state: State, **changes: str) -> None:
         self._change(job, state=state, ended_at=self._now(), **changes)

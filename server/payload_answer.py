@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from core.remark import Remark
 from core.result import Numbers, PaperPart, ReferencePart, ResidualPart, Result, SafetyPart, SecondsPart, VerificationPart
 from server.schemas import Answer
 
@@ -21,7 +22,7 @@ class PayloadAnswer(Answer):
     cell: str | None
     payload: str | None
     verdict: str
-    warnings: list[str]
+    warnings: list[Remark]
     mass_kg: float | None
     mass_std_kg: float | None
     com_m: Numbers

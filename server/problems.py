@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from http import HTTPStatus
 from math import ceil
@@ -13,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from core import errors as core_errors
 from core.errors import BadInput, HeftError, Stopped
 from server import errors
+from server.reason import slug
 from server.request_context import request_id
 
 MEDIA_TYPE = "application/problem+json"
@@ -85,9 +85,6 @@ KINDS: dict[type[HeftError], Kind] = {
     core_errors.OutOfLimits: Kind(HTTPStatus.CONFLICT, "A joint left its limits"),
     core_errors.OverLoad: Kind(HTTPStatus.CONFLICT, "The wrist wrench exceeds its limit"),
     core_errors.BadState: Kind(HTTPStatus.CONFLICT, "The robot's state cannot be trusted"),
-    core_errors.Held: Kind(HTTPStatus.CONFLICT, "The robot is held"),
-    core_errors.Commanded: Kind(HTTPStatus.CONFLICT, "The robot was told to stop"),
-    core_errors.ControlLost: Kind(HTTPStatus.CONFLICT, "Nobody is in control of the robot"),
     core_errors.Held: Kind(HTTPStatus.CONFLICT, "The run is on hold"),
     core_errors.Commanded: Kind(HTTPStatus.CONFLICT, "The run was stopped on request"),
     core_errors.ControlLost: Kind(HTTPStatus.CONFLICT, "Nobody is in control of the robot"),
@@ -121,11 +118,6 @@ def kinds_by_name() -> dict[str, Kind]:
 def kind_of(error: HeftError) -> tuple[type[HeftError], Kind]:
     """The nearest class of the error's tree that has a kind."""
     return next((each, KINDS[each]) for each in type(error).__mro__ if each in KINDS)
-
-
-def slug(name: str) -> str:
-    """`BadCell` as `bad-cell`."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", name).lower()
 
 
 def problem_of(error: HeftError) -> Problem:

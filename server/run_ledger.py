@@ -16,6 +16,7 @@ from server import webhooks
 from server.errors import Conflict, NotFound
 from server.event_schemas import EventMessage, Happening, StateChanged
 from server.packml import COMPLETED, FINAL, Command, IllegalCommandError, State, commanded, job_state, legal_commands
+from server.reason import Reason, because
 from server.result_summary import summary_of
 from server.run_schemas import ProposedMotion, RunAnswer, RunOrder
 from server.run_tables import RunEventRow, RunRow
@@ -102,9 +103,10 @@ def steps(db: Session, row: RunRow, path: Iterable[Step], now: datetime) -> list
     return messages
 
 
-def end(db: Session, row: RunRow, reason: str, now: datetime) -> None:
+def end(db: Session, row: RunRow, reason: Reason, now: datetime) -> None:
     """Closes a run that no process carries: as it was told to end; Stopped before any motion; else Aborted."""
-    row.aborted, row.reason = True, reason
+    row.aborted = True
+    because(row, reason)
     steps(db, row, ending(State(row.state)), now)
 
 
@@ -161,6 +163,7 @@ def answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None) -> Ru
         commands=offered(state),
         released=row.released,
         reason=row.reason,
+        reason_kind=row.reason_kind,
         in_the_way=row.in_the_way,
         progress=1.0 if state is State.COMPLETE else progress,
         eta_s=eta_s,

@@ -62,7 +62,7 @@ class RunAnswer(Answer):
     Args:
         state: PackML; `job_state` is the same as the MES sees it (ISA-95).
         commands: what may be asked of it now.
-        reason: why it did not come through, or why it stands.
+        reason: why it did not come through, or why it stands; `reason_kind` is the kind of it, see docs/runs.md.
         progress: share of the robot time, 0 to 1; `eta_s` what is left of it.
         result: what it found, in a few numbers; null until it is known.
         accepted_by: who took the result for good.
@@ -78,6 +78,7 @@ class RunAnswer(Answer):
     commands: list[str]
     released: bool
     reason: str | None
+    reason_kind: str | None
     in_the_way: str | None
     progress: float
     eta_s: float | None

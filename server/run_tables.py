@@ -27,6 +27,8 @@ class RunRow(Table):
     aborted: Mapped[bool] = mapped_column(default=False)
     """The job failed, whatever the machine's state is by now."""
     reason: Mapped[str | None] = mapped_column(Text)
+    reason_kind: Mapped[str | None] = mapped_column(String(32))
+    """See `server.reason`."""
     in_the_way: Mapped[str | None] = mapped_column(String(64))
     plan: Mapped[str | None] = mapped_column(Text)
     result: Mapped[str | None] = mapped_column(Text)
@@ -117,6 +119,8 @@ class JobRow(Table):
     """What may be known before it is done."""
     result: Mapped[str | None] = mapped_column(Text)
     reason: Mapped[str | None] = mapped_column(Text)
+    reason_kind: Mapped[str | None] = mapped_column(String(32))
+    """See `server.reason`."""
     requested_by: Mapped[str] = mapped_column(String(80))
     requested_at: Mapped[datetime]
     ended_at: Mapped[datetime | None]

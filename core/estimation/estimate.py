@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from core.estimation.segments import Segment
 from core.inertia import InertialParameters, Motion
+from core.remark import Remark
 from core.uncertain_parameters import UncertainParameters
 
 Array = NDArray[np.float64]
@@ -157,7 +158,7 @@ class Identification:
     paper: PaperEstimate
     estimate: Estimate | None
     verdict: str
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Remark, ...] = ()
     segments: tuple[Segment, ...] = ()
     series: TimeSeries | None = None
     bounds: tuple[str, ...] = field(default=())

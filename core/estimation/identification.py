@@ -21,6 +21,7 @@ from core.estimation.verification import LeaveOneOut
 from core.estimation.weak_form import WeakForm
 from core.inertia import Motion, is_consistent, regressor
 from core.recording import Recording
+from core.remark import Remark
 from core.twin import NOMINAL, Twin
 
 Array = NDArray[np.float64]
@@ -78,8 +79,9 @@ def _fitted(form: WeakForm, wrench: Array, noise: SensorNoise, effects: TwinEffe
     return corrected.found, corrected.change
 
 
-def _not_accounted(effects: TwinEffects) -> list[str]:
-    return [f"the twin's effect could not be accounted for, {reason}" for reason in effects.lacking]
+def _not_accounted(effects: TwinEffects) -> list[Remark]:
+    said = "the twin's effect could not be accounted for"
+    return [Remark("effect_left_out", f"{said}, {reason}", {"effect": reason.partition(":")[0]}) for reason in effects.lacking]
 
 
 def _motion(poses: Poses, static: bool) -> tuple[Motion, Array]:
@@ -160,4 +162,5 @@ def _series(t: Array, wrench: Array, motion: Motion, found: Fit, change: Array) 
 
 def _nothing(segments: tuple[Segment, ...], why: str) -> Identification:
     nan = np.full(10, np.nan)
-    return Identification(PaperEstimate(nan, nan, np.full(6, np.nan)), None, f"The payload is not determined: {why}.", (why,), segments)
+    paper = PaperEstimate(nan, nan, np.full(6, np.nan))
+    return Identification(paper, None, f"The payload is not determined: {why}.", (Remark("nothing", why),), segments)

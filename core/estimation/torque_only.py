@@ -9,14 +9,17 @@ from core.estimation.estimate import Identification, PaperEstimate, TimeSeries
 from core.estimation.kinematics import Poses, smooth_motion
 from core.estimation.segments import segments_of_motion, segments_of_phase
 from core.recording import Recording
+from core.remark import Remark
 
 Array = NDArray[np.float64]
 
 SMOOTHING_S = 0.05
-NEEDED = (
+NEEDED = Remark(
+    "wrench_needed",
     "a payload follows from joint torques only together with the arm's own parameters (link masses, first moments, inertias and friction), "
-    "or with a recording of the same motion without the payload; or record the wrench of a wrist sensor"
+    "or with a recording of the same motion without the payload; or record the wrench of a wrist sensor",
 )
+MOTION_NEEDED = Remark("motion_needed", "record joint positions or sensor poses beside the wrench")
 
 
 def torque_only(recording: Recording, poses: Poses | None) -> Identification:
@@ -25,7 +28,7 @@ def torque_only(recording: Recording, poses: Poses | None) -> Identification:
     paper = PaperEstimate(nan, nan, np.full(6, np.nan))
     lacks = "no wrench of a wrist sensor" if recording.wrench is None else "neither joints nor poses beside the wrench"
     verdict = f"The payload is not determined: the recording has {lacks}."
-    warnings = (NEEDED,) if recording.wrench is None else ("record joint positions or sensor poses beside the wrench",)
+    warnings = (NEEDED,) if recording.wrench is None else (MOTION_NEEDED,)
     if poses is None:
         return Identification(paper, None, verdict, warnings, bounds=tuple(_torques(recording)))
     motion, speed = smooth_motion(poses, window_s=SMOOTHING_S)

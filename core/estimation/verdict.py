@@ -11,6 +11,7 @@ from core.estimation.estimate import Estimate
 from core.estimation.generalised_least_squares import Fit
 from core.inertia import PHI_NAMES
 from core.recording import Recording
+from core.remark import Remark
 
 Array = NDArray[np.float64]
 
@@ -34,38 +35,41 @@ def verdict_of(estimate: Estimate, *, static: bool) -> str:
     return f"{mass}; not determined: {missing}."
 
 
-def warnings_of(recording: Recording, estimate: Estimate, found: Fit, *, static: bool) -> tuple[str, ...]:
-    """Sentences, the most important first."""
-    said: list[str] = []
+def warnings_of(recording: Recording, estimate: Estimate, found: Fit, *, static: bool) -> tuple[Remark, ...]:
+    """The most important first."""
+    said: list[Remark] = []
     ratio = np.sqrt(found.scale)
     if found.noise.measured and (ratio > 1.0).any():
         worst = int(np.argmax(ratio))
-        said.append(
+        sentence = (
             f"the residual exceeds the sensor's noise, most in {CHANNELS[worst]} ({ratio[worst]:.1f} times with its correlation in time): "
             "something that the model leaves out; the uncertainties were widened, but an error that repeats is not noise"
         )
+        said.append(Remark("residual", sentence, {"channel": CHANNELS[worst], "times": float(ratio[worst])}))
     if estimate.constrained:
-        said.append("the data alone asked for a body that cannot exist; the nearest one that can was taken")
+        said.append(Remark("no_such_body", "the data alone asked for a body that cannot exist; the nearest one that can was taken"))
     if not found.noise.measured and not static:
-        said.append("no motionless part long enough to measure the sensor's noise: it was taken from the residual")
+        sentence = "no motionless part long enough to measure the sensor's noise: it was taken from the residual"
+        said.append(Remark("noise_of_residual", sentence))
     said += _saturation(recording)
     tilt = estimate.base_tilt_rad
     if tilt is not None and estimate.base_tilt_std is not None and (np.abs(tilt) > 4.0 * estimate.base_tilt_std).any():
-        size = np.degrees(float(np.linalg.norm(tilt)))
-        if size > 0.1:
-            said.append(f"the base is not level: {size:.2f} deg; taken into account")
+        size = float(np.linalg.norm(tilt))
+        if np.degrees(size) > 0.1:
+            said.append(Remark("base_tilt", f"the base is not level: {np.degrees(size):.2f} deg; taken into account", {"angle_rad": size}))
     delay, delay_std = estimate.delay_s, estimate.delay_std
     if delay is not None and delay_std is not None and abs(delay) > max(4.0 * delay_std, 1e-3):
         late = "late" if delay > 0 else "early"
-        said.append(f"the wrench is {abs(delay) * 1e3:.1f} ms {late} against the joints; taken into account")
+        sentence = f"the wrench is {abs(delay) * 1e3:.1f} ms {late} against the joints; taken into account"
+        said.append(Remark("delay", sentence, {"delay_s": delay}))
     if (estimate.drift.range > np.maximum(4.0 * estimate.drift.std, 2.0 * estimate.noise_std)).any():
-        said.append(f"{estimate.drift.description}; taken into account")
+        said.append(Remark("drift", f"{estimate.drift.description}; taken into account"))
     return tuple(said)
 
 
-def _saturation(recording: Recording) -> list[str]:
+def _saturation(recording: Recording) -> list[Remark]:
     if recording.wrench is None or recording.sensor.range is None:
         return []
     clipped = np.asarray((np.abs(recording.wrench) >= 0.999 * np.asarray(recording.sensor.range)).any(axis=0))
-    names = [name for name, at_limit in zip(CHANNELS, clipped.tolist(), strict=True) if at_limit]
-    return [f"the sensor reached the end of its range in {', '.join(names)}"] if names else []
+    names = ", ".join(name for name, at_limit in zip(CHANNELS, clipped.tolist(), strict=True) if at_limit)
+    return [Remark("saturated", f"the sensor reached the end of its range in {names}", {"channels": names})] if names else []

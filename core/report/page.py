@@ -35,7 +35,7 @@ def _content(recording: Recording, identification: Identification, run: RunSumma
         "title": f"Payload {payload.replace('_', ' ')}" if payload else "Payload",
         "subtitle": run.cell.title if run is not None else (recording.cell or "from a recording"),
         "verdict": sentence(identification.verdict),
-        "warnings": [sentence(warning) for warning in identification.warnings],
+        "warnings": [sentence(warning.sentence) for warning in identification.warnings],
         "bounds": [sentence(bound) for bound in identification.bounds],
         "facts": facts(identification, run),
         "parameters": rows if any(row.known or row.paper or row.reference for row in rows) else [],

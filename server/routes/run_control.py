@@ -13,6 +13,7 @@ from server.dependencies import Asking, Here, Now
 from server.errors import Conflict
 from server.packml import State
 from server.plan_schemas import RunPlan
+from server.reason import asked
 from server.run_answer import answered
 from server.run_schemas import RunAnswer
 from server.schemas import Answer, Body
@@ -107,7 +108,7 @@ async def command_run(run: str, body: CommandBody, here: Here, asking: Asking, n
     await here.conductor.command(
         run,
         COMMANDS[body.command],
-        f"{body.command} was asked for by {asking.who}.",
+        asked(body.command, asking.who),
         lambda db: audit.record(db, asking.who, f"run.{body.command}", {"run": run}, now=now),
     )
     return answered(here, run)

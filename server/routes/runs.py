@@ -13,6 +13,7 @@ from core.errors import BadPayload
 from server import audit, run_ledger
 from server.dependencies import Asking, Here, Now, Stored
 from server.packml import Command, State
+from server.reason import cancelled
 from server.run_answer import answered
 from server.run_queue import IdempotencyKey, Request, queued
 from server.run_schemas import RunAnswer, RunOrder
@@ -65,7 +66,7 @@ async def cancel_run(run: str, here: Here, asking: Asking, now: Now) -> RunAnswe
     await here.conductor.command(
         run,
         Command.STOP,
-        f"cancelled by {asking.who}.",
+        cancelled(asking.who),
         lambda db: audit.record(db, asking.who, "run.cancel", {"run": run}, now=now),
     )
     return answered(here, run)

@@ -11,9 +11,12 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from core.effects.library import library, symptoms
+from core.export.exports import TARGETS
 from core.gap.answer import Diagnosis
 from core.gap.experiment import candidates, second_payload
 from server.job_kinds import DiagnosisOrder
+from server.problems import kinds_by_name
+from server.reason import OWN
 from server.service import utc_now
 from server.store import Store
 from tests.server.finished_diagnosis import SWINGS, explanation, finished_diagnosis
@@ -25,7 +28,9 @@ from tests.web.screens import show, signed_in
 from tests.web.tablet import Tablet
 from tests.web.urgency import urgent
 
-WORDS = ROOT / "web" / "src" / "words" / "de-effects.ts"
+WORDS = ROOT / "web" / "src" / "words"
+OF_THE_SCREEN = {"unreachable", "not-in-control", "control-not-taken"}
+"""Kinds of what goes wrong on the screen alone."""
 PAYLOAD = {
     "before": {"phi": [2.8, 0.01, 0.02, 0.3, *[0.01] * 6], "std": [0.001] * 10},
     "after": {"phi": [2.7, 0.01, 0.02, 0.28, *[0.008] * 6], "std": [0.001] * 10},
@@ -114,16 +119,25 @@ def test_results_history_and_comparison_are_german(german: Tablet, service: Real
         assert person.release(runs[-1]).status_code == 200
         person.wait(runs[-1], "Complete")
     determined = person.run(runs[1])["result"]["determined"]
+    stopped = person.queue(seed=23)
+    person.wait(stopped, "Idle")
+    assert person.http.post(f"/api/runs/{stopped}/commands", json={"command": "stop"}).status_code == 200
+    person.wait(stopped, "Stopped")
     verdicts = {person.http.get(f"/api/runs/{run}/result").json()["verdict"] for run in runs}
     differ = person.http.get(f"/api/runs/{runs[0]}/comparison/{runs[1]}").json()["comparison"]["verdict"]
     person.leave()
     page = show(german, "runs", runs[0])
     expect(page.locator(".verdict-words")).to_contain_text("Die Last hat 2,7")
     check_says_none_of(page, verdicts)
+    page.locator(".exports summary").tap()
+    expect(page.locator(".exports li", has_text="Universal Robots")).to_contain_text("Trägheit um den Schwerpunkt")
+    assert page.locator(".warnings [lang=en], .exports li > p > [lang=en]").count() == 0
+    show(german, "runs", stopped)
+    expect(page.locator(".ended .told")).to_contain_text("Der Lauf wurde auf Wunsch beendet.")
     show(german, "history")
-    expect(page.locator(".run-list tbody tr").first).to_contain_text(
-        "alle zehn Größen bestimmt" if determined == 10 else f"{determined} von 10 Größen bestimmt"
-    )
+    rows = page.locator(".run-list tbody tr")
+    expect(rows.first).to_contain_text("Der Lauf wurde auf Wunsch beendet.")
+    expect(rows.nth(1)).to_contain_text("alle zehn Größen bestimmt" if determined == 10 else f"{determined} von 10 Größen bestimmt")
     check_says_none_of(page, verdicts)
     show(german, "history", *runs)
     expect(page.locator(".comparison .verdict")).to_contain_text("Am deutlichsten: ")
@@ -132,7 +146,7 @@ def test_results_history_and_comparison_are_german(german: Tablet, service: Real
 
 
 def test_every_remedy_and_every_motion_that_can_be_proposed_has_german_words() -> None:
-    text = WORDS.read_text()
+    text = (WORDS / "de-effects.ts").read_text()
     remedies, motions = (
         set(re.findall(r"^    (\w+):", part, re.MULTILINE)) for part in re.findall(r"(?:remedies|motions): {(.+?)\n  }", text, re.DOTALL)
     )
@@ -141,3 +155,23 @@ def test_every_remedy_and_every_motion_that_can_be_proposed_has_german_words() -
     proposed = {motion.id for motion in (*candidates(recording, (), np.tile([0.0, 0.0, -9.81], (len(recording), 1))), second_payload(1.0))}
     assert remedies == {effect.id for effect in (*library(), *symptoms())}
     assert motions == proposed
+
+
+def test_whatever_can_go_wrong_has_german_words() -> None:
+    said = set(re.findall(r"^  '?([\w-]+)'?:", (WORDS / "de-problems.ts").read_text(), re.MULTILINE))
+    assert said == set(kinds_by_name()) | OWN | OF_THE_SCREEN
+    assert set(re.findall(r"new Flaw\('([\w-]+)'\)", (WORDS.parent / "stores" / "control.ts").read_text())) <= OF_THE_SCREEN
+
+
+def test_remarks_of_the_engine_and_its_exports_have_german_words() -> None:
+    text = (WORDS / "de-remarks.ts").read_text()
+    warnings, undetermined, exports, limits = (
+        set(re.findall(r"^    (?:'([^']+)'|(\w+)):", part, re.MULTILINE))
+        for part in re.findall(r"^  \w+: {\n(.+?)\n  }", text, re.DOTALL | re.MULTILINE)
+    )
+    engine = "".join(path.read_text() for path in (ROOT / "core" / "estimation").glob("*.py"))
+    assert {name for _, name in warnings} == set(re.findall(r'Remark\(\s*"(\w+)"', engine))
+    assert {name for _, name in undetermined} == {"mass", "com", "inertia"}
+    assert {name for _, name in exports} == {target.name for target in TARGETS}
+    effects = "".join(path.read_text() for path in (ROOT / "core" / "effects").glob("*.py"))
+    assert all(f'"{sentence}"' in effects for sentence, _ in limits)

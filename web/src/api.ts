@@ -967,6 +967,8 @@ export interface components {
             progress: number;
             /** Reason */
             reason: string | null;
+            /** Reason Kind */
+            reason_kind: string | null;
             /** Requested By */
             requested_by: string;
             /**
@@ -1337,6 +1339,8 @@ export interface components {
             progress: number;
             /** Reason */
             reason: string | null;
+            /** Reason Kind */
+            reason_kind: string | null;
             /** Requested By */
             requested_by: string;
             /**
@@ -1952,7 +1956,7 @@ export interface components {
             /** Verdict */
             verdict: string;
             /** Warnings */
-            warnings: string[];
+            warnings: components["schemas"]["Remark"][];
             /** Mass Kg */
             mass_kg: number | null;
             /** Mass Std Kg */
@@ -2191,6 +2195,25 @@ export interface components {
             sent: components["schemas"]["Sent"];
         };
         /**
+         * Remark
+         * @description One of them.
+         *
+         *     Args:
+         *         id: what it is about; a language has words for it.
+         *         sentence: in English.
+         *         values: what the sentence names, SI.
+         */
+        Remark: {
+            /** Id */
+            id: string;
+            /** Sentence */
+            sentence: string;
+            /** Values */
+            values?: {
+                [key: string]: number | string;
+            };
+        };
+        /**
          * ResidualPart
          * @description Measured minus reconstructed wrench, force then torque.
          */
@@ -2295,7 +2318,7 @@ export interface components {
          *     Args:
          *         state: PackML; `job_state` is the same as the MES sees it (ISA-95).
          *         commands: what may be asked of it now.
-         *         reason: why it did not come through, or why it stands.
+         *         reason: why it did not come through, or why it stands; `reason_kind` is the kind of it, see docs/runs.md.
          *         progress: share of the robot time, 0 to 1; `eta_s` what is left of it.
          *         result: what it found, in a few numbers; null until it is known.
          *         accepted_by: who took the result for good.
@@ -2317,6 +2340,8 @@ export interface components {
             released: boolean;
             /** Reason */
             reason: string | null;
+            /** Reason Kind */
+            reason_kind: string | null;
             /** In The Way */
             in_the_way: string | null;
             /** Progress */
@@ -2725,6 +2750,8 @@ export interface components {
             progress: number;
             /** Reason */
             reason: string | null;
+            /** Reason Kind */
+            reason_kind: string | null;
             /** Requested By */
             requested_by: string;
             /**
@@ -3292,6 +3319,7 @@ export type ProblemKind = components['schemas']['ProblemKind'];
 export type RecordingWritten = components['schemas']['RecordingWritten'];
 export type ReferencePart = components['schemas']['ReferencePart'];
 export type ReleaseBody = components['schemas']['ReleaseBody'];
+export type Remark = components['schemas']['Remark'];
 export type ResidualPart = components['schemas']['ResidualPart'];
 export type ResultSummary = components['schemas']['ResultSummary'];
 export type Robot = components['schemas']['Robot'];

@@ -1,5 +1,6 @@
 import type { PayloadAnswer } from './api';
 import type { Quantity } from './units';
+import { words } from './words';
 
 /** One line of the answer; SI. */
 export interface Row {
@@ -35,7 +36,7 @@ export function payloadRows(answer: PayloadAnswer): Row[] {
     value,
     std,
     reference: reference[k],
-    reason: answer.reasons[PHI[k] ?? ''],
+    reason: whyNot(part, answer.reasons[PHI[k] ?? '']),
   });
   return [
     row('mass', '', 'mass', 0, answer.mass_kg, answer.mass_std_kg),
@@ -61,4 +62,9 @@ function aboutCom(phi: (number | null)[]): (number | null)[] {
     [2, 2],
   ].map(([i = 0, j = 0]) => m * ((i === j ? squared : 0) - (r[i] ?? 0) * (r[j] ?? 0)));
   return [m, ...r, ...inertia.map((value, k) => (value == null ? null : value - (steiner[k] ?? 0)))];
+}
+
+/** Why a parameter is not determined, where it is not. */
+function whyNot(part: Row['part'], english: string | undefined): string | undefined {
+  return english && (words.value.remarks.undetermined[part] ?? english);
 }

@@ -86,7 +86,7 @@ def test_tilt_delay_and_drift_are_found_and_do_not_reach_the_payload() -> None:
     assert estimate.delay_std < 1e-4
     np.testing.assert_allclose(estimate.drift.range[:3], 0.3, rtol=0.1)
     assert (np.abs((estimate.phi - body.phi) / estimate.std) < 4.0).all()
-    said = " ".join(found.warnings)
+    said = " ".join(warning.sentence for warning in found.warnings)
     assert "not level" in said and "4.0 ms late" in said and "drifted" in said
 
 
@@ -117,7 +117,7 @@ def test_misfit_widens_the_uncertainty_and_is_said(clean: tuple[Recording, Ident
     touched[k, 0] += 5.0 * np.sin(np.linspace(0, np.pi, 1000))
     found = identify_recording(replace(recording, wrench=touched))
     assert found.estimate is not None
-    assert "exceeds the sensor's noise, most in fx" in found.warnings[0]
+    assert "exceeds the sensor's noise, most in fx" in found.warnings[0].sentence
     assert found.estimate.std[0] > 2 * plain.estimate.std[0]
 
 
@@ -176,5 +176,5 @@ def test_joint_torques_alone_are_read_and_answered_with_what_is_missing() -> Non
     assert found.estimate is None
     assert np.isnan(found.paper.phi).all()
     assert "no wrench" in found.verdict
-    assert "arm's own parameters" in found.warnings[0]
+    assert "arm's own parameters" in found.warnings[0].sentence
     assert any("25.1 s at 200 Hz" in line for line in found.bounds)

@@ -19,6 +19,7 @@ from core.inertia import Motion
 from core.planning.start_configuration import StartConfiguration
 from core.planning.throw import Throw
 from core.recording import Recording, SensorDescription
+from core.remark import Remark
 from core.report import page
 from core.report.charts import POINTS, decimated
 from core.report.page import write_report
@@ -71,7 +72,7 @@ def case() -> tuple[Recording, Identification, RunSummary]:
         paper,
         estimate,
         "The payload weighs 2.784 kg.",
-        ("Channel ty is louder than its noise.",),
+        (Remark("residual", "Channel ty is louder than its noise."),),
         segments_of_phase(phase),
         TimeSeries(t, kinematics, measured, reconstructed),
     )
@@ -236,7 +237,7 @@ def test_words_from_outside_stay_words(tmp_path: Path) -> None:
     text = written(
         tmp_path,
         replace(recording, source=attack, reference_source=attack),
-        replace(identification, verdict=attack, warnings=(attack,)),
+        replace(identification, verdict=attack, warnings=(Remark("residual", attack),)),
         replace(run, cell=cell, payload=attack, nearest=attack),
     )
     assert "<script" not in text

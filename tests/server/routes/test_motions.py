@@ -13,6 +13,7 @@ from core.cell import CELL_FILE, load_cell
 from core.shapes import Box
 from server import jobs, run_ledger
 from server.job_kinds import DIAGNOSIS, DiagnosisOrder
+from server.reason import Reason
 from server.roles import Role
 from server.run_schemas import RunOrder
 from server.runner.run_folder import RECORDING
@@ -31,7 +32,7 @@ def first_run(nothing_planned: None, service: Service) -> str:
     with service.store.write() as db:
         order = RunOrder.model_validate({"cell": CELL, "payload": PAYLOAD, "seed": 7, "payload_box": ROOMY})
         run = run_ledger.queue(db, order, "account:anna", service.now())
-        run_ledger.end(db, run, "stopped", service.now())
+        run_ledger.end(db, run, Reason("stopped", "stopped"), service.now())
     standing_recording(recording_of(service, run.id), service.cells.load(CELL), PAYLOAD)
     return run.id
 

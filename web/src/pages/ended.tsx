@@ -4,6 +4,7 @@ import { Press } from '../parts/press';
 import { ProposedBy } from '../parts/proposed-by';
 import type { Screen } from '../parts/screen';
 import { StateMark } from '../parts/state-mark';
+import { Told } from '../parts/told';
 import { Viewer } from '../parts/viewer';
 import { go } from '../route';
 import { run } from '../stores/run';
@@ -28,7 +29,7 @@ function Ended() {
         <StateMark state={shown.state} />
         <h1>{said[end]}</h1>
         <ProposedBy />
-        {shown.reason && <p lang="en">{shown.reason}</p>}
+        {shown.reason && <Told kind={shown.reason_kind} english={shown.reason} />}
         {shown.in_the_way && (
           <p class="in-the-way">
             <span aria-hidden="true">▲</span> {said.inTheWay}: <b>{shown.in_the_way}</b>

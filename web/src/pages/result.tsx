@@ -1,5 +1,7 @@
+import type { Remark } from '../api';
 import { addressOf } from '../client';
 import { DiagnoseRun } from '../parts/diagnose-run';
+import { EngineSentence } from '../parts/engine-sentence';
 import { Exports } from '../parts/exports';
 import { Facts } from '../parts/facts';
 import { ParameterTable } from '../parts/parameter-table';
@@ -8,6 +10,7 @@ import { ProposedBy } from '../parts/proposed-by';
 import { RunBefore } from '../parts/run-before';
 import type { Screen } from '../parts/screen';
 import { Verification } from '../parts/verification';
+import { remarkSaid } from '../remarks';
 import { resultSentence } from '../result-sentence';
 import { go } from '../route';
 import { nameOf } from '../stores/names';
@@ -79,16 +82,18 @@ function whichRun(): string {
   ].join(' · ');
 }
 
-function Warnings({ all }: { all: string[] }) {
+function Warnings({ all }: { all: Remark[] }) {
   if (all.length === 0) return null;
   return (
     <section class="warnings">
       <h2>
         <span aria-hidden="true">▲</span> {words.value.result.warnings}
       </h2>
-      <ul lang="en">
+      <ul>
         {all.map((each) => (
-          <li key={each}>{each}</li>
+          <li key={each.sentence}>
+            <EngineSentence said={remarkSaid(each)} english={each.sentence} />
+          </li>
         ))}
       </ul>
     </section>

@@ -4,6 +4,7 @@ import { isOver, stopRun } from '../stores/runs';
 import { words } from '../words';
 import { Press } from './press';
 import type { Screen } from './screen';
+import { Told } from './told';
 
 /** How to stop, what comes next, and what can be done: at the lower edge of every page. */
 export function CommandBar({ screen }: { screen: Screen }) {
@@ -15,10 +16,10 @@ export function CommandBar({ screen }: { screen: Screen }) {
       {notice.value && (
         <div class="notice" role="alert">
           <span aria-hidden="true">▲</span>
-          <p lang="en">{notice.value}</p>
+          <Told {...notice.value} />
           <Press
             act={() => {
-              notice.value = '';
+              notice.value = null;
             }}
           >
             {words.value.close}

@@ -4,6 +4,8 @@ import type { ExportListed } from '../api';
 import { addressOf, ask } from '../client';
 import { attempt } from '../stores/notice';
 import { words } from '../words';
+import { EngineSentence } from './engine-sentence';
+import { Told } from './told';
 
 /** The result as controllers and simulators take it, each with what it cannot hold. */
 export function Exports({ run }: { run: string }) {
@@ -31,10 +33,14 @@ export function Exports({ run }: { run: string }) {
             ) : (
               <b>{title}</b>
             )}
-            <p lang="en">
-              {refused ?? says}
-              {lost.length > 0 && ` · ${said.lost}: ${lost.map((each) => each.name).join(', ')}`}
-            </p>
+            {refused === null ? (
+              <p>
+                <EngineSentence said={words.value.remarks.exports[target]} english={says} />
+                {lost.length > 0 && ` · ${said.lost}: ${lost.map((each) => each.name).join(', ')}`}
+              </p>
+            ) : (
+              <Told kind="bad-payload" english={refused} />
+            )}
           </li>
         ))}
       </ul>

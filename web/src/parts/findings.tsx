@@ -47,9 +47,9 @@ export function Findings({ diagnosis }: { diagnosis: Diagnosis }) {
       {limits.length > 0 && (
         <details class="others">
           <summary>{said.limits}</summary>
-          <ul lang="en">
+          <ul>
             {limits.map((each) => (
-              <li key={each}>{each}</li>
+              <Limit key={each} english={each} />
             ))}
           </ul>
         </details>
@@ -62,4 +62,16 @@ export function Findings({ diagnosis }: { diagnosis: Diagnosis }) {
 function settling({ next_experiment }: Diagnosis, tied: string[]): string | undefined {
   const settled = next_experiment?.splits.some((ids) => ids.join() === tied.join()) ?? false;
   return settled && next_experiment ? motionSaid(next_experiment) : undefined;
+}
+
+/** What a recording cannot show: an effect with the reason, or something as a whole. */
+function Limit({ english }: { english: string }) {
+  const [, effect, reason] = /^(\w+): (.*)$/.exec(english) ?? [];
+  if (effect === undefined || reason === undefined) return <li lang="en">{english}</li>;
+  return (
+    <li>
+      <b>{effectName(effect)}</b>:{' '}
+      <EngineSentence said={words.value.remarks.limits[reason]} english={reason} />
+    </li>
+  );
 }

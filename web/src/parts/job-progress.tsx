@@ -1,14 +1,15 @@
 import type { ServerJobsState } from '../api';
 import { number } from '../units';
 import { words } from '../words';
+import { Told } from './told';
 
 interface Props {
   title: string;
-  job: { state: ServerJobsState; progress: number; reason: string | null };
+  job: { state: ServerJobsState; progress: number; reason: string | null; reason_kind: string | null };
 }
 
 /** How far a job is, or why it came to nothing. */
-export function JobProgress({ title, job: { state, progress, reason } }: Props) {
+export function JobProgress({ title, job: { state, progress, reason, reason_kind } }: Props) {
   const said = words.value.gap.jobs[state];
   const ended = state === 'failed' || state === 'cancelled';
   return (
@@ -18,7 +19,7 @@ export function JobProgress({ title, job: { state, progress, reason } }: Props) 
       <p role="status" class={state === 'failed' ? 'flaw hint' : undefined}>
         <b>{said}</b> {state === 'running' && progress > 0 && `${number(100 * progress, 0)} %`}
       </p>
-      {reason && <p lang="en">{reason}</p>}
+      {reason && <Told kind={reason_kind} english={reason} />}
     </section>
   );
 }

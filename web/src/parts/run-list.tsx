@@ -6,6 +6,7 @@ import { moment } from '../units';
 import { words } from '../words';
 import { Measured } from './measured';
 import { StateMark } from './state-mark';
+import { Told } from './told';
 
 /** Runs with what they found, newest first; two of them can be picked. */
 export function RunList({ runs }: { runs: RunAnswer[] }) {
@@ -51,7 +52,11 @@ function Listed({ run }: { run: RunAnswer }) {
       </th>
       <td>{found && <Measured quantity="mass" value={found.mass_kg} std={found.mass_std_kg} />}</td>
       <td>
-        {found ? <span>{said.determined(found.determined)}</span> : <span lang="en">{run.reason}</span>}
+        {found ? (
+          <span>{said.determined(found.determined)}</span>
+        ) : (
+          run.reason && <Told kind={run.reason_kind} english={run.reason} />
+        )}
         <small>{whoOf(run)}</small>
       </td>
     </tr>

@@ -5,6 +5,7 @@ import type { FromLease, ToLease } from '../lease-worker';
 import { chosenCell } from './cells';
 import { every } from './connection';
 import { nameOf } from './names';
+import { Flaw } from './notice';
 import { session } from './session';
 
 const ALIVE_MS = 250;
@@ -31,7 +32,7 @@ export const holder = computed(() => (control.value?.holder ? nameOf(control.val
 export async function takeControl(cell: string): Promise<void> {
   letGo();
   const taken = await ask('POST /api/control', { body: { cell } });
-  if (taken.fence === null) throw new Error('the service gave no fence');
+  if (taken.fence === null) throw new Flaw('control-not-taken');
   lease.value = await begun(cell, taken.fence);
   control.value = taken;
 }
@@ -45,7 +46,7 @@ export function letGo(): void {
 /** What a command of whoever is in control carries. */
 export function sent(): Sent {
   const held = lease.value;
-  if (held === null) throw new Error('this screen is not in control');
+  if (held === null) throw new Flaw('not-in-control');
   held.commands += 1;
   return { fence: held.fence, number: held.commands, stamp_s: held.stamp_s };
 }
@@ -70,7 +71,7 @@ function begun(cell: string, fence: number): Promise<Lease> {
       }
       end();
       if (lease.value === held) lease.value = null;
-      reject(new Error('control was lost'));
+      reject(new Flaw('control-not-taken'));
     };
   });
 }

@@ -1,6 +1,8 @@
 import { cells } from './de-cells';
 import { deGap } from './de-gap';
 import { comparison, history } from './de-history';
+import { problems } from './de-problems';
+import { remarks } from './de-remarks';
 import type { Words } from './en';
 
 export const de: Words = {
@@ -50,6 +52,8 @@ export const de: Words = {
     Aborted: 'Abgebrochen',
     Clearing: 'Wird quittiert',
   },
+  problems,
+  remarks,
   reading: {
     title: 'Wird vom Dienst gelesen',
     lost: 'Der Dienst antwortet nicht. Diese Seite füllt sich von selbst, sobald er es tut.',

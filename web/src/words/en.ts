@@ -1,6 +1,8 @@
 import { cells } from './en-cells';
 import { enGap } from './en-gap';
 import { comparison, history } from './en-history';
+import { problems } from './en-problems';
+import { remarks } from './en-remarks';
 
 export const en = {
   product: 'Heft',
@@ -49,6 +51,8 @@ export const en = {
     Aborted: 'Aborted',
     Clearing: 'Clearing',
   },
+  problems,
+  remarks,
   reading: {
     title: 'Reading from the service',
     lost: 'The service does not answer. This page fills by itself as soon as it does.',
