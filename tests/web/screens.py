@@ -23,6 +23,18 @@ def signed_in(service: RealService, browser: Browser, name: str = "operator", pa
         yield at
 
 
+@contextmanager
+def on_page(service: RealService, browser: Browser, link: str, shows: str) -> Iterator[Tablet]:
+    """The first operator's tablet on a page of the navigation, once that shows something; nothing is drawn in three dimensions."""
+    with tablet(browser, service) as at:
+        at.without_viewer()
+        at.open()
+        at.sign_in()
+        at.tap(at.page.get_by_role("link", name=link))
+        at.wait(shows)
+        yield at
+
+
 def show(at: Tablet, *place: str) -> Page:
     """Goes to a page of the console."""
     at.page.goto(f"http://{at.service.address}/#/{'/'.join(place)}")

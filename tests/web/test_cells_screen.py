@@ -11,7 +11,8 @@ from tests.server.hostile_uploads import sound, zipped
 from tests.server.real_service import Console, RealService
 from tests.web.judgement import check_looks
 from tests.web.looks import look
-from tests.web.tablet import Tablet, tablet
+from tests.web.screens import on_page
+from tests.web.tablet import Tablet
 
 REFUSED = "422 (Unprocessable"
 """What the browser says of a cell that cannot be used."""
@@ -20,12 +21,7 @@ REFUSED = "422 (Unprocessable"
 @pytest.fixture
 def at(service: RealService, browser: Browser) -> Iterator[Tablet]:
     """A tablet on the cells."""
-    with tablet(browser, service) as found:
-        found.without_viewer()
-        found.open()
-        found.sign_in()
-        found.tap(found.page.get_by_role("link", name="Cells"))
-        found.wait(".zone-places .tile")
+    with on_page(service, browser, "Cells", ".zone-places .tile") as found:
         yield found
         assert [said for said in found.complaints if REFUSED not in said] == []
 

@@ -12,7 +12,8 @@ from playwright.sync_api import Browser, expect
 from tests.server.real_service import Console, RealService
 from tests.web.judgement import check_looks
 from tests.web.looks import look
-from tests.web.tablet import Tablet, tablet
+from tests.web.screens import on_page
+from tests.web.tablet import Tablet
 
 INTERVAL = 1.96
 
@@ -35,12 +36,7 @@ def runs(service: RealService) -> list[dict[str, Any]]:
 @pytest.fixture
 def at(service: RealService, browser: Browser) -> Iterator[Tablet]:
     """A tablet on the history."""
-    with tablet(browser, service) as found:
-        found.without_viewer()
-        found.open()
-        found.sign_in()
-        found.tap(found.page.get_by_role("link", name="History"))
-        found.wait(".run-list tbody tr")
+    with on_page(service, browser, "History", ".run-list tbody tr") as found:
         yield found
         assert found.complaints == []
 
