@@ -37,7 +37,7 @@ class Told:
 
     Args:
         stop_s: until it was to stand still for good.
-        dq: (n,) commanded when it broke, rad/s.
+        dq: (n,) fastest that was commanded from then on, rad/s; its braking takes what this takes.
     """
 
     stop_s: float
@@ -53,7 +53,7 @@ def told(folder: Path) -> Told | None:
     dq = np.diff(np.array(q).T, axis=0) / np.diff(t)[:, None]
     moving = np.flatnonzero((dq != 0.0).any(axis=1))
     assert len(dq) - 1 not in moving, "it stands in the end"
-    return Told(float(t[moving[-1] + 1] - t[0]) if len(moving) else 0.0, dq[0])
+    return Told(float(t[moving[-1] + 1] - t[0]) if len(moving) else 0.0, np.abs(dq).max(axis=0))
 
 
 class BreakingSession(SimulatedSession):
