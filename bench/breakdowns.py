@@ -72,10 +72,10 @@ def main() -> None:
         console = Console(service)
         console.take_control()
         expected = undisturbed(service, console)
-        for name, kind in ((name, KINDS[name]) for name in given.kinds or KINDS):
+        for name in given.kinds or KINDS:
             for phase in PHASES:
                 when = moments(expected, phase, rng, given.times)
-                say(name, phase, np.array([measured(service, console, kind, at_s) for at_s in when]))
+                say(name, phase, np.array([measured(service, console, KINDS[name], at_s) for at_s in when]))
         console.leave()
 
 
