@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from core import errors as core_errors
 from core.errors import BadInput, HeftError, Stopped
 from server import errors
-from server.reason import slug
+from server.errors import slug
 from server.request_context import request_id
 
 MEDIA_TYPE = "application/problem+json"

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from typing import NamedTuple
 
 from core.errors import HeftError
+from server.errors import slug
 from server.run_tables import JobRow, RunRow
 from server.runner.messages import Failed
 
@@ -48,11 +48,6 @@ def failed(told: Failed) -> Reason:
 def of_error(error: HeftError | OSError) -> Reason:
     """What was refused here, or a folder that could not be written."""
     return Reason("no-room" if isinstance(error, OSError) else slug(type(error).__name__), str(error))
-
-
-def slug(name: str) -> str:
-    """`BadCell` as `bad-cell`."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", name).lower()
 
 
 def because(row: RunRow | JobRow, reason: Reason | None) -> None:
