@@ -15,6 +15,7 @@ from typing import Any
 
 import httpx2
 import numpy as np
+from websockets.exceptions import WebSocketException
 
 from server.packml import State
 from tests.server.real_service import Console, real_service
@@ -31,7 +32,7 @@ class Worker:
         self.thread.start()
 
     def _work(self) -> None:
-        with suppress(httpx2.HTTPError, OSError):
+        with suppress(httpx2.HTTPError, OSError, WebSocketException):
             console = self._console
             console.take_control()
             for old in console.http.get("/api/runs?limit=500").json():
