@@ -93,7 +93,7 @@ class IndependentChecker:
     def __init__(self, cell: Cell, payload_box: Box) -> None:
         self._cell = cell
         root = ET.fromstring(cell.urdf)
-        joints = {joint.find("child").get("link"): _joint(joint) for joint in root.findall("joint")}  # type: ignore[union-attr]
+        joints = {joint.find("child").get("link"): _joint(joint) for joint in root.findall("joint")}  # type: ignore[union-attr]  # a URDF that has been read has it
         base, sensor = cell.robot.base_frame, cell.robot.sensor_frame
         chain = _chain(joints, sensor)
         before_base = _chain(joints, base)
@@ -270,7 +270,7 @@ def _joint(joint: ET.Element) -> _Joint:
     moves = joint.get("type") != "fixed"
     direction = np.array([float(x) for x in axis.get("xyz", "1 0 0").split()]) if axis is not None else np.array([1.0, 0, 0])
     value = {key: float(limit.get(key, "nan")) if limit is not None else np.nan for key in ("lower", "upper", "velocity")}
-    parent = joint.find("parent").get("link", "")  # type: ignore[union-attr]
+    parent = joint.find("parent").get("link", "")  # type: ignore[union-attr]  # a URDF that has been read has it
     unit = direction / np.linalg.norm(direction) if moves else None
     return _Joint(_origin(joint.find("origin")), unit, parent, value["lower"], value["upper"], value["velocity"])
 

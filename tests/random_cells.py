@@ -56,7 +56,7 @@ def random_cell(seed: int) -> RandomCell:
 def _with(cell: Cell, key: str, draw: object) -> Cell:
     """The cell with one more thing where home remains free with some room."""
     for _ in range(_TRIES):
-        larger = cell.model_copy(update={key: (*getattr(cell, key), draw())})  # type: ignore[operator]
+        larger = cell.model_copy(update={key: (*getattr(cell, key), draw())})  # type: ignore[operator]  # mypy infers no type of lambdas with defaults
         try:
             Cell.model_validate(larger.model_dump() | {"folder": cell.folder})
             robot = RobotModel.of_cell(larger)
@@ -117,7 +117,7 @@ def _payload(rng: np.random.Generator, arm: Cell) -> Payload:
             title="random",
             mass_kg=mass,
             first_moment_kg_m=_numbers(phi[1:4]),
-            inertia_kg_m2=tuple(float(x) for x in phi[4:]),  # type: ignore[arg-type]
+            inertia_kg_m2=tuple(float(x) for x in phi[4:]),  # type: ignore[arg-type]  # six of ten
             box=Box(size_m=_numbers(size), pose=Pose(xyz_m=_numbers(centre))),
             source="random",
         )

@@ -13,20 +13,12 @@ from server.roles import Role
 from server.run_tables import RunRow
 from server.service import Service
 from tests.server.people import As
-from tests.server.scripted_process import ObedientProcess
 
 ORDER = {"cell": "lwr4_bench", "payload": "steel_block"}
 
 
-@pytest.fixture
-def obedient(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Before the app starts: its robots do nothing, and end when they are told to."""
-    monkeypatch.setattr("server.active_run.ControlProcess", ObedientProcess)
-    monkeypatch.setattr("server.conductor.warm_up", lambda: None)
-
-
 def test_a_run_that_is_cancelled_while_it_is_its_turn_leaves_the_cell_to_the_next(
-    obedient: None, nobody: TestClient, service: Service, signed_in: As, monkeypatch: pytest.MonkeyPatch
+    nothing_planned: None, nobody: TestClient, service: Service, signed_in: As, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     operator = signed_in(Role.operator)
     operator.portal = nobody.portal

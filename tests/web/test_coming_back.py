@@ -69,6 +69,16 @@ def test_a_page_of_which_nothing_is_known_yet_says_why_and_fills_by_itself(watch
     assert [said for said in watching.complaints if "ERR_FAILED" not in said] == []
 
 
+def test_an_answer_that_broke_off_is_asked_for_again(watching: Tablet):
+    cell = "**/api/cells/lwr4_bench"
+    watching.page.context.route(cell, lambda route: route.fulfill(body="{", content_type="application/json"), times=1)
+    with watching.page.expect_response(cell) as broken:
+        watching.page.reload()
+    assert broken.value.text() == "{"
+    watching.wait(".setup .cell-facts")
+    assert watching.complaints == []
+
+
 def test_a_service_that_answers_nothing_at_all_is_a_lost_line_too_and_is_found_again(watching: Tablet):
     expect(watching.page.locator(".line-lost")).to_have_count(0)
     watching.service.send(signal.SIGSTOP)

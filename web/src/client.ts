@@ -1,4 +1,5 @@
 import type { Problem, paths, Session } from './api';
+import { Refusal } from './refusal';
 import { connected } from './stores/connection';
 import { csrfToken, session } from './stores/session';
 
@@ -36,13 +37,6 @@ export interface Asked<O> {
   body?: Body<O>;
   /** A zip in place of a body. */
   zip?: Blob;
-}
-
-/** A no of the service, in its own words. */
-export class Refusal extends Error {
-  constructor(readonly problem: Problem) {
-    super(problem.detail);
-  }
 }
 
 /**

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import type { Flaw } from '../api';
-import { Refusal } from '../client';
+import { Refusal } from '../refusal';
 import { cells } from '../stores/cells';
 import { checkCell, takeCellIn } from '../stores/shown-cell';
 import { words } from '../words';

@@ -1,4 +1,5 @@
 import { signal, untracked } from '@preact/signals';
+import { Refusal } from '../refusal';
 
 /** Whether the service answered last time. */
 export const connected = signal(true);
@@ -24,7 +25,7 @@ function asked(ask: () => Promise<void>, again_ms: (answered: boolean) => number
     const mine = turn;
     const answered = await ask().then(
       () => true,
-      () => connected.value, // as the client has noted
+      (error) => error instanceof Refusal,
     );
     if (mine !== turn) return;
     const next_ms = again_ms(answered);

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import { Refusal } from '../client';
+import { Refusal } from '../refusal';
 
 /** What went wrong: its kind, and a sentence about it in English. */
 export interface Notice {
