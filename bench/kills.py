@@ -57,35 +57,36 @@ class Worker:
             self._known[answer.json()["run"]] = answer.json()
 
 
-def check(console: Console, known: dict[str, dict[str, Any]]) -> list[str]:
+def lost_of(console: Console, run: str, before: dict[str, Any]) -> list[str]:
     """What an acknowledged run has lost."""
     lost = []
-    for run, before in known.items():
-        now = console.run(run)
-        if now.get("run") != run:
-            lost.append(f"{run} is gone")
-        elif now["sequence"] < before["sequence"] or before["released"] > now["released"]:
-            lost.append(f"{run} went back from {before['sequence']} to {now['sequence']}")
-        elif now["state"] not in SETTLED:
-            lost.append(f"{run} is in {now['state']} after a crash")
-        events = console.http.get(f"/api/runs/{run}/events?kind=event").json()
-        if [event["sequence"] for event in events] != list(range(1, now["sequence"] + 1)):
-            lost.append(f"{run} has gaps in its events")
+    now = console.run(run)
+    if now.get("run") != run:
+        return [f"{run} is gone"]
+    if now["sequence"] < before["sequence"] or before["released"] > now["released"]:
+        lost.append(f"{run} went back from {before['sequence']} to {now['sequence']}")
+    if now["state"] not in SETTLED:
+        lost.append(f"{run} is in {now['state']} after a crash")
+    events = console.http.get(f"/api/runs/{run}/events?kind=event").json()
+    if [event["sequence"] for event in events] != list(range(1, now["sequence"] + 1)):
+        lost.append(f"{run} has gaps in its events")
     return lost
 
 
 def main() -> None:
-    """Prints what was lost and how long the service needed to answer again."""
+    """Prints each kill as it comes, then what was lost and how long the service needed to answer again."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=20)
-    count = parser.parse_args().count
-    rng = np.random.default_rng(0)
+    parser.add_argument("--seed", type=int, default=0, help="of the moments")
+    asked = parser.parse_args()
+    rng = np.random.default_rng(asked.seed)
     known: dict[str, dict[str, Any]] = {}
     lost: list[str] = []
     back: list[float] = []
     with tempfile.TemporaryDirectory() as folder, real_service(Path(folder)) as service:
-        for k in range(count):
+        for k in range(asked.count):
             console = Console(service)
+            seen = dict(known)
             worker = Worker(console, known, 1000 * k)
             time.sleep(float(rng.exponential(4.0)))
             service.kill()
@@ -95,9 +96,13 @@ def main() -> None:
             service.start()
             back.append(time.monotonic() - began)
             console = Console(service)
-            lost += check(console, known)
+            last = k == asked.count - 1
+            touched = [run for run in known if last or known[run] is not seen.get(run) or known[run]["state"] not in SETTLED]
+            for run in touched:
+                lost += lost_of(console, run, known[run])
             console.leave()
-    print(f"{count} kills, {len(known)} acknowledged runs, lost: {len(lost)} {lost[:5]}")
+            print(f"kill {k + 1}: {len(touched)} runs looked at, back after {back[-1]:.1f} s, lost so far: {len(lost)}", flush=True)
+    print(f"{asked.count} kills, {len(known)} acknowledged runs, lost: {len(lost)} {lost[:5]}")
     print(f"back after {np.median(back):.1f} s in the median, {max(back):.1f} s at most")
 
 

@@ -57,7 +57,11 @@ def list_accounts(store: Stored) -> list[AccountShown]:
         return [_shown(account) for account in db.scalars(select(Account).order_by(Account.name))]
 
 
-@router.post("", status_code=201)
+@router.post(
+    "",
+    status_code=201,
+    responses={201: {"links": {"change": {"operationId": "change_account", "parameters": {"account": "$response.body#/name"}}}}},
+)
 def create_account(new: NewAccount, response: Response, asking: Asking, store: Stored, now: Now) -> AccountShown:
     """Adds an account."""
     password_hash = accounts.hashed(new.password.get_secret_value())

@@ -51,7 +51,11 @@ def list_keys(store: Stored) -> list[KeyShown]:
         return [KeyShown.model_validate(key) for key in db.scalars(select(ApiKey).order_by(ApiKey.name))]
 
 
-@router.post("", status_code=201)
+@router.post(
+    "",
+    status_code=201,
+    responses={201: {"links": {"revoke": {"operationId": "revoke_key", "parameters": {"key": "$response.body#/name"}}}}},
+)
 def create_key(new: NewKey, response: Response, asking: Asking, store: Stored, now: Now) -> KeyMade:
     """Makes a key and shows it once."""
     with store.write() as db:

@@ -47,7 +47,14 @@ class DeliveryAnswer(Answer):
     last_error: str | None
 
 
-@router.post("", status_code=201)
+LINKS = {
+    "deliveries": {"operationId": "list_deliveries", "parameters": {"webhook": "$response.body#/id"}},
+    "remove": {"operationId": "remove_webhook", "parameters": {"webhook": "$response.body#/id"}},
+}
+"""What can be asked of the webhook that was made (OpenAPI link objects)."""
+
+
+@router.post("", status_code=201, responses={201: {"links": LINKS}})
 def add_webhook(body: WebhookBody, store: Stored, asking: Asking, now: Now) -> WebhookAnswer:
     """Every run's end is sent there from now on, signed: `Heft-Signature: sha256=HMAC(secret, timestamp + "." + body)`."""
     secret = secrets.token_urlsafe(32) if body.secret is None else body.secret.get_secret_value()
