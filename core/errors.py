@@ -24,6 +24,7 @@ HeftError                      exit code 1
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, ClassVar
 
 if TYPE_CHECKING:
@@ -188,3 +189,8 @@ class Interrupted(HeftError):
     """The operator interrupted the run; the robot was stopped and the recording closed."""
 
     exit_code = 130
+
+
+def slug(name: str) -> str:
+    """The name of an error as its kind: `BadCell` as `bad-cell`."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", name).lower()

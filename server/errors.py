@@ -12,7 +12,6 @@ ServiceError(HeftError)
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from core.errors import HeftError
@@ -73,8 +72,3 @@ class TooMany(ServiceError):
     def __init__(self, message: str, retry_after_s: float) -> None:
         super().__init__(message)
         self.retry_after_s = retry_after_s
-
-
-def slug(name: str) -> str:
-    """The name of an error as its kind: `BadCell` as `bad-cell`."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", name).lower()

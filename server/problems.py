@@ -10,9 +10,8 @@ from typing import Any
 from pydantic import BaseModel, ConfigDict, Field
 
 from core import errors as core_errors
-from core.errors import BadInput, HeftError, Stopped
+from core.errors import BadInput, HeftError, Stopped, slug
 from server import errors
-from server.errors import slug
 from server.request_context import request_id
 
 MEDIA_TYPE = "application/problem+json"

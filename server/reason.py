@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from core.errors import HeftError
-from server.errors import slug
+from core.errors import HeftError, slug
 from server.run_tables import JobRow, RunRow
 from server.runner.messages import Failed
 

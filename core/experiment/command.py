@@ -7,7 +7,7 @@ from pathlib import Path
 from rich.console import Console
 
 from core.cell import Cell
-from core.errors import BadInput, Refused
+from core.errors import BadInput, Refused, slug
 from core.experiment.choice import choose_experiment
 from core.experiment.file import ExperimentFile, continued, experiment_file, read_experiment, write_experiment
 from core.gap.answer import Diagnosis
@@ -43,7 +43,7 @@ def plan_next(
     try:
         choice = watch(choose_experiment(cell, recording, evidence, box), messages)
     except Refused as reason:
-        answer = diagnosis.next_experiment.model_copy(update={"refused": str(reason)})
+        answer = diagnosis.next_experiment.model_copy(update={"refused": str(reason), "refused_kind": slug(type(reason).__name__)})
     else:
         refused = "" if choice.plan is not None else "it is not a motion"
         answer = choice.proposal.answer.model_copy(update={"planned": choice.plan is not None, "refused": refused})

@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict
 
 from core.gap.experiment import Stop
+from core.remark import Remark
 
 Verdict = Literal["no_gap", "explained", "ambiguous", "unknown", "not_enough"]
 
@@ -154,6 +155,8 @@ class Experiment(Part):
     seconds: float
     planned: bool = False
     refused: str = "no cell was given to plan it in"
+    refused_kind: str | None = None
+    """The error's, see `core.errors`; null where it was not planned for want of a cell, or is no motion."""
 
 
 class Diagnosis(Part):
@@ -173,6 +176,8 @@ class Diagnosis(Part):
     consequence: str
     next_experiment: Experiment | None
     limits: list[str]
+    lacking: Remark | None = None
+    """Why nothing can be said, where the recording is not enough."""
     seconds: float
     twin: list[str] = []
     """Effects of the cell's twin, which were on from the beginning."""

@@ -14,6 +14,7 @@ from core.gap.residual import CHANNELS, Residual
 from core.gap.symptoms import Observed, observed
 from core.gap.windows import OFFSET, Windows
 from core.recording import Recording
+from core.remark import Remark
 
 SEEN = 1.0 - LAPSE
 """Probability of what is plain in the recording itself."""
@@ -237,11 +238,11 @@ def _payload(fit: EffectFit) -> Payload:
     return Payload(phi=fit.phi.tolist(), std=fit.phi_std.tolist())
 
 
-def not_enough(reason: str, seconds: float) -> Diagnosis:
+def not_enough(reason: Remark, seconds: float) -> Diagnosis:
     """The answer to a recording that cannot say anything about a gap."""
     return Diagnosis(
         verdict="not_enough",
-        summary=f"Nothing can be said about the gap: {reason}.",
+        summary=f"Nothing can be said about the gap: {reason.sentence}.",
         effects=[],
         none_probability=0.0,
         unknown_probability=0.0,
@@ -253,6 +254,7 @@ def not_enough(reason: str, seconds: float) -> Diagnosis:
         payload=None,
         consequence="",
         next_experiment=None,
-        limits=[reason],
+        limits=[],
+        lacking=reason,
         seconds=seconds,
     )

@@ -16,6 +16,7 @@ from core.estimation.weak_form import RawFeatures, regressor_of
 from core.gap.windows import Basis, window_matrix
 from core.inertia import Motion
 from core.recording import Recording
+from core.remark import Remark
 
 Array = NDArray[np.float64]
 
@@ -31,7 +32,11 @@ NOTHING_MOVES_RAD = 0.02
 
 
 class TooLittleError(HeftError):
-    """The recording is too short or too still to say anything about a gap; the sentence says why."""
+    """The recording is too short or too still to say anything about a gap; the remark says why."""
+
+    def __init__(self, about: str, sentence: str, **values: float) -> None:
+        super().__init__(sentence)
+        self.remark = Remark(about, sentence, dict(values))
 
 
 def basis_of(recording: Recording) -> Basis:
@@ -42,17 +47,21 @@ def basis_of(recording: Recording) -> Basis:
     """
     poses = poses_of(recording)
     if recording.wrench is None:
-        raise TooLittleError("the recording has no wrist wrench: the gap of joint torques alone is shown by the joint side only")
+        raise TooLittleError(
+            "no_wrench", "the recording has no wrist wrench: the gap of joint torques alone is shown by the joint side only"
+        )
     if poses is None:
-        raise TooLittleError("the recording has neither joints nor poses")
+        raise TooLittleError("no_motion", "the recording has neither joints nor poses")
     if poses.period > SLOWEST_PERIOD_S or len(recording) < 200:
         raise TooLittleError(
-            f"{len(recording)} samples at {1.0 / poses.period:.0f} Hz are poses, not motion: only a payload can be fitted to them"
+            "poses_only",
+            f"{len(recording)} samples at {1.0 / poses.period:.0f} Hz are poses, not motion: only a payload can be fitted to them",
         )
     if recording.t[-1] - recording.t[0] < SHORTEST_S:
-        raise TooLittleError(f"{recording.t[-1] - recording.t[0]:.1f} s are too short to say anything")
+        lasts_s = float(recording.t[-1] - recording.t[0])
+        raise TooLittleError("too_short", f"{lasts_s:.1f} s are too short to say anything", lasts_s=lasts_s)
     if float(np.ptp(poses.g, axis=0).max()) < NOTHING_MOVES_RAD * 9.81:
-        raise TooLittleError("the sensor hardly turns: payload, offsets and effects cannot be told apart")
+        raise TooLittleError("hardly_turns", "the sensor hardly turns: payload, offsets and effects cannot be told apart")
     return unchecked_basis(recording, poses, recording.wrench)
 
 

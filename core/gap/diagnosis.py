@@ -38,7 +38,7 @@ def examine(
     try:
         basis = basis_of(recording)
     except TooLittleError as reason:
-        return not_enough(str(reason), time.perf_counter() - began), None
+        return not_enough(reason.remark, time.perf_counter() - began), None
     windows = Windows(basis, twin.terms(basis.scene))
     evidence = gather(windows, library() if effects is None else effects, fit_all)
     if evidence.verdict == "ambiguous":

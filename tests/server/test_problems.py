@@ -13,10 +13,10 @@ from httpx2 import Response
 from sqlalchemy.exc import OperationalError
 
 from core import errors as core_errors
-from core.errors import BadCell, HeftError, TooClose
+from core.errors import BadCell, HeftError, TooClose, slug
 from server import errors as service_errors
 from server.errors import Conflict, TooMany
-from server.problems import KINDS, headers_of, problem_of, slug
+from server.problems import KINDS, headers_of, problem_of
 from server.roles import Role
 from server.service import Service
 from tests.server.people import As

@@ -1316,6 +1316,7 @@ export interface components {
             next_experiment: components["schemas"]["Experiment"] | null;
             /** Limits */
             limits: string[];
+            lacking?: components["schemas"]["Remark"] | null;
             /** Seconds */
             seconds: number;
             /**
@@ -1451,6 +1452,8 @@ export interface components {
              * @default no cell was given to plan it in
              */
             refused?: string;
+            /** Refused Kind */
+            refused_kind?: string | null;
         };
         /**
          * Explanation

@@ -7,6 +7,7 @@ import { clock, number } from '../units';
 import { words } from '../words';
 import { EngineSentence } from './engine-sentence';
 import { StateMark } from './state-mark';
+import { Told } from './told';
 
 type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
 
@@ -19,7 +20,7 @@ interface Props {
 /** The motion that tells apart what is open and what it is predicted to do; it can be planned, shown and released like any run. */
 export function NextMotion({ motion, diagnosis }: Props) {
   const said = words.value.gap;
-  const { stops, splits, sigma_before, sigma_after, seconds, planned, refused } = motion;
+  const { stops, splits, sigma_before, sigma_after, seconds, planned, refused, refused_kind } = motion;
   return (
     <section class="next-motion">
       <h2>{said.experiment}</h2>
@@ -31,7 +32,13 @@ export function NextMotion({ motion, diagnosis }: Props) {
         {said.predicted(number(sigma_before, 1), number(sigma_after, 1))}{' '}
         {seconds > 0 && said.takes(clock(seconds))}
       </p>
-      {stops.length > 0 && <p>{planned ? said.isPlanned : <Refused why={refused ?? ''} />}</p>}
+      {stops.length > 0 && planned && <p>{said.isPlanned}</p>}
+      {stops.length > 0 && !planned && (
+        <>
+          <p>{said.notPlanned}</p>
+          <Told kind={refused_kind ?? null} english={refused ?? ''} />
+        </>
+      )}
       {stops.length > 0 && planned && <p class="hint">{said.planMotionHint}</p>}
       <Made diagnosis={diagnosis} />
     </section>
@@ -51,14 +58,6 @@ function Made({ diagnosis }: { diagnosis: string }) {
           <StateMark state={state} />
         </p>
       ))}
-    </>
-  );
-}
-
-function Refused({ why }: { why: string }) {
-  return (
-    <>
-      {words.value.gap.notPlanned}: <span lang="en">{why}</span>
     </>
   );
 }

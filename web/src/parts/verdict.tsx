@@ -1,6 +1,7 @@
 import type { DiagnosisAnswer } from '../api';
 import { effectName, openOf } from '../effect-values';
 import { consequence, gapSentence } from '../gap-sentences';
+import { remarkSaid } from '../remarks';
 import { words } from '../words';
 import { EngineSentence } from './engine-sentence';
 
@@ -15,9 +16,9 @@ export function Verdict({ diagnosis }: { diagnosis: Diagnosis }) {
   return (
     <section class="gap-verdict">
       <h1>{gapSentence(diagnosis)}</h1>
-      {diagnosis.verdict === 'not_enough' && (
-        <p lang="en" class="hint">
-          {diagnosis.summary}
+      {diagnosis.lacking && (
+        <p class="hint">
+          <EngineSentence said={remarkSaid(diagnosis.lacking)} english={diagnosis.summary} />
         </p>
       )}
       <dl class="advice">

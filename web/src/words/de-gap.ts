@@ -143,7 +143,7 @@ export const deGap: GapWords = {
   predicted: (before, after) => `Jetzt ${before} σ auseinander, danach voraussichtlich ${after} σ.`,
   takes: (time) => `Roboterzeit ${time}.`,
   isPlanned: 'Sie wurde in dieser Zelle geplant und ist kollisionsfrei.',
-  notPlanned: 'Sie konnte nicht geplant werden',
+  notPlanned: 'Sie konnte nicht geplant werden:',
   planMotion: 'Diese Bewegung planen',
   planMotionHint:
     'Der Plan wird gezeigt; vor der Freigabe durch einen Bediener bewegt sich nichts. Beide Aufzeichnungen werden dann als eine untersucht.',

@@ -20,6 +20,13 @@ export const remarks: typeof english = {
       'Aus Gelenkmomenten folgt eine Last nur zusammen mit den Parametern des Arms selbst oder mit einer Aufzeichnung derselben Bewegung ohne Last. Oder zeichnen Sie einen Sensor am Handgelenk auf.',
     motion_needed: () => 'Zeichnen Sie neben der Kraft auch Gelenke oder Stellungen des Sensors auf.',
     nothing: () => 'Die Aufzeichnung ist zu kurz oder enthält zu wenig.',
+    no_wrench: () => 'Die Aufzeichnung enthält keine Kräfte am Handgelenk.',
+    no_motion: () => 'Die Aufzeichnung enthält weder Gelenke noch Stellungen.',
+    poses_only: () =>
+      'Die Aufzeichnung besteht aus einzelnen Stellungen, nicht aus Bewegung; aus ihr folgt nur eine Last.',
+    too_short: ({ lasts_s }) => `${lasts_s} sind zu kurz, um etwas zu sagen.`,
+    hardly_turns: () =>
+      'Der Sensor dreht sich kaum; so lassen sich Last, Nullpunkte und Effekte nicht trennen.',
   },
   undetermined: {
     mass: 'zu wenige verschiedene Stellungen',

@@ -142,7 +142,7 @@ export const enGap = {
   predicted: (before: string, after: string) => `Apart now ${before} σ, then ${after} σ, as predicted.`,
   takes: (time: string) => `Robot time ${time}.`,
   isPlanned: 'It was planned in this cell and is free of collisions.',
-  notPlanned: 'It could not be planned',
+  notPlanned: 'It could not be planned:',
   planMotion: 'Plan this motion',
   planMotionHint:
     'The plan is shown; nothing moves before an operator releases it. Both recordings are then diagnosed as one.',
