@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from core.estimation.drift import drift_basis, improved_variance
+from core.estimation.drift import STEP_STD, drift_basis, improved_variance, parts_of, steps_between
 from core.estimation.noise import SensorNoise
 from core.estimation.weak_form import WeakForm, whiten
 from core.inertia import spatial_inertia
@@ -106,9 +106,12 @@ class _Problem:
         self.wrench_gram, self.pose_gram = form.gram
         self.spectrum = form.spectrum
         t = form.poses.t
-        self.ramps = np.zeros((len(form), 0)) if form.static else drift_basis(form.centres, start=t[0], stop=t[-1])
-        n = self.ramps.shape[1]
-        self.size = OFFSET.stop + 6 * n
+        parts = [] if form.static else parts_of(t)
+        walk, steps = drift_basis(form.centres, parts), steps_between(form.centres, parts)
+        self.ramps = np.concatenate((walk, steps), axis=1)
+        """(K, n): what the offset does, first the walk, then a step for each pause."""
+        self.walk = walk.shape[1]
+        self.size = OFFSET.stop + 6 * self.ramps.shape[1]
         self.drift_variance = (0.1 * noise.std) ** 2
         self.drift_floor = (2e-4 * noise.std) ** 2
 
@@ -171,14 +174,17 @@ class _Problem:
 
     def _with_priors(self, normal: Array, right: Array, bias: Array) -> tuple[Array, Array]:
         """Solves with the priors; the drift's strength is improved along the way."""
-        n = self.ramps.shape[1]
-        prior = np.concatenate((PRIOR_STD**-2.0, np.repeat(1.0 / self.drift_variance, n)))
-        for _ in range(DRIFT_STEPS if n else 1):
-            prior[OFFSET.stop :] = np.repeat(1.0 / self.drift_variance, n)
+        prior = np.concatenate((PRIOR_STD**-2.0, np.zeros(self.size - OFFSET.stop)))
+        for _ in range(DRIFT_STEPS if self.walk else 1):
+            for c in range(6):
+                rows = self._drift_rows(c)
+                prior[rows] = STEP_STD[c] ** -2.0
+                prior[rows][: self.walk] = 1.0 / self.drift_variance[c]
             covariance = _without_bias(_inverse(normal + np.diag(prior)), bias)
             x = covariance @ right
-            for c in range(6 if n else 0):
-                rows = self._drift_rows(c)
+            for c in range(6 if self.walk else 0):
+                first = self._drift_rows(c).start
+                rows = slice(first, first + self.walk)
                 self.drift_variance[c] = improved_variance(self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c])
         return covariance, x
 

@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.scene import Scene
+from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import poses_of
 from core.gap.basis import unchecked_basis
 from core.gap.effect_fit import EffectFit
 from core.gap.problem import STEP, Problem
 from core.gap.quadratic import bounded_minimum, inverse
-from core.gap.windows import BACKGROUND, OFFSET, PART_OFFSET_STD, Windows
+from core.gap.windows import BACKGROUND, OFFSET, Windows
 from core.inertia import Motion
 from core.recording import BETWEEN_RUNS_S, Recording
 
@@ -79,7 +80,7 @@ class Prediction:
         rows = self._windows.rows_of(changes)
         J = (rows[..., 1:] - rows[..., :1]) / steps
         earlier = np.zeros((*X.shape[:2], len(fit.beta) - X.shape[2]))  # offsets of the parts of the present recording
-        columns = np.concatenate((X, earlier, J, PART_OFFSET_STD * X[..., OFFSET]), axis=2)
+        columns = np.concatenate((X, earlier, J, STEP_STD * X[..., OFFSET]), axis=2)
         predicted = X @ fit.beta[: BACKGROUND.stop] + rows[..., 0]
         return predicted.ravel(), columns.reshape(-1, columns.shape[2])
 

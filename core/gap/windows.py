@@ -20,6 +20,7 @@ from scipy.sparse import csr_array
 
 from core.effects.composition import Term
 from core.effects.scene import Scene
+from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import Poses
 from core.estimation.noise import SensorNoise
 from core.estimation.segments import Segment, stretches
@@ -41,8 +42,6 @@ PHI_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0)))
 OFFSET_STD = np.full(6, 1e3)
 BACKGROUND_STD = np.concatenate((np.full(2, 4e-4), [3e-4, 2e-6], np.full(6, 5e-4)))
 """0.02 deg, 0.3 ms, a blur of 2 ms (interpolation between samples, jitter), 0.05 %."""
-PART_OFFSET_STD = np.repeat([1.0, 0.05], 3)
-"""N and N m, of the offsets of what was recorded after a pause against those before it: a sensor drifts between two runs."""
 NOISE_DRAWS = 16
 """Of the noise of the kinematics; a mean over them is right to a few units of chi-square."""
 FORGOTTEN_S = 0.5
@@ -108,7 +107,7 @@ class Windows:
         self.target = self.whiten(y[..., None])[..., 0]
         """(6, K)."""
         pauses = later.shape[2] // 6
-        self.prior_std = np.concatenate((PHI_STD, OFFSET_STD, BACKGROUND_STD, np.tile(PART_OFFSET_STD, pauses)))
+        self.prior_std = np.concatenate((PHI_STD, OFFSET_STD, BACKGROUND_STD, np.tile(STEP_STD, pauses)))
         self.group = self._groups()
 
     def __len__(self) -> int:

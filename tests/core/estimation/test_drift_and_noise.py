@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from core.estimation.drift import drift_basis, improved_variance
+from core.estimation.drift import drift_basis, improved_variance, parts_of, steps_between
 from core.estimation.generalised_least_squares import correlation_time
 from core.estimation.noise import sensor_noise
 from core.estimation.segments import Segment
@@ -13,17 +13,28 @@ from core.estimation.segments import Segment
 
 def test_the_basis_has_no_mean_and_can_be_a_straight_line() -> None:
     t = np.linspace(0.0, 60.0, 600)
-    ramps = drift_basis(t, start=0.0, stop=60.0)
+    ramps = drift_basis(t, [(0.0, 60.0)])
     np.testing.assert_allclose(ramps.mean(axis=0), 0.0, atol=1e-12)
     np.testing.assert_allclose(ramps.sum(axis=1), (t - t.mean()) / 6.0, atol=1e-9)
-    assert drift_basis(t[:20], start=0.0, stop=2.0).shape == (20, 0)
+    assert drift_basis(t[:20], [(0.0, 2.0)]).shape == (20, 0)
+
+
+def test_across_a_pause_the_walk_rests_and_the_offset_may_jump() -> None:
+    t = np.concatenate((np.arange(0.0, 24.0, 0.1), np.arange(84.0, 120.0, 0.1)))
+    parts = parts_of(t)
+    np.testing.assert_allclose(parts, [(0.0, 23.9), (84.0, 119.9)])
+    ramps, steps = drift_basis(t, parts), steps_between(t, parts)
+    assert ramps.shape[1] == 4 + 6
+    assert np.linalg.matrix_rank(np.column_stack((ramps, steps, np.ones(len(t))))) == 12
+    np.testing.assert_allclose(steps[:, 0], np.where(t > 50.0, 1.0, 0.0) - np.mean(t > 50.0))
+    assert steps_between(t[:200], parts).shape == (200, 0)
 
 
 def test_the_walks_strength_is_found() -> None:
     rng = np.random.default_rng(0)
     truth = 0.05
     t = np.linspace(0.0, 240.0, 4000)
-    ramps = drift_basis(t, start=0.0, stop=240.0)
+    ramps = drift_basis(t, [(0.0, 240.0)])
     z = truth * rng.normal(size=ramps.shape[1])
     y = ramps @ z + 0.05 * rng.normal(size=len(t))
     variance = 1e-4

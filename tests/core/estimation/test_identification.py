@@ -10,7 +10,7 @@ import pytest
 
 from core.estimation.estimate import Estimate, Identification
 from core.estimation.identification import identify_recording
-from core.recording import Recording
+from core.recording import Recording, appended
 from core.recording_folder import read_recording
 from tests.synthetic import NOISE_STD, Imperfections, payload, random_payload, record, run_of
 
@@ -47,6 +47,19 @@ def test_a_clean_run_gives_all_ten_parameters_without_a_warning(clean: tuple[Rec
     # quantisation adds a twelfth of a step squared
     np.testing.assert_allclose(estimate.noise_std, np.hypot(NOISE_STD, [0.018] * 3 + [0.00038] * 3), rtol=0.03)
     np.testing.assert_allclose(estimate.offset, Imperfections().offset, atol=0.005)
+
+
+def test_a_sensor_that_jumped_in_a_pause_spoils_nothing(clean: tuple[Recording, Identification]) -> None:
+    first, alone = clean
+    again = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(5))
+    assert again.wrench is not None and first.reference is not None and alone.estimate is not None
+    both = appended(first, replace(again, wrench=again.wrench + [9.0, -4.0, 2.0, 0.2, -0.3, 0.1]))
+    found = identify_recording(both)
+    estimate = found.estimate
+    assert estimate is not None and estimate.determined.all()
+    z = (estimate.phi - first.reference.phi) / estimate.std
+    assert np.abs(z).max() < 4.0
+    assert (estimate.std < 1.02 * alone.estimate.std).all()
 
 
 def test_the_series_shows_measured_and_reconstructed_side_by_side(clean: tuple[Recording, Identification]) -> None:
