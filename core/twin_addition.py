@@ -47,7 +47,8 @@ def with_effect(twin: Twin, cell: Cell, folder: Path, identifier: str, *, fit_al
     _check_cell(recording, cell, folder)
     diagnosis, evidence = examine(recording, None if len(chosen) == 1 else chosen, twin, fit_all=fit_all)
     if evidence is None:
-        raise BadTwin(f"{folder}", f"a recording that says nothing about a gap ({diagnosis.limits[0]})", "one of a whole run")
+        why = "" if diagnosis.lacking is None else f" ({diagnosis.lacking.sentence})"
+        raise BadTwin(f"{folder}", f"a recording that says nothing about a gap{why}", "one of a whole run")
     fit = _fit_of(evidence, chosen, str(folder))
     _check_closure(evidence, fit, str(folder))
     source = {"recording": folder.resolve().name, "sha256": recording_sha256(folder), "added": datetime.now(UTC)}

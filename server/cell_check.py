@@ -20,8 +20,10 @@ import pinocchio as pin
 
 from core.cell import Cell, load_cell
 from core.collision import CollisionModel
+from core.effects.library import library
 from core.errors import BadInput, BadRobot
 from core.robot import RobotModel
+from core.twin_file import read_twin
 from server.cell_archive import CELL, UPLOAD, unpack
 
 SECONDS = 4.0
@@ -32,12 +34,13 @@ Answer = dict[str, Any]
 
 
 def check(folder: Path) -> Answer:
-    """Unpacks and loads the cell, up to the models that planning would use."""
+    """Unpacks and loads the cell, up to the models that planning would use and the effects of its twin."""
     try:
         unpack(folder / UPLOAD, folder / CELL)
         os.chdir(folder / CELL)  # errors name files as the upload does
         cell = load_cell(Path())
         _build(cell)
+        read_twin(cell)
     except BadInput as error:
         return {"refused": type(error).__name__, "where": error.where, "found": error.found, "expected": error.expected}
     except (MemoryError, RecursionError) as error:
@@ -127,6 +130,7 @@ def _refusal(found: str) -> Answer:
 
 def main() -> None:
     """Answers until standard input ends, which it does when the service does."""
+    library()  # found by looking into the engine's folder, which a child may not
     gc.collect()
     gc.freeze()
     for line in sys.stdin:

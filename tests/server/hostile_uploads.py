@@ -164,6 +164,8 @@ HOSTILE: dict[str, Callable[[], bytes]] = {
     "folders without end": _extra("a/" * 50 + "evil.txt"),
     "a program": _extra("sitecustomize.py"),
     "a shared library": _extra("libc.so"),
+    "a twin with an effect that there is not": _extra("twin.json", b'{"effects": [{"effect": "haunting"}]}'),
+    "a twin that is no JSON": _extra("twin.json", b"\x00{"),
     "an empty zip": lambda: zipped({}),
     "no cell.toml": lambda: zipped({"robot.urdf": sound()["robot.urdf"]}),
     "no URDF": lambda: zipped({"cell.toml": sound()["cell.toml"]}),

@@ -8,11 +8,15 @@ import pytest
 
 from core.cell import load_cell
 from core.errors import BadInput
+from core.twin import Twin
+from core.twin_file import read_twin
 from server.cell_archive import UPLOAD
 from server.cell_folder import CellFolder
 from server.cell_uploads import CellChecker, take_in, upload_folder
 from server.errors import Conflict, Unprocessable
 from tests.server.hostile_uploads import HOSTILE, sound, zipped
+from tests.server.real_service import ROOT
+from tests.twin_entries import entry
 
 
 @pytest.fixture
@@ -51,6 +55,12 @@ def test_a_sound_cell_is_taken_in(prefix: str, checker: CellChecker, cells: Cell
     assert upload(checker, cells, zipped({prefix + name: content for name, content in sound().items()})) == "lwr4_bench"
     assert everything_in(cells.folder) == {f"lwr4_bench/{name}": content for name, content in sound().items()}
     assert load_cell(cells.folder / "lwr4_bench").name == "lwr4_bench"
+
+
+def test_a_cell_brings_its_twin_along(checker: CellChecker, cells: CellFolder) -> None:
+    late = Twin(effects=(entry(load_cell(ROOT / "cells" / "lwr4_bench"), "time_delay", delay_s=0.012),))
+    content = zipped(sound() | {"twin.json": late.model_dump_json().encode()})
+    assert read_twin(load_cell(cells.folder / upload(checker, cells, content))) == late
 
 
 def test_the_checker_goes_on_after_hostile_uploads(checker: CellChecker, cells: CellFolder) -> None:
