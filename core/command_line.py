@@ -38,6 +38,7 @@ from core.terminal import HELP, answers, enter, messages
 from core.trial.command import trial
 from core.twin import NOMINAL
 from core.twin_file import read_twin
+from core.whole_file import write_whole
 
 app = typer.Typer(
     name="heft",
@@ -227,10 +228,7 @@ def _write_json(text: str, target: str) -> None:
     if target == "-":
         sys.stdout.write(text + "\n")
         return
-    file = Path(target)
-    part = file.with_name(file.name + ".part")
-    part.write_text(text + "\n", encoding="utf-8")
-    part.replace(file)
+    write_whole(Path(target), text + "\n")
 
 
 def main() -> None:

@@ -16,6 +16,7 @@ from core.errors import BadInput, BadTwin
 from core.twin import Entry, Twin
 from core.twin_addition import chosen_effects, with_effect
 from core.twin_file import close_name, read_twin, write_twin
+from core.whole_file import write_whole
 
 app = typer.Typer(help="What has been added to a cell's simulation.", no_args_is_help=True)
 answers = Console()
@@ -96,6 +97,4 @@ def _write(twin: Twin, file: Path) -> None:
     """A file that appears only when it is whole."""
     if not file.absolute().parent.is_dir():
         raise BadInput(str(file), "a folder that does not exist", "a file in an existing folder")
-    part = file.with_name(file.name + ".part")
-    part.write_text(twin.model_dump_json(indent=2) + "\n", encoding="utf-8")
-    part.replace(file)
+    write_whole(file, twin.model_dump_json(indent=2) + "\n")

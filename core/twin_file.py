@@ -14,6 +14,7 @@ from core.effects.library import library
 from core.errors import BadTwin
 from core.jail import read_inside
 from core.twin import NOMINAL, Entry, Twin, standing
+from core.whole_file import write_whole
 
 MAX_BYTES = 1_000_000
 MINUS_ZERO = -1e-6
@@ -44,19 +45,24 @@ def write_twin(cell: Cell, twin: Twin) -> None:
     Raises:
         BadTwin: an effect, parameter or value that could not be read again, or a folder that cannot be written.
     """
-    file = cell.folder / TWIN_FILE
-    _check(twin, cell, str(file))
-    part = file.with_name(TWIN_FILE + ".part")
+    file, text = cell.folder / TWIN_FILE, checked_text(cell, twin)
     try:
-        if not twin.effects:
+        if twin.effects:
+            write_whole(file, text)
+        else:
             file.unlink(missing_ok=True)
-            return
-        part.write_text(twin.model_dump_json(indent=1) + "\n", encoding="utf-8")
-        part.replace(file)
     except OSError as error:
         raise BadTwin(str(file), f"a folder that cannot be written ({error.strerror})", "one that is yours to change") from error
-    finally:
-        part.unlink(missing_ok=True)
+
+
+def checked_text(cell: Cell, twin: Twin) -> str:
+    """What is to stand in the cell's `twin.json`.
+
+    Raises:
+        BadTwin: an effect, parameter or value that could not be read again.
+    """
+    _check(twin, cell, str(cell.folder / TWIN_FILE))
+    return twin.model_dump_json(indent=1) + "\n"
 
 
 def _sentence(error: ErrorDetails, file: str) -> BadTwin:

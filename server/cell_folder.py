@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import shutil
 from pathlib import Path
 from threading import Lock
 
-from core.cell import CELL_FILE, Cell, list_cells, load_cell
-from core.errors import BadCell, HeftError
+from core.cell import CELL_FILE, TWIN_FILE, Cell, list_cells, load_cell
+from core.errors import BadCell, BadTwin, HeftError
+from core.whole_file import write_whole
 from server.errors import Conflict, NotFound
 
 OLD, NEW = ".old-", ".new-"
@@ -87,6 +89,22 @@ class CellFolder:
             content = hashlib.sha256(file.read_bytes()).hexdigest()
             whole.update(f"{file.relative_to(folder).as_posix()}\0{content}\n".encode())
         return whole.hexdigest()
+
+    def put_twin(self, name: str, text: str) -> None:
+        """Puts a checked `twin.json` into a cell's folder; one without effects is no file.
+
+        Raises:
+            BadTwin: it cannot be written; the older one stays.
+        """
+        file = self.folder / name / TWIN_FILE
+        try:
+            if json.loads(text)["effects"]:
+                write_whole(file, text)
+            else:
+                file.unlink(missing_ok=True)
+        except OSError as error:
+            where = f"{name}/{TWIN_FILE}"
+            raise BadTwin(where, f"a folder that cannot be written ({error.strerror})", "one that the service may change") from error
 
     def install(self, unpacked: Path, name: str, *, replace: bool) -> None:
         """Puts a checked folder into its place: all of it or nothing.

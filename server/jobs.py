@@ -199,6 +199,8 @@ class Worker:
     def _change(self, job: str, **changes: object) -> None:
         with self._store.write() as db:
             row = load(db, self._kind.name, job)
+            if row.state not in UNDER_WAY:  # cancelled while it answered
+                return
             for name, value in changes.items():
                 setattr(row, name, value)
             self._kind.also(db, row)

@@ -16,6 +16,7 @@ from pydantic import ValidationError
 from sqlalchemy import func, select
 
 from core.errors import BadInput
+from core.whole_file import write_whole
 from server import __version__, accounts, audit
 from server.accounts import Account
 from server.app import create_app
@@ -58,9 +59,7 @@ def serve(*, host: str | None = None, port: int | None = None, cells: Path | Non
 
 def write_openapi(file: Path) -> None:
     """The description of the API as JSON; the file appears complete or not at all."""
-    part = file.with_name(file.name + ".part")
-    part.write_text(json.dumps(create_app(read_settings()).openapi(), indent=2) + "\n", encoding="utf-8")
-    part.replace(file)
+    write_whole(file, json.dumps(create_app(read_settings()).openapi(), indent=2) + "\n")
 
 
 def read_settings(**options: Any) -> Settings:

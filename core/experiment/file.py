@@ -15,6 +15,7 @@ from core.jail import read_inside
 from core.recording import Recording
 from core.recording_folder import read_recording, recording_sha256
 from core.shapes import Model
+from core.whole_file import write_whole
 
 FORMAT: Literal["experiment/1"] = "experiment/1"
 MAX_BYTES = 1_000_000
@@ -130,6 +131,4 @@ def continued(asked: ExperimentFile, folder: Path | None = None) -> Recording:
 
 def write_experiment(asked: ExperimentFile, file: Path) -> None:
     """Writes the file; it appears only when it is whole, in place of an older one."""
-    part = file.with_name(file.name + ".part")
-    part.write_text(asked.model_dump_json(indent=2) + "\n", encoding="utf-8")
-    part.replace(file)
+    write_whole(file, asked.model_dump_json(indent=2) + "\n")

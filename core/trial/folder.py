@@ -10,6 +10,7 @@ from pydantic import ValidationError
 from core.errors import BadInput
 from core.trial.draw import Drawn
 from core.trial.outcome import Outcome
+from core.whole_file import write_whole
 
 OUTCOMES = "trials.jsonl"
 SEALS = "seals.txt"
@@ -56,17 +57,10 @@ def open_folder(folder: Path, drawn: Iterable[Drawn], done: dict[int, Outcome]) 
     folder.mkdir(parents=True, exist_ok=True)
     with (folder / SEALS).open("a", encoding="utf-8") as seals:
         seals.writelines(f"{one.sealed.seed} {one.sealed.hash}\n" for one in drawn if one.sealed.seed not in done)
-    replace(folder / OUTCOMES, "".join(outcome.model_dump_json() + "\n" for outcome in done.values()))
+    write_whole(folder / OUTCOMES, "".join(outcome.model_dump_json() + "\n" for outcome in done.values()))
 
 
 def append(folder: Path, outcome: Outcome) -> None:
     """Adds a finished trial; what is written is written."""
     with (folder / OUTCOMES).open("a", encoding="utf-8") as file:
         file.write(outcome.model_dump_json() + "\n")
-
-
-def replace(file: Path, text: str) -> None:
-    """Writes a file that appears only when it is whole."""
-    part = file.with_name(file.name + ".part")
-    part.write_text(text, encoding="utf-8")
-    part.replace(file)

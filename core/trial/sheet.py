@@ -24,9 +24,9 @@ from core.trial.figures import (
     share_right,
     tie_honesty,
 )
-from core.trial.folder import replace
 from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, counts, material, named, right
 from core.trial.outcome import Outcome
+from core.whole_file import write_whole
 
 KINDS = ("none", "single", "double", "unknown")
 LEAST = 0.01
@@ -43,9 +43,9 @@ def write_sheet(folder: Path, outcomes: Sequence[Outcome]) -> None:
     """`trials.md` with its pictures; files of an earlier sheet are replaced."""
     lines = [score_sheet(outcomes)]
     for name, (title, picture) in _pictures(outcomes).items():
-        replace(folder / f"{name}.svg", picture)
+        write_whole(folder / f"{name}.svg", picture)
         lines += [f"## {title}", "", f"![{title}]({name}.svg)", ""]
-    replace(folder / "trials.md", "\n".join([*lines, "## Confusion in numbers", "", *_confusion(outcomes), ""]))
+    write_whole(folder / "trials.md", "\n".join([*lines, "## Confusion in numbers", "", *_confusion(outcomes), ""]))
 
 
 def _pictures(outcomes: Sequence[Outcome]) -> dict[str, tuple[str, str]]:

@@ -135,6 +135,7 @@ def remove_effect(cell: PathName, effect: PathName, here: Here, asking: Asking, 
     with here.store.write() as db:
         _check_nothing_under_way(db, cell)
         left = _removed(loaded, effect)
+        here.cells.put_twin(cell, left)
         audit.record(db, asking.who, "twin.remove", {"cell": cell, "effect": effect, "sha256": sha256_of(left)}, now=now)
     return TwinAnswer.model_validate_json(left)
 
@@ -163,7 +164,7 @@ def _load(db: Session, cell: str, addition: str) -> JobRow:
 
 
 def _removed(cell: Cell, effect: str) -> str:
-    """The twin that is left, as JSON; its file is changed by a process that knows the effects."""
+    """The twin that is left, as JSON, from a process that knows the effects."""
     for word in said("server.runner.twin_removing", cell, effect):
         match word:
             case Answered(text=text):

@@ -20,6 +20,7 @@ from core.recording_folder import read_recording
 from core.report.diagnosis_page import write_diagnosis
 from core.twin import NOMINAL
 from core.twin_file import read_twin
+from core.whole_file import write_whole
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.shown_overlay import shown_overlay
 from server.runner.work import give_way
@@ -47,13 +48,6 @@ def main(folder: Path, cell: Cell | None, report: Path, overlay: Path, connectio
             connection.send(Answered(diagnosis.model_dump_json()))
         except HeftError as error:
             connection.send(Failed(type(error).__name__, str(error)))
-
-
-def write_whole(file: Path, text: str) -> None:
-    """Writes a file that is there as a whole or not at all."""
-    part = file.with_name(file.name + ".part")
-    part.write_text(text, encoding="utf-8")
-    part.replace(file)
 
 
 def told_as_it_goes(connection: Connection) -> FitAll:

@@ -9,19 +9,18 @@ from pathlib import Path
 from core.cell import Cell
 from core.errors import HeftError
 from core.twin_addition import with_effect
-from core.twin_file import read_twin, write_twin
+from core.twin_file import checked_text, read_twin
 from server.runner.diagnosing import told_as_it_goes
 from server.runner.messages import Answered, Failed
 from server.runner.work import give_way
 
 
 def main(cell: Cell, recording: Path, effect: str, connection: Connection) -> None:
-    """Adds the effect, or two joined by a plus sign, and answers with the twin; done twice it is the same twin."""
+    """Answers with the twin to which the effect is added, or two joined by a plus sign; done twice it is the same twin."""
     give_way()
     with suppress(BrokenPipeError):  # nobody waits any more
         try:
             twin = with_effect(read_twin(cell), cell, recording, effect, fit_all=told_as_it_goes(connection))
-            write_twin(cell, twin)
-            connection.send(Answered(twin.model_dump_json()))
+            connection.send(Answered(checked_text(cell, twin)))
         except HeftError as error:
             connection.send(Failed(type(error).__name__, str(error)))

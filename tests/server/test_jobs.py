@@ -94,6 +94,21 @@ def test_a_cancelled_job_stays_cancelled_and_the_next_one_runs(store: Store) -> 
     assert worker.progress == {}
 
 
+def test_what_is_cancelled_while_it_answers_stays_cancelled_and_changes_nothing(store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
+    job = queued(store, "answer")
+    seen: list[str] = []
+
+    def wanted_a_moment_ago(worker: Worker, job: str) -> bool:
+        if row_of(store, job).told is not None:
+            with store.write() as db:
+                jobs.cancel(db, "work", job, "account:anna", utc_now())
+        return True
+
+    monkeypatch.setattr(Worker, "_wanted", wanted_a_moment_ago)
+    asyncio.run(worked(Worker(store, utc_now, kind(lambda _, row: seen.append(row.state))), over(store, job)))
+    assert (row_of(store, job).state, row_of(store, job).result, seen) == (State.cancelled, None, ["running"])
+
+
 def test_what_is_over_cannot_be_cancelled(store: Store) -> None:
     job = queued(store, "answer")
     for state in (State.done, State.failed, State.cancelled):

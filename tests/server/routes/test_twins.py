@@ -14,7 +14,8 @@ from core.cell import TWIN_FILE, load_cell
 from core.twin import NOMINAL, Entry, Fitted, Twin
 from core.twin_file import read_twin, write_twin
 from server import jobs
-from server.job_kinds import ADDITION, AdditionOrder, DiagnosisOrder
+from server.job_kinds import ADDITION, AdditionOrder, DiagnosisOrder, additions
+from server.jobs import State
 from server.roles import Role
 from server.runner import twin_adding
 from server.runner.messages import Answered, Failed
@@ -127,7 +128,7 @@ def test_an_addition_is_cancelled_in_its_own_cell_and_leaves_the_twin_as_it_was(
     assert (late / TWIN_FILE).read_bytes() == before
 
 
-def test_what_was_fitted_is_in_the_cells_folder_before_it_is_said(
+def test_what_was_fitted_is_said_and_in_the_cells_folder_once_the_job_is_done(
     service: Service, late: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(twin_adding, "give_way", lambda: None)
@@ -136,6 +137,12 @@ def test_what_was_fitted_is_in_the_cells_folder_before_it_is_said(
     twin_adding.main(load_cell(late), tmp_path, "time_delay", saying)
     answer = hearing.recv()
     assert isinstance(answer, Answered)
+    assert read_twin(load_cell(late)).effects[0].parameters["delay_s"].value == pytest.approx(0.012)
+    with service.store.write() as db:
+        order = AdditionOrder(cell=CELL, effect="time_delay", diagnosis="x", recording=tmp_path)
+        row = jobs.queue(db, ADDITION, order, CELL, "account:anna", service.now())
+        row.state, row.result = State.done, answer.text
+        additions(service.cells).also(db, row)
     assert Twin.model_validate_json(answer.text) == read_twin(load_cell(late))
     assert read_twin(load_cell(late)).effects[0].parameters["delay_s"].value == pytest.approx(0.015)
     monkeypatch.setattr(twin_adding, "with_effect", lambda twin, *_, **__: twin.having(DELAY.moved({"delay_s": 99.0})))
