@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import logging
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
@@ -25,6 +26,9 @@ from server.store import Store
 
 log = logging.getLogger("heft")
 
+CHECKER_AFTER_S = 2.0
+"""Time in which the service and its planner have the processor to themselves; an upload that comes sooner begins the checker."""
+
 DESCRIPTION = (
     "Identifies what a robot carries, safely, with people around. Not a safety function. SI units; the unit stands in each field's name. "
     "Every error is application/problem+json (RFC 9457)."
@@ -41,14 +45,16 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
         work = (service.conductor, service.diagnoses, service.additions, service.trials, service.deliverer, service.gallery)
         for each in work:
             await each.start()
-        if checker is None:  # one that was handed in serves others too
-            service.checker.start()
+        own = checker is None  # one that was handed in serves others too
+        warming = asyncio.create_task(_begin_later(service.checker)) if own else None
         try:
             yield
         finally:
+            if warming is not None:
+                warming.cancel()
             for each in work:
                 await each.close()
-            if checker is None:
+            if own:
                 service.checker.close()
             service.store.close()
             log.info("stopped")
@@ -72,6 +78,11 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
     app.add_middleware(BodyLimit, settings=settings)
     app.add_middleware(Requests, metrics=service.metrics)
     return app
+
+
+async def _begin_later(checker: CellChecker) -> None:
+    await asyncio.sleep(CHECKER_AFTER_S)
+    await asyncio.to_thread(checker.start)
 
 
 def start(service: Service) -> None:

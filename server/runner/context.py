@@ -11,7 +11,7 @@ from multiprocessing import forkserver, get_context
 from multiprocessing.context import ForkServerProcess
 
 CONTEXT = get_context("forkserver")
-CONTEXT.set_forkserver_preload(["server.runner.control", "server.runner.planning"])
+CONTEXT.set_forkserver_preload(["server.runner.control"])
 
 
 def warm_up() -> None:

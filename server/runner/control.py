@@ -38,8 +38,8 @@ Told = Speaker[FromChild]
 def main(order: Order, connection: Connection) -> None:
     """Entry point of the process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
+    planning = PlanningProcess(_sequence_of(order), connection)  # before there are threads
     speaker: Told = Speaker(connection, Sampled)
-    planning = PlanningProcess(_sequence_of(order))
     _lock = locked(order.folder)  # as long as we live: who recovers the run's samples waits for it
     try:
         _carry_out(order, connection, planning, speaker)

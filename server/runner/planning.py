@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Generator
+from multiprocessing import get_context
 from multiprocessing.connection import Connection
 
 from core.collision import CollisionModel
@@ -12,8 +13,9 @@ from core.events import Event
 from core.motion_sequence import MotionSequence, PlanRequest
 from core.plan import Plan
 from core.robot import RobotModel
-from server.runner.context import CONTEXT
 from server.runner.messages import Failed
+
+FORK = get_context("fork")
 
 
 class PlanRefused(Refused):
@@ -31,14 +33,18 @@ class PlanRefused(Refused):
 class PlanningProcess:
     """A process that plans what it is asked, one thing after the other; it ends with this object or with its maker.
 
+    It is a plain fork, for its maker has the engine and no threads yet: a fork server of the maker's own would import everything anew.
+
     Args:
         sequence: what the robot goes through.
+        unshared: ends of pipes that the process is not to keep open.
     """
 
-    def __init__(self, sequence: MotionSequence) -> None:
+    def __init__(self, sequence: MotionSequence, *unshared: Connection) -> None:
         self.sequence = sequence
-        self._connection, theirs = CONTEXT.Pipe()
-        self._process = CONTEXT.Process(target=_serve, args=(sequence, theirs), name="heft-planning", daemon=True)
+        self._connection, theirs = FORK.Pipe()
+        arguments = (sequence, theirs, self._connection, *unshared)
+        self._process = FORK.Process(target=_serve, args=arguments, name="heft-planning", daemon=True)
         self._process.start()
         theirs.close()
 
@@ -70,8 +76,10 @@ class PlanningProcess:
         self._connection.close()
 
 
-def _serve(sequence: MotionSequence, connection: Connection) -> None:
+def _serve(sequence: MotionSequence, connection: Connection, *unshared: Connection) -> None:
     """The planning process: until the other end is gone."""
+    for end in unshared:
+        end.close()  # who waits for its maker's end would wait for ours too
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
     while True:
         try:

@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import threading
 from collections.abc import AsyncIterator
+from multiprocessing.connection import Connection
+from multiprocessing.context import ForkServerProcess
 
 from core.sessions.leased import Renewal
 from server.runner.context import CONTEXT, started
 from server.runner.messages import Failed, FromChild, Order, ToChild
 from server.runner.pipe import Speaker
 
+log = logging.getLogger("heft.runs")
+
 CONTROL = "server.runner.control"
 """The module whose `main` controls a robot."""
 
 
 class ControlProcess:
-    """One run's process; belongs to the running event loop.
+    """One run's process; belongs to the running event loop, which does not wait until it is there.
+
+    A service that has just begun is still importing the engine: its first process comes seconds later. What it is told until then waits in
+    the pipe.
 
     Args:
         order: what it is to do.
@@ -24,17 +32,13 @@ class ControlProcess:
 
     def __init__(self, order: Order) -> None:
         self._connection, theirs = CONTEXT.Pipe()
-        self._process = started(CONTROL, order, theirs, name=f"heft-run-{order.run}")
-        theirs.close()
         self._speaker: Speaker[ToChild] = Speaker(self._connection, Renewal)
         self._heard: asyncio.Queue[FromChild | None] = asyncio.Queue()
         self._loop = asyncio.get_running_loop()
-        threading.Thread(target=self._listen, name="runner", daemon=True).start()
-
-    @property
-    def pid(self) -> int:
-        """Of the process."""
-        return self._process.pid or 0
+        self._process: ForkServerProcess | None = None
+        self._lock = threading.Lock()
+        self._killed = False
+        threading.Thread(target=self._run, args=(order, theirs), name="runner", daemon=True).start()
 
     def tell(self, message: ToChild) -> None:
         """Returns at once."""
@@ -46,14 +50,38 @@ class ControlProcess:
         while (message := await self._heard.get()) is not None:
             last = message
             yield message
-        await asyncio.to_thread(self._process.join)
-        if self._process.exitcode != 0 and not isinstance(last, Failed):
-            code = self._process.exitcode
+        code = await asyncio.to_thread(self._ended)
+        if code != 0 and not isinstance(last, Failed):
             yield Failed("ControlProcessLost", f"the control process ended with code {code}; its robot got no more commands. See the log.")
 
     def kill(self) -> None:
         """For a process that does not end when it is told to."""
-        self._process.kill()
+        with self._lock:
+            self._killed = True
+            if self._process is not None:
+                self._process.kill()
+
+    def _ended(self) -> int | None:
+        """The exit code; None of a process that could not be started."""
+        if self._process is None:
+            return None
+        self._process.join()
+        return self._process.exitcode
+
+    def _run(self, order: Order, theirs: Connection) -> None:
+        try:
+            process = started(CONTROL, order, theirs, name=f"heft-run-{order.run}")
+        except (OSError, EOFError):
+            log.exception("the control process of run %s could not be started", order.run)
+            self._loop.call_soon_threadsafe(self._heard.put_nowait, None)
+            return
+        finally:
+            theirs.close()
+        with self._lock:
+            self._process = process
+            if self._killed:
+                process.kill()
+        self._listen()
 
     def _listen(self) -> None:
         while True:
