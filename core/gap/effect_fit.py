@@ -123,7 +123,7 @@ def _finished(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     away = np.concatenate((beta, theta - problem.absent))
     here = np.concatenate((beta, theta))
     free = (here > problem.bounds[0]) & (here < problem.bounds[1])
-    held_out = _held_out(problem.windows, columns[:, free], r, normal[np.ix_(free, free)], (problem.precision * away)[free])
+    held_out = held_out_rows(problem.windows, columns[:, free], r, problem.precision[free], away[free])
     held_out += spared(problem, theta, beta)
     covariance = inverse(normal)
     shape = problem.windows.target.shape
@@ -142,7 +142,7 @@ def _finished(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     )
 
 
-def _held_out(windows: Windows, columns: Array, r: Array, normal: Array, pull: Array) -> Array:
+def held_out_rows(windows: Windows, columns: Array, r: Array, precision: Array, away: Array) -> Array:
     """(6, K), chi-square of each row when its whole motion is left out.
 
     With e the prediction error of a motion from all others and S its covariance (noise and what is left open by the others),
@@ -150,13 +150,16 @@ def _held_out(windows: Windows, columns: Array, r: Array, normal: Array, pull: A
     the linearised problem, so the last bit of the way there is gone first.
 
     Args:
-        pull: gradient of the priors at the fit.
+        precision, away: of the priors, and how far from their means the fit is.
     """
-    r = r - columns @ solved(normal, columns.T @ r - pull)
     group = np.tile(windows.group, 6)
+    motions = [group == g for g in np.unique(group)]
+    seen = [columns[rows].T @ columns[rows] for rows in motions]
+    prior = np.diag(precision)
+    r = r - columns @ solved(sum(seen, prior), columns.T @ r - precision * away)
     result = np.empty_like(r)
-    for g in np.unique(group):
-        rows = group == g
-        Z = columns[rows]
-        result[rows] = r[rows] * (r[rows] + Z @ solved(normal - Z.T @ Z, Z.T @ r[rows]))
+    for k, rows in enumerate(motions):
+        # summed anew: where one motion alone shows a parameter, the difference N - Z^T Z is nothing but rounding
+        others = sum(seen[:k] + seen[k + 1 :], prior)
+        result[rows] = r[rows] * (r[rows] + columns[rows] @ solved(others, columns[rows].T @ r[rows]))
     return result.reshape(windows.target.shape)

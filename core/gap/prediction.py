@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.scene import Scene
+from core.effects.scene import PER_ROW, Scene
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import poses_of
 from core.gap.basis import unchecked_basis
@@ -24,8 +24,6 @@ from core.inertia import Motion
 from core.recording import BETWEEN_RUNS_S, Recording
 
 Array = NDArray[np.float64]
-
-ROWS = ("phase", "rotation", "position", "q", "dq", "jacobian", "torque", "temperature")
 
 
 class Prediction:
@@ -87,7 +85,9 @@ class Prediction:
 
 def followed(scene: Scene, ahead: Scene) -> Scene:
     """Both one after the other; what only the first one knows stays at its mean."""
-    rows: dict[str, Any] = {name: _rows_of(getattr(scene, name), getattr(ahead, name), len(ahead)) for name in ROWS}
+    rows: dict[str, Any] = {
+        name: _rows_of(getattr(scene, name), getattr(ahead, name), len(ahead)) for name in PER_ROW if name not in ("t", "motion")
+    }
     motion = Motion(*[np.concatenate((getattr(scene.motion, k), getattr(ahead.motion, k))) for k in ("g", "a", "omega", "alpha")])
     t = np.concatenate((scene.t, scene.t[-1] + BETWEEN_RUNS_S + ahead.t - ahead.t[0]))
     return replace(scene, t=t, motion=motion, **rows)
