@@ -98,12 +98,20 @@ class NoStartConfiguration(Refused):
         axis: sensor axis with its sign, for example "x+" (along gravity).
         reasons: how many candidates each check rejected, the most frequent first.
         best_clearance_m: largest distance to anything that was met among reachable candidates, None if none was reachable.
-        in_the_way: name of the obstacle, zone or link that was nearest in that best candidate.
+        nearest: name of the obstacle, zone or link that was nearest in that best candidate.
+        in_the_way: what most candidates failed at, where that is something else.
     """
 
-    def __init__(self, axis: str, reasons: dict[str, int], best_clearance_m: float | None = None, in_the_way: str | None = None) -> None:
+    def __init__(
+        self,
+        axis: str,
+        reasons: dict[str, int],
+        best_clearance_m: float | None = None,
+        nearest: str | None = None,
+        in_the_way: str | None = None,
+    ) -> None:
         counts = ", ".join(f"{name} {count}" for name, count in sorted(reasons.items(), key=lambda item: -item[1]))
-        best = "" if best_clearance_m is None else f"; the best clearance met was {best_clearance_m:.3f} m to {in_the_way!r}"
+        best = "" if best_clearance_m is None else f"; the best clearance met was {best_clearance_m:.3f} m to {nearest!r}"
         super().__init__(
             f"no start configuration with sensor axis {axis} along gravity: rejected {counts or 'nothing, no candidate'}"
             f"{best}. Move what is in the way, reduce the payload box or the clearance, and plan again."
@@ -111,7 +119,7 @@ class NoStartConfiguration(Refused):
         self.axis = axis
         self.reasons = reasons
         self.best_clearance_m = best_clearance_m
-        self.in_the_way = in_the_way
+        self.in_the_way = in_the_way or nearest
 
 
 class NoPath(Refused):

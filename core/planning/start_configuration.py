@@ -112,6 +112,7 @@ class Checks:
         if rotation is not None:
             self._rotation = RotationCheck(cell, robot, collision, Turn.of(rotation, axis), limits)
         self.rejected: Counter[str] = Counter()
+        self.thrown_into: Counter[str] = Counter()
 
     def passed(self, candidates: Candidates, row: int) -> Accepted | None:
         """The candidate with its rotation, or None, which is counted."""
@@ -130,6 +131,7 @@ class Checks:
         pose = self._robot.sensor_pose(q)
         throw = self._throw.nearest(self._loads, pose.rotation, pose.position)
         if throw is not None and throw.distance_m < 0.0:
+            self.thrown_into[throw.zone] += 1
             return f"a released load would fly into zone {throw.zone!r}"
         path = q[None] if self._rotation is None else self._rotation(q)
         if isinstance(path, Obstruction):
@@ -261,4 +263,6 @@ def _refusal(axis: str, everything: list[Candidates], checks: Checks, collision:
         return NoStartConfiguration(axis, reasons)
     best = max(reached, key=lambda candidates: candidates.clearance.max())
     nearest = collision.obstacle_distance(best.q[np.argmax(best.clearance)])
-    return NoStartConfiguration(axis, reasons, nearest.distance_m, nearest.second)
+    most = max(checks.rejected.values(), default=0)
+    zone = next((zone for zone, times in checks.thrown_into.items() if times == most), None)
+    return NoStartConfiguration(axis, reasons, nearest.distance_m, nearest.second, in_the_way=zone)

@@ -179,8 +179,9 @@ def test_a_rotation_that_the_arm_cannot_make_fast_enough_is_refused_with_that_re
 
 def test_a_zone_under_everything_is_refused_because_of_the_load_that_would_fall_into_it(cell):
     under = Zone(name="cellar", shape=Box(size_m=(8.0, 8.0, 0.05), pose=Pose(xyz_m=(0.0, 0.0, -0.7))))
-    with pytest.raises(NoStartConfiguration, match="a released load would fly into zone 'cellar'"):
+    with pytest.raises(NoStartConfiguration, match="a released load would fly into zone 'cellar'") as refusal:
         search(cell.model_copy(update={"zones": (under,)}), "z+", grid=Grid(vertices=100, rounds=1))
+    assert refusal.value.in_the_way == "cellar"
 
 
 def test_a_room_just_large_enough_for_home_is_refused_with_what_is_in_the_way():
