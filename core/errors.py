@@ -99,7 +99,7 @@ class NoStartConfiguration(Refused):
         reasons: how many candidates each check rejected, the most frequent first.
         best_clearance_m: largest distance to anything that was met among reachable candidates, None if none was reachable.
         nearest: name of the obstacle, zone or link that was nearest in that best candidate.
-        in_the_way: what most candidates failed at, where that is something else.
+        in_the_way: what keeps most of those with room to stand from being used, where that is something else.
     """
 
     def __init__(

@@ -112,7 +112,8 @@ class Checks:
         if rotation is not None:
             self._rotation = RotationCheck(cell, robot, collision, Turn.of(rotation, axis), limits)
         self.rejected: Counter[str] = Counter()
-        self.thrown_into: Counter[str] = Counter()
+        self._with_room = 0
+        self._thrown_into: Counter[str] = Counter()
 
     def passed(self, candidates: Candidates, row: int) -> Accepted | None:
         """The candidate with its rotation, or None, which is counted."""
@@ -122,16 +123,22 @@ class Checks:
             return None
         return Accepted(row, *outcome)
 
+    @property
+    def thrown_into(self) -> str | None:
+        """The zone that a load could fly into from most of the candidates that have room to stand."""
+        return next((zone for zone, times in self._thrown_into.items() if 2 * times > self._with_room), None)
+
     def _check(self, q: Array, clearance: float) -> tuple[Array, Throw | None] | str:
         """The path of the rotation (K, n) and the worst throw, or the reason for the refusal."""
         if clearance < self._cell.limits.clearance_m + ROOM_M:
             return f"too close to {self._collision.obstacle_distance(q).second!r}"
         if self._collision.self_margin(q) < ROOM_M:
             return _too_close(self._collision, q[None])
+        self._with_room += 1
         pose = self._robot.sensor_pose(q)
         throw = self._throw.nearest(self._loads, pose.rotation, pose.position)
         if throw is not None and throw.distance_m < 0.0:
-            self.thrown_into[throw.zone] += 1
+            self._thrown_into[throw.zone] += 1
             return f"a released load would fly into zone {throw.zone!r}"
         path = q[None] if self._rotation is None else self._rotation(q)
         if isinstance(path, Obstruction):
@@ -263,6 +270,4 @@ def _refusal(axis: str, everything: list[Candidates], checks: Checks, collision:
         return NoStartConfiguration(axis, reasons)
     best = max(reached, key=lambda candidates: candidates.clearance.max())
     nearest = collision.obstacle_distance(best.q[np.argmax(best.clearance)])
-    most = max(checks.rejected.values(), default=0)
-    zone = next((zone for zone, times in checks.thrown_into.items() if times == most), None)
-    return NoStartConfiguration(axis, reasons, nearest.distance_m, nearest.second, in_the_way=zone)
+    return NoStartConfiguration(axis, reasons, nearest.distance_m, nearest.second, in_the_way=checks.thrown_into)
