@@ -73,9 +73,9 @@ def additions(cells: CellFolder) -> Kind:
     def also(db: Session, row: JobRow) -> None:
         if row.state == State.done and row.result is not None:
             order = AdditionOrder.model_validate_json(row.order)
-            cells.put_twin(order.cell, row.result)  # in the same transaction: what is cancelled changes nothing
             said: audit.Detail = {"cell": order.cell, "effect": order.effect, "diagnosis": order.diagnosis, "sha256": sha256_of(row.result)}
             audit.record(db, row.requested_by, "twin.add", said)
+            cells.put_twin(order.cell, row.result)  # last in the transaction: a store that refuses it leaves the twin as it was
 
     return Kind(ADDITION, "server.runner.twin_adding", arguments, also)
 

@@ -133,6 +133,10 @@ class _Problem:
         n = self.ramps.shape[1]
         return slice(OFFSET.stop + channel * n, OFFSET.stop + (channel + 1) * n)
 
+    def _walk_rows(self, channel: int) -> slice:
+        first = self._drift_rows(channel).start
+        return slice(first, first + self.walk)
+
     def _range_std(self, covariance: Array, channel: int) -> float:
         rows = self._drift_rows(channel)
         ends = self.ramps[-1:] - self.ramps[:1]
@@ -177,14 +181,12 @@ class _Problem:
         prior = np.concatenate((PRIOR_STD**-2.0, np.zeros(self.size - OFFSET.stop)))
         for _ in range(DRIFT_STEPS if self.walk else 1):
             for c in range(6):
-                rows = self._drift_rows(c)
-                prior[rows] = STEP_STD[c] ** -2.0
-                prior[rows][: self.walk] = 1.0 / self.drift_variance[c]
+                prior[self._drift_rows(c)] = STEP_STD[c] ** -2.0
+                prior[self._walk_rows(c)] = 1.0 / self.drift_variance[c]
             covariance = _without_bias(_inverse(normal + np.diag(prior)), bias)
             x = covariance @ right
             for c in range(6 if self.walk else 0):
-                first = self._drift_rows(c).start
-                rows = slice(first, first + self.walk)
+                rows = self._walk_rows(c)
                 self.drift_variance[c] = improved_variance(self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c])
         return covariance, x
 

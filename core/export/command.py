@@ -50,7 +50,8 @@ def read_result(file: Path) -> Result:
         raise BadInput(str(file), f"nothing that can be read ({error.strerror})", "a file that --json wrote") from error
     except ValidationError as error:
         flaw = error.errors()[0]
-        where = ": ".join([str(file), *([".".join(str(part) for part in flaw["loc"])] if flaw["loc"] else [])])
+        key = ".".join(str(part) for part in flaw["loc"])
+        where = f"{file}: {key}" if key else str(file)
         raise BadInput(where, repr(flaw["input"])[:80], "the answer of `heft run` or `heft identify`") from error
 
 

@@ -135,8 +135,8 @@ def remove_effect(cell: PathName, effect: PathName, here: Here, asking: Asking, 
     with here.store.write() as db:
         _check_nothing_under_way(db, cell)
         left = _removed(loaded, effect)
-        here.cells.put_twin(cell, left)
         audit.record(db, asking.who, "twin.remove", {"cell": cell, "effect": effect, "sha256": sha256_of(left)}, now=now)
+        here.cells.put_twin(cell, left)  # last, as in `server.job_kinds`
     return TwinAnswer.model_validate_json(left)
 
 
