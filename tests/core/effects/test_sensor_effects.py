@@ -6,17 +6,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from naive_play import naive_play
 from scipy.interpolate import CubicSpline
 from scipy.optimize import least_squares
 from scipy.signal import lsim
 from synthetic_scene import NOISE, scene
 
-from core.effects.change_points import change_points
 from core.effects.channels import CHANNELS
 from core.effects.effect import Effect
-from core.effects.filters import delayed, derivative, low_passed, play
 from core.effects.kinematic_lag import KinematicLag
 from core.effects.scene import Scene
 from core.effects.sensor_creep import SensorCreep
@@ -43,18 +40,6 @@ def behind(numerator: list[float], denominator: list[float], w: Array) -> Array:
     spline = CubicSpline(RUN.t, w)
     out = [w[0, j] + lsim((numerator, denominator), spline(FINE)[:, j] - w[0, j], FINE)[1][::10] for j in range(6)]
     return np.column_stack(out)
-
-
-def naive_play(x: Array, r: float) -> Array:
-    """A piston of half-width r that is pushed along."""
-    piston, out = x[0], []
-    for value in x:
-        if value - piston > r:
-            piston = value - r
-        elif piston - value > r:
-            piston = value + r
-        out.append(piston)
-    return np.array(out)
 
 
 def crosstalk(entries: dict[tuple[int, int], float]) -> Array:
@@ -276,75 +261,6 @@ def test_gentle_hysteresis_of_the_bouc_wen_kind_is_explained_too() -> None:
     shift = (planted - W) / NOISE
     before = float(np.sqrt(((shift - shift.mean(axis=0)) ** 2).mean()))
     assert after < 0.2 * before
-
-
-def test_a_ramp_is_the_limit_of_slow_drift() -> None:
-    theta = np.append(DRIFT, np.zeros(7))
-    expected = W + np.outer(RUN.t / 60.0, DRIFT)
-    np.testing.assert_allclose(SensorDrift().wrench(RUN, W, theta), expected, atol=1e-12)
-    theta[6] = 1e-6
-    np.testing.assert_allclose(SensorDrift().wrench(RUN, W, theta), expected, atol=1e-4)
-
-
-def test_drift_follows_the_temperature_where_it_is_recorded() -> None:
-    theta = np.append(np.zeros(7), [0.2, 0, 0, 0, 0, 0.01])
-    W_ = SensorDrift().wrench(RUN, W, theta)
-    rise = RUN.temperature - RUN.temperature[0]
-    np.testing.assert_allclose(W_[:, 0], W[:, 0] + 0.2 * rise)
-    np.testing.assert_allclose(W_[:, 5], W[:, 5] + 0.01 * rise)
-
-
-def test_the_first_change_point_is_where_the_mean_jumps() -> None:
-    rng = np.random.default_rng(6)
-    series = rng.standard_normal((1000, 6))
-    series[617:] += [0.5, 0, -0.4, 0, 0, 0.3]
-    assert abs(change_points(series, count=3, apart=30)[0] - 617) <= 10
-
-
-def test_a_jump_is_found_in_a_series_that_wanders() -> None:
-    t = np.arange(2000)
-    series = 5 * np.sin(t / 200)[:, None] + np.random.default_rng(8).standard_normal((2000, 2))
-    series[1300:, 1] += 4.0
-    assert min(abs(row - 1300) for row in change_points(series, count=4, apart=40)) <= 3
-
-
-def test_a_series_too_short_to_tell_has_no_change_points() -> None:
-    assert change_points(np.zeros((5, 6)), count=3, apart=2) == []
-
-
-@given(st.floats(0.0, 12.0))
-def test_a_delayed_quintic_is_exact_and_the_beginning_holds_its_value(samples: float) -> None:
-    k = np.arange(60.0)
-
-    def quintic(x: Array) -> Array:
-        return 1 + 0.3 * x - 0.02 * x**2 + 0.001 * x**3 - 1e-4 * x**4 + 1e-6 * x**5
-
-    late = delayed(quintic(k)[:, None], samples)[:, 0]
-    inside = k >= np.maximum(samples + 3, 5)  # six rows from the beginning on
-    np.testing.assert_allclose(late[inside], quintic(k[inside] - samples), rtol=1e-9, atol=1e-9)
-    assert np.isfinite(late).all()
-
-
-@given(st.floats(1e-4, 10.0))
-def test_a_low_pass_keeps_a_constant_and_lags_a_ramp_by_its_time_constant(time_constant: float) -> None:
-    t = 0.01 * np.arange(int(40 * time_constant / 0.01) + 50)
-    out = low_passed(np.column_stack([np.full_like(t, 2.0), t]), time_constant, 0.01)
-    np.testing.assert_allclose(out[:, 0], 2.0)
-    assert out[-1, 1] == pytest.approx(t[-1] - time_constant, abs=1e-6)
-
-
-def test_the_derivative_of_a_cubic_is_exact() -> None:
-    t = 0.02 * np.arange(50)
-    np.testing.assert_allclose(derivative((t**3)[:, None], 0.02)[3:, 0], 3 * t[3:] ** 2, atol=1e-9)
-
-
-@given(st.floats(0.0, 3.0), st.integers(0, 1000))
-def test_play_is_never_further_behind_than_its_radius(radius: float, seed: int) -> None:
-    x = np.cumsum(np.random.default_rng(seed).standard_normal((80, 2)), axis=0)
-    y = play(x, np.array([radius, 0.0]))
-    assert (np.abs(y - x)[:, 0] <= radius + 1e-12).all()
-    np.testing.assert_array_equal(y[:, 1], x[:, 1])
-    np.testing.assert_allclose(y[:, 0], naive_play(x[:, 0], radius), atol=1e-12)
 
 
 @pytest.mark.parametrize("effect", [TimeDelay(), SensorLowpass(), KinematicLag()], ids=lambda effect: effect.id)

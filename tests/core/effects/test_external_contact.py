@@ -1,0 +1,19 @@
+"""A push from outside, against physics that is written down here."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from mechanical_truth import T
+from plain_fit import fitted
+from planted_mechanics import PUSH, inside, touched
+
+from core.effects.external_contact import ExternalContact
+
+
+def test_half_a_sine_of_contact_is_explained_by_a_tapered_window() -> None:
+    shape = inside() * np.sin(np.pi * np.clip((T - 8.0) / 4.5, 0, 1))
+    fit = fitted(ExternalContact(), touched(shape), 0.0)
+    assert fit.closure > 0.98
+    assert fit.theta[0] + 0.5 * fit.theta[1] == pytest.approx(10.25, abs=0.1)
+    np.testing.assert_allclose(fit.theta[3:6], PUSH, rtol=0.1)

@@ -1,0 +1,19 @@
+"""Joints on springs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from mechanical_truth import T, believed, robot, scene, truth
+from planted_mechanics import COMPLIANCE, PLAY
+
+from core.effects.joint_backlash import JointBacklash
+from core.effects.joint_elasticity import JointElasticity
+
+
+def test_without_joint_torques_the_payload_alone_bends_the_joints() -> None:
+    bare, nominal = replace(scene(), torque=None), truth().wrench()
+    stated = replace(scene(), torque=np.einsum("nij,ni->nj", np.stack([robot().sensor_jacobian(row) for row in believed(T)]), nominal))
+    for effect, theta in ((JointElasticity(), np.array([*COMPLIANCE, 0.0, 0.1])), (JointBacklash(), np.append(PLAY, [0.5, 0.01]))):
+        np.testing.assert_allclose(effect.wrench(bare, nominal, theta), effect.wrench(stated, nominal, theta), atol=1e-5)

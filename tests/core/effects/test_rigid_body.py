@@ -1,0 +1,25 @@
+"""Turns and the wrench of a rigid body, against libraries."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mechanical_truth import scene
+from scipy.spatial.transform import Rotation
+
+from core.effects.rigid_body import rotation
+from core.inertia import regressor
+from core.rigid_wrench import wrench
+
+
+@settings(max_examples=30)
+@given(st.lists(st.floats(-0.3, 0.3), min_size=3, max_size=3))
+def test_rotation_vectors_turn_as_scipy_turns_them(vector: list[float]) -> None:
+    np.testing.assert_allclose(rotation(np.array(vector)), Rotation.from_rotvec(vector).as_matrix(), atol=1e-14)
+
+
+@settings(max_examples=20)
+@given(st.lists(st.floats(-2.0, 2.0), min_size=10, max_size=10))
+def test_the_compiled_wrench_is_the_regressors(phi: list[float]) -> None:
+    np.testing.assert_allclose(wrench(scene().motion, np.array(phi)), regressor(scene().motion) @ np.array(phi), atol=1e-9)
