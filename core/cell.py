@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 from pydantic import Field, ValidationError, model_validator
 from pydantic_core import ErrorDetails
 
-from core.errors import BadCell, BadRobot
+from core.errors import BadCell, BadRobot, together
 from core.inertia import InertialParameters
 from core.jail import read_inside
+from core.schema_flaw import SchemaFlaw, schema_flaw
 from core.shapes import Angle, Box, Capsule, Model, Number, Pose, Positive, Shape, Six, SixPositive, Sphere, Vector3
 from core.urdf import Urdf, check_urdf
 from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
@@ -159,8 +160,10 @@ class Cell(Model):
 
     @model_validator(mode="after")
     def _contradicts_nothing(self) -> Cell:
-        for contradiction in contradictions(self):
-            raise BadCell(f"{self.folder / CELL_FILE}: {contradiction.key}", contradiction.found, contradiction.expected)
+        where = self.folder / CELL_FILE
+        flaws = [BadCell(f"{where}: {key}", found, expected) for key, found, expected in contradictions(self)]
+        if flaws:
+            raise together(flaws)
         return self
 
 
@@ -246,7 +249,7 @@ def load_cell(folder: Path) -> Cell:
     try:
         cell = Cell.model_validate({**content, "folder": folder})
     except ValidationError as error:
-        raise _sentence(error.errors()[0], where) from error
+        raise together([_sentence(flaw, where) for flaw in error.errors()]) from error
     urdf = check_urdf(cell.urdf, str(folder / cell.robot.urdf))
     check_robot(cell, urdf)
     urdf.check_bodies(cell.robot.base_frame, cell.robot.sensor_frame)
@@ -281,22 +284,16 @@ def check_robot(cell: Cell, urdf: Urdf) -> None:
 
 def _sentence(error: ErrorDetails, where: str) -> BadCell:
     """One of pydantic's errors as one of ours."""
-    key = ".".join(str(part) for part in error["loc"])
-    found, expected = repr(error.get("input"))[:80], error["msg"].removeprefix("Input should be ")
+    flaw = schema_flaw(error)
     if error["type"] == "extra_forbidden":
         close = difflib.get_close_matches(str(error["loc"][-1]), _keys(), n=1)
-        found, expected = (
-            "an unknown key",
-            f"{close[0]!r}, if that is what was meant" if close else "a key of the format",
+        flaw = flaw._replace(
+            found="an unknown key", expected=f"{close[0]!r}, if that is what was meant" if close else "a key of the format"
         )
-    elif error["type"] == "missing":
-        found, expected = "no such key", "it"
     elif error["type"] in ("union_tag_not_found", "union_tag_invalid"):
-        key, expected = f"{key}.kind", "box, sphere or capsule"
-        found = repr(error["input"].get("kind")) if isinstance(error["input"], dict) else found
-    elif error["type"] in ("too_long", "too_short"):
-        expected = error["msg"].removeprefix("Tuple should have ")
-    return BadCell(f"{where}: {key}", found, expected)
+        found = repr(error["input"].get("kind")) if isinstance(error["input"], dict) else flaw.found
+        flaw = SchemaFlaw(f"{flaw.key}.kind", found, "box, sphere or capsule")
+    return BadCell(*flaw.at(where))
 
 
 def _keys() -> list[str]:

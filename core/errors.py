@@ -46,9 +46,13 @@ class BadInput(HeftError):
         where: the file, with the key, column or row in it.
         found: the value that was found.
         expected: what would have been right.
+
+    Attributes:
+        others: what else is wrong there, each as an error of its own.
     """
 
     exit_code = 2
+    others: tuple[BadInput, ...] = ()
 
     def __init__(self, where: str, found: str, expected: str) -> None:
         super().__init__(f"{where}: found {found}, expected {expected}")
@@ -67,6 +71,13 @@ class BadCell(BadInput):
     def __init__(self, where: str, found: str, expected: str, in_the_way: str | None = None) -> None:
         super().__init__(where, found, expected)
         self.in_the_way = in_the_way
+
+
+def together(flaws: Sequence[BadInput]) -> BadInput:
+    """All that is wrong with one thing as the error of the first, the rest as its `others`."""
+    first = flaws[0]
+    first.others = tuple(flaws[1:])
+    return first
 
 
 class BadRobot(BadInput):

@@ -15,6 +15,7 @@ from core.errors import BadRecording
 from core.inertia import InertialParameters, pseudo_inertia
 from core.jail import read_inside
 from core.recording import Recording, SensorDescription
+from core.schema_flaw import schema_flaw
 
 FORMAT: Literal["recording/1"] = "recording/1"
 FILE = "recording.json"
@@ -105,12 +106,7 @@ def read_manifest(folder: Path) -> Manifest:
     try:
         manifest = Manifest.model_validate(content)
     except ValidationError as error:
-        first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"])
-        if first["type"] == "missing":
-            raise BadRecording(f"{where}: {key}", "no such key", "it") from error
-        expected = first["msg"].removeprefix("Input should be ").removeprefix("Tuple should have ")
-        raise BadRecording(f"{where}: {key}", repr(first["input"])[:80], expected) from error
+        raise BadRecording(*schema_flaw(error.errors()[0]).at(where)) from error
     if not 9.0 < float(np.linalg.norm(manifest.gravity)) < 10.5:
         raise BadRecording(f"{where}: gravity", f"{list(manifest.gravity)}", "about 9.81 m/s2, in the base frame")
     if manifest.payload_reference:
@@ -149,9 +145,7 @@ def manifest_of(recording: Recording) -> Manifest:
     try:
         return Manifest.model_validate(content)
     except ValidationError as error:
-        first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"])
-        raise BadRecording(f"recording: {key}", repr(first["input"])[:80], first["msg"]) from error
+        raise BadRecording(*schema_flaw(error.errors()[0]).at("recording")) from error
 
 
 def _json_object(text: str, where: str) -> dict[str, Any]:

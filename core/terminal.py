@@ -13,7 +13,7 @@ from types import FrameType
 import typer
 from rich.console import Console
 
-from core.errors import HeftError
+from core.errors import BadInput, HeftError
 
 HELP = "Finds out what a robot carries, safely, with people around. Not a safety function."
 
@@ -22,12 +22,13 @@ messages = Console(stderr=True)
 
 
 def enter(program: typer.Typer) -> None:
-    """Runs a command and turns errors into one sentence and an exit code."""
+    """Runs a command and turns errors into a sentence each and an exit code."""
     signal.signal(signal.SIGTERM, _terminate)
     try:
         program()
     except HeftError as error:
-        messages.print(f"heft: {error}", highlight=False, markup=False, soft_wrap=True)
+        for each in (error, *error.others) if isinstance(error, BadInput) else (error,):
+            messages.print(f"heft: {each}", highlight=False, markup=False, soft_wrap=True)
         sys.exit(error.exit_code)
     except KeyboardInterrupt:
         messages.print("heft: interrupted; nothing was moving.", highlight=False)

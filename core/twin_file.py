@@ -13,6 +13,7 @@ from core.effects.effect import Parameter
 from core.effects.library import library
 from core.errors import BadTwin
 from core.jail import read_inside
+from core.schema_flaw import schema_flaw
 from core.twin import NOMINAL, Entry, Twin, standing
 from core.whole_file import write_whole
 
@@ -69,8 +70,7 @@ def _sentence(error: ErrorDetails, file: str) -> BadTwin:
     """One of pydantic's errors as one of ours."""
     if error["type"] == "json_invalid":
         return BadTwin(file, f"JSON that does not parse ({error['ctx']['error']})", "JSON")
-    key = ".".join(str(part) for part in error["loc"])
-    return BadTwin(f"{file}: {key}" if key else file, repr(error["input"])[:80], error["msg"].removeprefix("Input should be "))
+    return BadTwin(*schema_flaw(error).at(file))
 
 
 def close_name(identifier: str, known: list[str]) -> str:

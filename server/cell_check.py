@@ -28,6 +28,7 @@ from server.cell_archive import CELL, UPLOAD, unpack
 
 SECONDS = 4.0
 MEMORY = 512_000_000  # bytes of private data
+MOST_FLAWS = 50  # told of one cell
 FORBIDDEN = ("socket.", "subprocess.", "os.exec", "os.fork", "os.posix_spawn", "os.system", "ctypes.", "os.symlink", "os.link")
 
 Answer = dict[str, Any]
@@ -42,7 +43,8 @@ def check(folder: Path) -> Answer:
         _build(cell)
         read_twin(cell)
     except BadInput as error:
-        return {"refused": type(error).__name__, "where": error.where, "found": error.found, "expected": error.expected}
+        flaws = [(each.where, each.found, each.expected) for each in (error, *error.others)]
+        return {"refused": type(error).__name__, "flaws": flaws[:MOST_FLAWS]}
     except (MemoryError, RecursionError) as error:
         return _refusal(f"more than can be checked ({type(error).__name__})")
     return {"name": cell.name, "title": cell.title}
@@ -125,7 +127,7 @@ def _outcome(child: int, reading: int) -> Answer:
 
 
 def _refusal(found: str) -> Answer:
-    return {"refused": "BadCell", "where": "upload", "found": found, "expected": "a cell of ordinary size"}
+    return {"refused": "BadCell", "flaws": [("upload", found, "a cell of ordinary size")]}
 
 
 def main() -> None:

@@ -57,7 +57,7 @@ class CellChecker:
             answer = self._ask(folder)
         if "refused" in answer:
             kind: type[BadInput] = getattr(errors, answer["refused"])
-            raise kind(answer["where"], answer["found"], answer["expected"])
+            raise errors.together([kind(*flaw) for flaw in answer["flaws"]])
         return str(answer["name"])
 
     def _begin(self) -> subprocess.Popen[str]:

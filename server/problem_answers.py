@@ -16,6 +16,7 @@ from starlette.exceptions import HTTPException
 from starlette.requests import HTTPConnection
 
 from core.errors import HeftError
+from core.schema_flaw import schema_flaw
 from server.problems import HTTP_KINDS, MEDIA_TYPE, Flaw, Problem, headers_of, kinds_by_name, problem, problem_of
 
 log = logging.getLogger("heft.problems")
@@ -87,11 +88,8 @@ async def _send(connection: HTTPConnection, found: Problem, headers: dict[str, s
 
 def flaws_of(found: Sequence[Any]) -> list[Flaw]:
     """Pydantic's errors as ours; secrets are not repeated."""
+    flaws = [schema_flaw(each) for each in found]
     return [
-        Flaw(
-            where=(where := ".".join(str(part) for part in each["loc"])),
-            found="a value that is not shown" if "password" in where else repr(each.get("input"))[:80],
-            expected=each["msg"].removeprefix("Input should be "),
-        )
-        for each in found
+        Flaw(where=key, found="a value that is not shown" if "password" in key else told, expected=expected)
+        for key, told, expected in flaws
     ]

@@ -124,7 +124,7 @@ def problem_of(error: HeftError) -> Problem:
     known, kind = kind_of(error)
     more: dict[str, Any] = {}
     if isinstance(error, BadInput):
-        more["flaws"] = [Flaw(where=error.where, found=error.found, expected=error.expected)]
+        more["flaws"] = [Flaw(where=each.where, found=each.found, expected=each.expected) for each in (error, *error.others)]
     if isinstance(error, Stopped):
         more |= {"value": error.value, "limit": error.limit}
     if isinstance(error, errors.TooMany):

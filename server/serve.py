@@ -16,6 +16,7 @@ from pydantic import ValidationError
 from sqlalchemy import func, select
 
 from core.errors import BadInput
+from core.schema_flaw import schema_flaw
 from core.whole_file import write_whole
 from server import __version__, accounts, audit
 from server.accounts import Account
@@ -71,10 +72,10 @@ def read_settings(**options: Any) -> Settings:
     try:
         return Settings(**{name: value for name, value in options.items() if value is not None})
     except ValidationError as error:
-        flaw = error.errors()[0]
-        name = str(flaw["loc"][0])
+        flaw = schema_flaw(error.errors()[0])
+        name = flaw.key.partition(".")[0]
         where = f"--{name}" if options.get(name) is not None else f"HEFT_{name.upper()}"
-        raise BadInput(where, repr(flaw["input"]), flaw["msg"].removeprefix("Input should be ")) from error
+        raise BadInput(where, flaw.found, flaw.expected) from error
 
 
 @contextmanager

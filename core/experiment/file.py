@@ -14,6 +14,7 @@ from core.gap.experiment import Stop
 from core.jail import read_inside
 from core.recording import Recording
 from core.recording_folder import read_recording, recording_sha256
+from core.schema_flaw import schema_flaw
 from core.shapes import Model
 from core.whole_file import write_whole
 
@@ -73,9 +74,7 @@ def read_experiment(file: Path) -> ExperimentFile:
     try:
         return ExperimentFile.model_validate_json(text)
     except ValidationError as error:
-        first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"])
-        raise BadInput(f"{file}: {key}".rstrip(": "), repr(first["input"])[:80], first["msg"]) from error
+        raise BadInput(*schema_flaw(error.errors()[0]).at(str(file))) from error
 
 
 def experiment_file(choice: Choice, cell: Cell, recording: Recording, folder: Path) -> ExperimentFile:

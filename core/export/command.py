@@ -13,6 +13,7 @@ from core.errors import BadInput
 from core.export.exports import TARGETS, frame_of, payload_of, target_of
 from core.export.target import Lack, Target
 from core.result import Result
+from core.schema_flaw import schema_flaw
 from core.terminal import answers, messages
 from core.uncertain_parameters import UncertainParameters
 
@@ -49,10 +50,8 @@ def read_result(file: Path) -> Result:
     except OSError as error:
         raise BadInput(str(file), f"nothing that can be read ({error.strerror})", "a file that --json wrote") from error
     except ValidationError as error:
-        flaw = error.errors()[0]
-        key = ".".join(str(part) for part in flaw["loc"])
-        where = f"{file}: {key}" if key else str(file)
-        raise BadInput(where, repr(flaw["input"])[:80], "the answer of `heft run` or `heft identify`") from error
+        where, found, _ = schema_flaw(error.errors()[0]).at(str(file))
+        raise BadInput(where, found, "the answer of `heft run` or `heft identify`") from error
 
 
 def lack_sentences(target: Target, payload: UncertainParameters) -> list[str]:

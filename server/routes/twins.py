@@ -16,6 +16,7 @@ from core.cell import TWIN_FILE, Cell
 from core.errors import BadTwin
 from core.gap.answer import Diagnosis
 from core.jail import read_inside
+from core.schema_flaw import schema_flaw
 from server import audit, jobs
 from server.dependencies import Asking, Cells, Here, Now, Stored
 from server.errors import Conflict, NotFound, Unprocessable
@@ -151,9 +152,7 @@ def twin_of(cell: Cell) -> TwinAnswer:
     try:
         return TwinAnswer.model_validate_json(read_inside(cell.folder, TWIN_FILE, BadTwin, max_bytes=MAX_BYTES))
     except ValidationError as error:
-        flaw = error.errors()[0]
-        where = ".".join(str(part) for part in flaw["loc"])
-        raise BadTwin(f"{TWIN_FILE}: {where}", repr(flaw["input"])[:80], flaw["msg"].removeprefix("Input should be ")) from error
+        raise BadTwin(*schema_flaw(error.errors()[0]).at(TWIN_FILE)) from error
 
 
 def _load(db: Session, cell: str, addition: str) -> JobRow:

@@ -161,6 +161,26 @@ def test_a_bad_cell_is_refused_in_one_sentence(name: str, folder: Path) -> None:
     assert len(str(caught.value)) < 500
 
 
+@pytest.mark.parametrize(
+    ("changes", "keys"),
+    [
+        ([("clearance_m", "clearance_n"), ("noise_std", "noise")],
+         {"limits.clearance_n", "sensor.noise_std", "sensor.noise"}),
+        ([("floor_z_m = -0.75", "floor_z_m = 0.75"), (BLOCK, BLOCK.replace("0.006928", "6.928"))],
+         {"floor_z_m", "payloads.steel_block.inertia_kg_m2"}),
+    ],
+    ids=["each value by itself", "values that do not go together"],
+)  # fmt: skip
+def test_all_that_is_wrong_with_a_cell_is_told_at_once(changes: list[tuple[str, str]], keys: set[str], folder: Path) -> None:
+    for before, after in changes:
+        swap(before, after)(folder)
+    with pytest.raises(BadCell) as caught:
+        load_cell(folder)
+    told = (caught.value, *caught.value.others)
+    assert {each.where.removeprefix(f"{folder / 'cell.toml'}: ") for each in told} == keys
+    assert all(isinstance(each, BadCell) for each in told)
+
+
 def test_a_folder_without_a_cell_is_named(tmp_path: Path) -> None:
     with pytest.raises(BadCell, match="no such file"):
         load_cell(tmp_path)

@@ -58,6 +58,16 @@ def test_bad_input_ends_with_2_and_one_sentence(arguments, word):
     assert len(done.stderr.strip().splitlines()) == 1
 
 
+def test_each_flaw_of_a_cell_is_a_line(tmp_path):
+    bad = (ROOT / "cells" / "lwr4_bench" / "cell.toml").read_text().replace("noise_std", "noise")
+    (tmp_path / "cell.toml").write_text(bad)
+    done = heft("plan", str(tmp_path))
+    assert done.returncode == 2
+    missing, misspelt = done.stderr.strip().splitlines()
+    assert "sensor.noise_std: " in missing
+    assert "sensor.noise: " in misspelt
+
+
 def test_a_plan_moves_nothing_and_says_what_would_be_done(tmp_path):
     file = tmp_path / "plan.json"
     done = heft("plan", "lwr4_bench", "--payload", "cylinder", "--json", str(file))

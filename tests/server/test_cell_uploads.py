@@ -7,13 +7,14 @@ from pathlib import Path
 import pytest
 
 from core.cell import load_cell
-from core.errors import BadInput
+from core.errors import BadCell, BadInput
 from core.twin import Twin
 from core.twin_file import read_twin
 from server.cell_archive import UPLOAD
 from server.cell_folder import CellFolder
 from server.cell_uploads import CellChecker, take_in, upload_folder
 from server.errors import Conflict, Unprocessable
+from server.problems import problem_of
 from tests.server.hostile_uploads import HOSTILE, sound, zipped
 from tests.server.real_service import ROOT
 from tests.twin_entries import entry
@@ -48,6 +49,14 @@ def test_a_hostile_upload_is_refused_and_leaves_nothing(what: str, checker: Cell
 
 def test_there_are_enough_hostile_uploads() -> None:
     assert len(HOSTILE) >= 40
+
+
+def test_all_that_is_wrong_with_an_upload_is_told_at_once(checker: CellChecker, cells: CellFolder) -> None:
+    misspelt = sound() | {"cell.toml": sound()["cell.toml"].replace(b"noise_std", b"noise")}
+    with pytest.raises(BadCell) as refusal:
+        upload(checker, cells, zipped(misspelt))
+    flaws = problem_of(refusal.value).flaws
+    assert [flaw.where for flaw in flaws] == ["cell.toml: sensor.noise_std", "cell.toml: sensor.noise"]
 
 
 @pytest.mark.parametrize("prefix", ["", "lwr4_bench/"])

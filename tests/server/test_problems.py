@@ -86,6 +86,8 @@ def test_every_flaw_of_a_body_is_named_and_no_password_is_repeated(nobody: TestC
     found = _is_problem(answer, 422, "bad-request")
     assert {flaw["where"] for flaw in found["flaws"]} == {"body.name", "body.password", "body.more"}
     assert "s3cret" not in answer.text
+    without_name = nobody.post("/api/session", json={"password": "s3cret and more"})
+    assert [flaw["found"] for flaw in _is_problem(without_name, 422, "bad-request")["flaws"]] == ["no such key"]
 
 
 def test_a_body_that_is_no_json_is_a_problem(nobody: TestClient) -> None:

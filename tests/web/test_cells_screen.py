@@ -58,8 +58,8 @@ def test_a_zone_is_moved_by_typed_numbers_and_every_screen_says_by_whom(at: Tabl
 
 
 def test_a_cell_that_cannot_be_used_is_refused_in_words_and_a_sound_one_taken_in_when_somebody_says_so(at: Tablet, service: RealService):
-    choose(at, uploaded("second", clearance_m="clearance_n"))
-    expect(at.page.get_by_role("alert")).to_contain_text("clearance_n")
+    choose(at, uploaded("second", noise_std="noise"))
+    expect(at.page.get_by_role("alert").locator("li")).to_contain_text(["sensor.noise_std", "sensor.noise"])
     check_looks(look(at.page, "a cell that cannot be used"))
     choose(at, uploaded("second"))
     expect(at.page.locator(".cell-upload")).to_contain_text("Cell second can be used.")
