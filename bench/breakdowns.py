@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -32,32 +33,37 @@ def undisturbed(service: RealService, console: Console) -> Recording:
     return read_recording(service.data / "recordings" / run / "recording")
 
 
-def moments(recording: Recording, phase: str, rng: np.random.Generator, count: int) -> list[float]:
+def moments(recording: Recording, phase: str, rng: np.random.Generator) -> Iterator[float]:
     """When to break: at random in the phase, s."""
     assert recording.phase is not None
     kinds = np.array([each.partition(":")[0] for each in recording.phase])
-    fits = (kinds == phase) & (recording.t < recording.t[-1] - LATEST_S)
-    return [float(t) for t in rng.choice(recording.t[fits], count, replace=False)]
+    fits = recording.t[(kinds == phase) & (recording.t < recording.t[-1] - LATEST_S)]
+    while True:
+        yield float(rng.choice(fits))
 
 
-def measured(service: RealService, console: Console, kind: int, at_s: float) -> tuple[float, float]:
+def measured(service: RealService, console: Console, kind: int, when: Iterator[float]) -> tuple[float, float]:
     """Time from the breakdown until the commanded speed is zero for good, and how much of it the braking takes, s."""
     acceleration = np.array(load_cell(ROOT / "cells" / console.cell).robot.acceleration_rad_s2)
-    while (found := broken(service, console, seed_of(kind, at_s))) is None:
-        print("control was lost before anything broke; once more", flush=True)
+    while (found := broken(service, console, seed_of(kind, next(when)))) is None:
+        print("the run was over, or control lost, before anything broke; once more", flush=True)
         console.take_control()
     return found.stop_s, float((found.dq / acceleration).max())
 
 
 def broken(service: RealService, console: Console, seed: int) -> Told | None:
-    """What the arm was told after its breakdown."""
+    """What the arm was told after its breakdown; None where there was none."""
     run = console.queue(seed=seed)
     console.wait(run, "Idle")
     assert console.release(run).status_code == 200
-    lost = console.wait(run, "Aborted")
+    ended = console.wait(run, "Aborted", "Complete")
+    found = told(service.data / "recordings" / run)
     assert console.release(run).status_code == 409, "nothing moves again"
-    wait_for(lambda: console.command(run, "clear").status_code == 200, f"{lost['reason']} to be cleared")
-    return told(service.data / "recordings" / run)
+    if ended["state"] == "Aborted":
+        wait_for(lambda: console.command(run, "clear").status_code == 200, f"{ended['reason']} to be cleared")
+    else:
+        assert found is None, f"{run} broke and went on"
+    return found
 
 
 def main() -> None:
@@ -74,8 +80,8 @@ def main() -> None:
         expected = undisturbed(service, console)
         for name in given.kinds or KINDS:
             for phase in PHASES:
-                when = moments(expected, phase, rng, given.times)
-                say(name, phase, np.array([measured(service, console, KINDS[name], at_s) for at_s in when]))
+                when = moments(expected, phase, rng)
+                say(name, phase, np.array([measured(service, console, KINDS[name], when) for _ in range(given.times)]))
         console.leave()
 
 

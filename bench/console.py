@@ -1,7 +1,8 @@
-"""How soon the console can be used on a slow tablet, and how large it is.
+"""How soon the console can be used on a slow tablet, how soon it shows again what is, and how large it is.
 
 Loads the built console in Chromium on a processor slowed down four times, each time with an empty cache, until its first field can be typed
-into; the same unslowed beside it, because this machine may be busy with other things.
+into; the same unslowed beside it, because this machine may be busy with other things. Then a tablet that looks on is loaded again, and cut
+off from the service while the run that it shows is cancelled: until it shows the run as it is, once it is asked for or has its line back.
 """
 
 from __future__ import annotations
@@ -9,17 +10,22 @@ from __future__ import annotations
 import argparse
 import gzip
 import tempfile
+import time
 from pathlib import Path
 from statistics import median
 
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, Page
 
-from tests.server.real_service import ROOT, RealService, real_service
-from tests.web.tablet import LANDSCAPE, chromium
+from tests.server.real_service import ROOT, Console, RealService, real_service
+from tests.web.screens import show, signed_in
+from tests.web.tablet import LANDSCAPE, Tablet, chromium
 
 SLOWDOWNS = (1, 4)
 FIRST_FIELD_S = "() => document.activeElement?.name === 'username' && performance.now() / 1000"
 """Seconds since the page was asked for, once the field for the name has the cursor."""
+PLANNED_S = "() => document.querySelector('.preview table') && performance.now() / 1000"
+"""Seconds since the page was asked for, once it shows a plan."""
+STOPPED = "() => document.querySelector('.ended [data-state=Stopped]') && !document.querySelector('.line-lost')"
 
 
 def main() -> None:
@@ -33,6 +39,9 @@ def main() -> None:
         for slowdown in SLOWDOWNS:
             found = [interactive_s(browser, service, slowdown) for _ in range(times)]
             print(f"interactive, processor slowed {slowdown}x: median {median(found):.2f} s, worst {max(found):.2f} s of {times}")
+        again, back = zip(*shown_again_s(browser, service, times), strict=True)
+    for what, taken in (("loaded again", again), ("the line is back", back)):
+        print(f"the run as it is, once {what}: median {median(taken):.2f} s, worst {max(taken):.2f} s of {times}")
 
 
 def interactive_s(browser: Browser, service: RealService, slowdown: float) -> float:
@@ -42,6 +51,42 @@ def interactive_s(browser: Browser, service: RealService, slowdown: float) -> fl
         context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": slowdown})
         page.goto(f"http://{service.address}/")
         return float(page.wait_for_function(FIRST_FIELD_S, polling=10).json_value())
+
+
+def shown_again_s(browser: Browser, service: RealService, times: int) -> list[tuple[float, float]]:
+    """Seconds until the run that a tablet looks on is on its screen: after it was loaded again, after its line is back."""
+    person = Console(service)
+    with signed_in(service, browser) as at:
+        at.without_viewer()
+        found = [(loaded_again_s(page), back_s(page, person, run)) for run, page in (planned(at, person) for _ in range(times))]
+    person.leave()
+    return found
+
+
+def planned(at: Tablet, person: Console) -> tuple[str, Page]:
+    """A run whose plan the tablet shows."""
+    run = person.queue()
+    person.wait(run, "Idle")
+    page = show(at, "runs", run)
+    page.wait_for_selector(".preview table")
+    return run, page
+
+
+def loaded_again_s(page: Page) -> float:
+    page.reload(wait_until="commit")
+    return float(page.wait_for_function(PLANNED_S, polling=10).json_value())
+
+
+def back_s(page: Page, person: Console, run: str) -> float:
+    """The run is cancelled while the tablet has no line."""
+    page.context.set_offline(True)
+    page.wait_for_selector(".line-lost")
+    person.http.delete(f"/api/runs/{run}")
+    person.wait(run, "Stopped")
+    since = time.monotonic()
+    page.context.set_offline(False)
+    page.wait_for_function(STOPPED, polling=10)
+    return time.monotonic() - since
 
 
 if __name__ == "__main__":

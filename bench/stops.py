@@ -44,7 +44,7 @@ def closed(_: RealService, console: Console) -> None:
 
 def killed(service: RealService, _: Console) -> None:
     """kill -9 of the server."""
-    service.send(signal.SIGKILL)
+    service.kill()
 
 
 def frozen(service: RealService, _: Console) -> None:
@@ -111,8 +111,8 @@ def struck(service: RealService, blow: Blow, phase: str, seed: int) -> tuple[flo
         recover(service, run)
         return None
     time.sleep(float(np.random.default_rng(seed).uniform(0.05, 0.25)))
-    blow(service, console)
     struck_s = time.monotonic() - watcher.offset_s
+    blow(service, console)
     recording = service.data / "recordings" / run / "recording"
     wait_for(recording.is_dir, "the recording")
     console.leave()
