@@ -31,7 +31,10 @@ def main() -> None:
     parser.add_argument("--folder", type=Path, default=FOLDER)
     folder: Path = parser.parse_args().folder
     folder.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as data, urgent(), real_service(Path(data)) as service, chromium() as browser:
+    with (
+        tempfile.TemporaryDirectory() as data, urgent(), real_service(Path(data), "tests.web.patient_service") as service,
+        chromium() as browser,
+    ):  # fmt: skip
         first = _run_without_pictures(service)
         run = _run_with_pictures(service, browser, folder)
         _pages(service, browser, folder, first, run)
@@ -39,11 +42,6 @@ def main() -> None:
         _open_questions(service, browser, folder, diagnosis)
         _refused(service, browser, folder)
         _german(service, browser, folder, run, diagnosis)
-
-
-def without_notice(at: Tablet) -> None:
-    """What the viewer says of a machine without a graphics card is not what a tablet shows."""
-    at.page.frame_locator("iframe.viewer").locator(".mantine-Notification-closeButton").tap()
 
 
 def picture(at: Tablet, folder: Path, name: str, wait_ms: int = 600) -> None:
@@ -69,9 +67,9 @@ def _run_without_pictures(service: RealService) -> str:
 
 
 def _run_with_pictures(service: RealService, browser: Browser, folder: Path) -> str:
-    """From signing in to the result; the cell in three dimensions is shown where nothing moves, for it takes the processor."""
+    """From signing in to the result."""
     with tablet(browser, service) as at:
-        at.hurry()
+        at.hurry(hold_s=12.0)
         at.open()
         picture(at, folder, "sign-in")
         at.sign_in()
@@ -79,16 +77,16 @@ def _run_with_pictures(service: RealService, browser: Browser, folder: Path) -> 
         picture(at, folder, "cell-and-tool")
         at.press("Take control and plan")
         at.wait(".preview table")
-        without_notice(at)
+        at.without_notice()
         picture(at, folder, "plan", DRAWN_MS)
         again = at.page.get_by_role("button", name="Show the plan again")
         if again.is_visible():
             again.tap()
-        at.without_viewer()
         at.press("Release")
         at.press("START")
-        at.wait(".running .measured")
-        picture(at, folder, "running", 2500)
+        at.wait(".running .estimate-so-far dl")
+        at.without_notice()
+        picture(at, folder, "running", DRAWN_MS)
         at.wait(".result table")
         at.wait(".result aside .download")
         picture(at, folder, "result", 1500)
@@ -106,7 +104,7 @@ def _pages(service: RealService, browser: Browser, folder: Path, first: str, run
             show(at, *place)
             at.wait(shows)
             if name == "cells":
-                without_notice(at)
+                at.without_notice()
             picture(at, folder, name, DRAWN_MS if name == "cells" else 600)
         at.page.context.set_offline(True)
         at.wait(".line-lost")
@@ -159,7 +157,7 @@ def _refused(service: RealService, browser: Browser, folder: Path) -> None:
     with signed_in(service, browser) as at, zone_at(person, AT_THE_ROBOT):
         at.press("plan")
         at.wait(".ended .in-the-way")
-        without_notice(at)
+        at.without_notice()
         picture(at, folder, "refused", DRAWN_MS)
     person.leave()
 

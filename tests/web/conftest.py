@@ -8,7 +8,7 @@ from contextlib import ExitStack
 import pytest
 from playwright.sync_api import Browser
 
-from tests.server.real_service import ROOT, RealService, real_service
+from tests.server.real_service import ROOT, Console, RealService, real_service
 from tests.web.tablet import chromium
 from tests.web.urgency import urgent
 from tests.web.way import Way, walked
@@ -22,6 +22,17 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
         with urgent():
             running = stack.enter_context(real_service(tmp_path_factory.mktemp("console"), "tests.web.patient_service"))
         yield running
+
+
+@pytest.fixture
+def person(service: RealService) -> Iterator[Console]:
+    """Somebody at another screen, who leaves no run behind."""
+    console = Console(service)
+    yield console
+    for run in console.http.get("/api/runs", params={"limit": 5}).json():
+        if "stop" in run["commands"]:
+            console.http.post(f"/api/runs/{run['run']}/commands", json={"command": "stop"})
+    console.leave()
 
 
 @pytest.fixture(scope="package")

@@ -44,11 +44,16 @@ CUT = """least => {
         && (own(each) || getComputedStyle(each).overflowX !== 'visible'));
     const beside = said.filter(each => { const {left, right} = each.getBoundingClientRect(); return left < -1 || right > innerWidth + 1 });
     const [main, bar] = ['main', 'footer'].map(part => document.querySelector(part).getBoundingClientRect());
+    const tiles = [...document.querySelectorAll('main .tile, main .viewer')].filter(each => each.checkVisibility());
+    const over = tiles.filter(one => tiles.some(other => { const [a, b] = [one, other].map(each => each.getBoundingClientRect());
+        return one !== other && !one.contains(other) && !other.contains(one) && a.width && b.width
+            && Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1 }));
     const frame = [['bar below the screen', bar.bottom > innerHeight + 1], ['bar over the page', main.bottom > bar.top + 1],
         ['no room for the page', main.height < least]].filter(([_, wrong]) => wrong).map(([what]) => what);
     const named = each => `${each.className || each.tagName}: ${each.textContent.trim().slice(0, 40)}`;
-    return [...new Set([...out, ...beside])].map(named).concat(frame) }"""
-"""Texts and boxes wider than their place or beside the screen, and what is wrong with page and bar; a page has a height of `least` px."""
+    return [...new Set([...out, ...beside, ...over])].map(named).concat(frame) }"""
+"""Texts and boxes wider than their place, beside the screen or over each other, and what is wrong with page and bar; a page has a height of
+`least` px."""
 LEAST_PAGE_PX = 250
 
 

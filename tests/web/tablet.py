@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, Route, ViewportSize, sync_playwright
@@ -81,21 +82,25 @@ class Tablet:
         """Until it is to be seen."""
         self.page.wait_for_selector(selector, timeout=PATIENCE_MS)
 
-    def hurry(self) -> None:
-        """From now on runs are short: the robot moves for half a minute."""
-        self.page.context.route("**/api/runs", _shortened)
+    def hurry(self, **order: float) -> None:
+        """From now on runs are short: the robot moves for half a minute, or as it is ordered."""
+        self.page.context.route("**/api/runs", partial(_shortened, SHORT | order))
+
+    def without_notice(self) -> None:
+        """What the viewer says, once it is there, of a machine without a graphics card is not what a tablet shows."""
+        self.page.frame_locator("iframe.viewer").locator(".mantine-Notification-closeButton").tap()
 
     def without_viewer(self) -> None:
         """Three dimensions drawn without a graphics card take the processor from everything else."""
         self.page.context.route("**/viewer/**", lambda route: route.fulfill(body=STUB, content_type="text/html"))
 
 
-def _shortened(route: Route) -> None:
+def _shortened(short: dict[str, Any], route: Route) -> None:
     if route.request.method != "POST":
         route.continue_()
         return
     order: dict[str, Any] = json.loads(route.request.post_data or "{}")
-    route.continue_(post_data=json.dumps(order | SHORT))
+    route.continue_(post_data=json.dumps(order | short))
 
 
 @contextmanager

@@ -18,17 +18,6 @@ UNREACHABLE = "ERR_INTERNET_DISCONNECTED"
 
 
 @pytest.fixture
-def person(service: RealService) -> Iterator[Console]:
-    """Somebody at another screen, who leaves no run behind."""
-    console = Console(service)
-    yield console
-    for run in console.http.get("/api/runs", params={"limit": 5}).json():
-        if "stop" in run["commands"]:
-            console.http.post(f"/api/runs/{run['run']}/commands", json={"command": "stop"})
-    console.leave()
-
-
-@pytest.fixture
 def watching(service: RealService, browser: Browser) -> Iterator[Tablet]:
     """A tablet that is signed in and looks on."""
     with tablet(browser, service) as at:

@@ -80,7 +80,7 @@ def test_a_run_has_room_for_longer_words_from_its_plan_to_its_end(at: Tablet):
     at.wait(".press-start")
     check(at, "about to start")
     at.tap(at.page.locator(".press-start"))
-    at.wait(".running")
+    at.wait(".running .estimate-so-far dl")
     check(at, "running")
     at.tap(at.page.locator(".press-stop"))
     at.wait(".ended")

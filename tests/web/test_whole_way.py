@@ -27,6 +27,13 @@ def test_every_screen_of_a_run_says_how_to_stop_what_comes_next_and_that_it_is_n
         assert all(word in told for word in ("STOP", "Next", "Not a safety function", "You have control")), screen
 
 
+def test_a_run_is_held_and_goes_on_from_every_screen_and_stopped_by_whoever_looks_on(way: Way):
+    assert "▶ Resume" in way.told["on hold"]
+    assert all(word in way.told["history on hold"] for word in ("STOP", "▶ Resume"))
+    assert "STOP" in way.told["watched on hold"]
+    assert "▶ Resume" not in way.told["watched on hold"]
+
+
 def test_the_browser_complains_of_nothing(way: Way):
     assert way.complaints == []
 

@@ -70,7 +70,7 @@ def _release(seen: Way, at: Tablet) -> None:
 
 def _hold(seen: Way, at: Tablet, browser: Browser) -> None:
     """Beside the way, so it counts no tap; another tablet looks on meanwhile."""
-    at.wait(".running")
+    at.wait(".running .estimate-so-far dl")
     at.page.get_by_role("button", name="Hold").tap()
     at.wait("[data-state=Held]")
     seen.looks += glimpse(at.page, "on hold")
@@ -82,4 +82,9 @@ def _hold(seen: Way, at: Tablet, browser: Browser) -> None:
         watching.press("Open the run")
         watching.wait("[data-state=Held]")
         seen.see("watched on hold", watching)
+    at.page.get_by_role("link", name="History").tap()
+    at.wait(".run-list")
+    seen.see("history on hold", at)
     at.page.get_by_role("button", name="Resume").tap()
+    at.page.get_by_role("button", name="Hold").wait_for()
+    at.page.go_back()

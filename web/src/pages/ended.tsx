@@ -1,5 +1,4 @@
 import { addressOf } from '../client';
-import { CommandButtons } from '../parts/command-buttons';
 import { Press } from '../parts/press';
 import { ProposedBy } from '../parts/proposed-by';
 import type { Screen } from '../parts/screen';
@@ -7,7 +6,10 @@ import { StateMark } from '../parts/state-mark';
 import { Told } from '../parts/told';
 import { Viewer } from '../parts/viewer';
 import { go } from '../route';
+import { mine, takeControl } from '../stores/control';
 import { run } from '../stores/run';
+import { commandRun } from '../stores/runs';
+import { may } from '../stores/session';
 import { words } from '../words';
 
 type End = 'stopped' | 'refused' | 'aborted';
@@ -50,10 +52,27 @@ function Ended() {
 }
 
 function Actions() {
-  if (run.value?.state !== 'Stopped') return <CommandButtons />;
+  if (run.value?.state !== 'Stopped') return <ClearButton />;
   return (
     <Press kind="primary" act={() => go()}>
       {words.value.ended.again}
+    </Press>
+  );
+}
+
+/** An aborted run is cleared where one reads why it was aborted. */
+function ClearButton() {
+  const shown = run.value;
+  if (!shown?.commands.includes('clear') || !may('operator')) return null;
+  return (
+    <Press
+      kind="move"
+      act={async () => {
+        if (!mine.value) await takeControl(shown.cell);
+        await commandRun(shown.run, 'clear');
+      }}
+    >
+      <span aria-hidden="true">✓</span> {words.value.bar.clear}
     </Press>
   );
 }

@@ -1,4 +1,3 @@
-import { CommandButtons } from '../parts/command-buttons';
 import { EstimateSoFar } from '../parts/estimate-so-far';
 import { NearestNow } from '../parts/nearest-now';
 import { RunProgress } from '../parts/run-progress';
@@ -53,4 +52,4 @@ function blocked(): string | null {
     : null;
 }
 
-export const running: Screen = { Page: Running, Actions: CommandButtons, next };
+export const running: Screen = { Page: Running, next };

@@ -2,11 +2,12 @@ import { notice } from '../stores/notice';
 import { current } from '../stores/run';
 import { isOver, stopRun } from '../stores/runs';
 import { words } from '../words';
+import { HoldButtons } from './hold-buttons';
 import { Press } from './press';
 import type { Screen } from './screen';
 import { Told } from './told';
 
-/** How to stop, what comes next, and what can be done: at the lower edge of every page. */
+/** How to stop and to hold, what comes next, and what can be done: at the lower edge of every page. */
 export function CommandBar({ screen }: { screen: Screen }) {
   const said = words.value.bar;
   const run = current.value;
@@ -35,7 +36,10 @@ export function CommandBar({ screen }: { screen: Screen }) {
         <small>{said.next}</small>
         {screen.next()}
       </p>
-      <div class="actions">{screen.Actions && <screen.Actions />}</div>
+      <div class="actions">
+        <HoldButtons />
+        {screen.Actions && <screen.Actions />}
+      </div>
     </footer>
   );
 }

@@ -22,11 +22,11 @@ export function EstimateSoFar() {
     <section class="tile estimate-so-far">
       <h2>{said.estimate}</h2>
       <dl>
-        <dt>{said.mass}</dt>
-        <dd>
+        <dt class="whole">{said.mass}</dt>
+        <dd class="whole">
           <Measured quantity="mass" value={mass} std={sigma} reason={said.notYet} />
         </dd>
-        <dt class="group">{said.com}</dt>
+        <dt class="whole">{said.com}</dt>
         {AXES.map((axis, k) => (
           <Coordinate key={axis} axis={axis} mass={mass} sigma={sigma} moment={phi[k + 1]} std={std[k + 1]} />
         ))}

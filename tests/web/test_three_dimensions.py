@@ -1,0 +1,50 @@
+"""In the page of a tablet that looks on, the robot moves and stands as the real one does; drawn without a graphics card."""
+
+from __future__ import annotations
+
+from io import BytesIO
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from playwright.sync_api import Browser, Page
+
+from tests.server.real_service import Console, RealService
+from tests.web.screens import show, signed_in
+
+CHANGED = 30
+"""By how much of 255 a pixel differs that shows something else."""
+MOVED_PIXELS = 200
+BETWEEN_MS = 1500
+PICTURES = 8
+"""In which the robot, which stands between its motions, is seen to move."""
+
+
+def test_the_robot_in_the_page_moves_and_stands_as_the_robot_does(service: RealService, browser: Browser, person: Console) -> None:
+    person.take_control()
+    run = person.queue(pace="real_time", hold_s=4.0)
+    person.wait(run, "Idle")
+    with signed_in(service, browser) as at:
+        assert person.release(run).status_code == 200
+        page = show(at, "runs", run)
+        at.without_notice()
+        assert any(pixels_that_change(page) > MOVED_PIXELS for _ in range(PICTURES))
+        assert person.command(run, "hold").status_code == 200, person.run(run)["state"]
+        at.wait("[data-state=Held]")
+        page.wait_for_timeout(BETWEEN_MS)
+        assert pixels_that_change(page) < MOVED_PIXELS
+
+
+def pixels_that_change(page: Page) -> int:
+    """From one picture of the scene to the next."""
+    before = scene(page)
+    page.wait_for_timeout(BETWEEN_MS)
+    return int((np.abs(scene(page) - before).max(axis=2) > CHANGED).sum())
+
+
+def scene(page: Page) -> NDArray[np.float64]:
+    """(height, width, 3), the upper half of what the viewer shows; below it draws plots, which go on while the robot stands."""
+    box = page.locator("iframe.viewer").bounding_box()
+    assert box is not None
+    upper = page.screenshot(clip={"x": box["x"], "y": box["y"], "width": box["width"], "height": box["height"] / 2})
+    return np.asarray(Image.open(BytesIO(upper)).convert("RGB"), dtype=float)
