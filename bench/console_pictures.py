@@ -1,4 +1,4 @@
-"""Takes the pictures of docs/console.md: walks through the built console and keeps each screen, a palette of 64 colours each."""
+"""Takes the pictures of docs/console.md: walks through the built console and keeps each screen, a palette of 256 colours each."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tests.web.tilted import tilted_recording
 from tests.web.urgency import urgent
 
 FOLDER = ROOT / "docs" / "pictures" / "console"
-COLOURS = 64
+COLOURS = 256
 DRAWN_MS = 4000
 """For the cell in three dimensions, which is drawn without a graphics card here."""
 
