@@ -54,6 +54,8 @@ def walked(service: RealService, browser: Browser) -> Way:
         at.press("Accept")
         at.wait("text=Accepted by operator")
         seen.see("accepted", at)
+        at.page.emulate_media(media="print")
+        seen.told["printed"] = at.page.inner_text("body")
     seen.complaints, seen.taps = at.complaints, at.taps
     return seen
 
