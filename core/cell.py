@@ -286,10 +286,8 @@ def _sentence(error: ErrorDetails, where: str) -> BadCell:
     """One of pydantic's errors as one of ours."""
     flaw = schema_flaw(error)
     if error["type"] == "extra_forbidden":
-        close = difflib.get_close_matches(str(error["loc"][-1]), _keys(), n=1)
-        flaw = flaw._replace(
-            found="an unknown key", expected=f"{close[0]!r}, if that is what was meant" if close else "a key of the format"
-        )
+        for close in difflib.get_close_matches(str(error["loc"][-1]), _keys(), n=1):
+            flaw = flaw._replace(expected=f"{close!r}, if that is what was meant")
     elif error["type"] in ("union_tag_not_found", "union_tag_invalid"):
         found = repr(error["input"].get("kind")) if isinstance(error["input"], dict) else flaw.found
         flaw = SchemaFlaw(f"{flaw.key}.kind", found, "box, sphere or capsule")

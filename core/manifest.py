@@ -154,7 +154,7 @@ def _json_object(text: str, where: str) -> dict[str, Any]:
     except (ValueError, RecursionError) as error:
         raise BadRecording(where, f"JSON that does not parse ({str(error)[:120]})", "JSON") from error
     if not isinstance(content, dict):
-        raise BadRecording(where, f"a {type(content).__name__}", "a JSON object")
+        raise BadRecording(where, f"JSON of the type {type(content).__name__}", "a JSON object")
     return content
 
 

@@ -29,5 +29,7 @@ def schema_flaw(error: Mapping[str, Any]) -> SchemaFlaw:
     key = ".".join(str(part) for part in error["loc"])
     if error["type"] == "missing":
         return SchemaFlaw(key, "no such key", "it")
+    if error["type"] == "extra_forbidden":
+        return SchemaFlaw(key, "an unknown key", "a key of the format")
     expected = error["msg"].removeprefix("Input should be ").removeprefix("Tuple should have ")
     return SchemaFlaw(key, repr(error.get("input"))[:MOST_LETTERS], expected)

@@ -36,7 +36,7 @@ BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
     "no manifest": (lambda f: (f / "recording.json").unlink(), "recording.json.*no such file"),
     "manifest is a folder": (lambda f: [(f / "recording.json").unlink(), (f / "recording.json").mkdir()], "no file"),
     "manifest not JSON": (lambda f: text_of(f, lambda s: s[:-9]), "JSON that does not parse"),
-    "manifest a list": (lambda f: text_of(f, lambda _: "[1]"), "a list.*a JSON object"),
+    "manifest a list": (lambda f: text_of(f, lambda _: "[1]"), "JSON of the type list.*a JSON object"),
     "manifest nested too deep": (deep_json, "JSON that does not parse"),
     "manifest not UTF-8": (lambda f: (f / "recording.json").write_bytes(b'{"format": "\xff"}'), "0xff at position 12"),
     "manifest huge": (lambda f: text_of(f, lambda s: s + " " * 1_100_000), "at most 1000000"),

@@ -5,6 +5,7 @@ import { Refusal } from '../refusal';
 import { cells } from '../stores/cells';
 import { checkCell, takeCellIn } from '../stores/shown-cell';
 import { words } from '../words';
+import { FlawSentence } from './flaw-sentence';
 import { Press } from './press';
 
 interface Checked {
@@ -97,14 +98,9 @@ function Flaws({ file, flaws }: { file: string; flaws: Flaw[] }) {
         <span aria-hidden="true">▲</span> {said.flawed(file)}
       </h2>
       <ul>
-        {flaws.map(({ where, found, expected }) => (
-          <li key={where + found}>
-            <b lang="en">{where}</b>: {said.foundWord} <span lang="en">{found}</span>
-            {expected && (
-              <>
-                , {said.expected} <span lang="en">{expected}</span>
-              </>
-            )}
+        {flaws.map((flaw) => (
+          <li key={flaw.where + flaw.found}>
+            <FlawSentence {...flaw} />
           </li>
         ))}
       </ul>

@@ -1,19 +1,35 @@
+import type { Flaw } from '../api';
 import { words } from '../words';
+import { FlawSentence } from './flaw-sentence';
 
 interface Props {
   /** Of what went wrong, see the catalogue. */
   kind: string | null;
   /** As the service says it. */
   english: string;
+  /** What cannot be used, where it is about that. */
+  flaws?: Flaw[] | undefined;
 }
 
 /** What went wrong, in the chosen language as far as its kind is known there, and exactly. */
-export function Told({ kind, english }: Props) {
+export function Told({ kind, english, flaws: [first] = [] }: Props) {
   const said = words.value.problems[kind ?? ''];
+  if (said === undefined)
+    return (
+      <p class="told" lang="en">
+        {english}
+      </p>
+    );
   return (
-    <p class="told" lang={said === undefined ? 'en' : undefined}>
-      {said ?? english}
-      {said !== undefined && said !== english && english && <small lang="en">{english}</small>}
+    <p class="told">
+      {said}
+      {first ? (
+        <small>
+          <FlawSentence {...first} />
+        </small>
+      ) : (
+        english && english !== said && <small lang="en">{english}</small>
+      )}
     </p>
   );
 }

@@ -1,10 +1,12 @@
 import { signal } from '@preact/signals';
+import type { Flaw as FileFlaw } from '../api';
 import { Refusal } from '../refusal';
 
-/** What went wrong: its kind, and a sentence about it in English. */
+/** What went wrong: its kind, a sentence about it in English, and what of a file or of what was asked for cannot be used. */
 export interface Notice {
   kind: string | null;
   english: string;
+  flaws?: FileFlaw[] | undefined;
 }
 
 /** What went wrong last; null where nothing did, or it was read. */
@@ -36,8 +38,10 @@ export class Flaw extends Error {
 
 function noticeOf(error: unknown): Notice {
   if (error instanceof Flaw) return { kind: error.kind, english: '' };
-  if (error instanceof Refusal)
-    return { kind: error.problem.type.split('/').at(-1) ?? null, english: error.message };
+  if (error instanceof Refusal) {
+    const { type, detail, flaws } = error.problem;
+    return { kind: type.split('/').at(-1) ?? null, english: detail, flaws };
+  }
   const unreachable =
     error instanceof TypeError || (error instanceof DOMException && error.name === 'TimeoutError');
   return unreachable ? { kind: 'unreachable', english: '' } : { kind: null, english: String(error) };

@@ -36,6 +36,6 @@ export const cells: typeof en.cells = {
   add: 'Zelle hinzufügen',
   replace: (name) => `Zelle ${name} ersetzen`,
   taken: (name) => `Zelle ${name} wurde übernommen.`,
-  expected: 'erwartet',
-  foundWord: 'gefunden',
+  expected: 'erwartet:',
+  foundWord: 'gefunden:',
 };

@@ -1,4 +1,5 @@
 import { cells } from './de-cells';
+import { flaws } from './de-flaws';
 import { deGap } from './de-gap';
 import { comparison, history } from './de-history';
 import { problems } from './de-problems';
@@ -52,6 +53,7 @@ export const de: Words = {
     Aborted: 'Abgebrochen',
     Clearing: 'Wird quittiert',
   },
+  flaws,
   problems,
   remarks,
   reading: {

@@ -1,4 +1,5 @@
 import { cells } from './en-cells';
+import { flaws } from './en-flaws';
 import { enGap } from './en-gap';
 import { comparison, history } from './en-history';
 import { problems } from './en-problems';
@@ -51,6 +52,7 @@ export const en = {
     Aborted: 'Aborted',
     Clearing: 'Clearing',
   },
+  flaws,
   problems,
   remarks,
   reading: {
