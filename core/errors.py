@@ -122,10 +122,11 @@ class NoStartConfiguration(Refused):
         in_the_way: str | None = None,
     ) -> None:
         counts = ", ".join(f"{name} {count}" for name, count in sorted(reasons.items(), key=lambda item: -item[1]))
-        best = "" if best_clearance_m is None else f"; the best clearance met was {best_clearance_m:.3f} m to {nearest!r}"
+        met = "" if best_clearance_m is None else f"; the best clearance met was {best_clearance_m:.3f} m to {nearest!r}"
         super().__init__(
             f"no start configuration with sensor axis {axis} along gravity: rejected {counts or 'nothing, no candidate'}"
-            f"{best}. Move what is in the way, reduce the payload box or the clearance, and plan again."
+            + met
+            + ". Move what is in the way, reduce the payload box or the clearance, and plan again."
         )
         self.axis = axis
         self.reasons = reasons

@@ -88,11 +88,11 @@ class Scene:
             if nearest is not None:
                 ends = np.array([[nearest.point_first_m, nearest.point_second_m]])
                 self._server.scene.add_line_segments("/nearest/line", ends, NEAR, thickness=0.006)
-                text = f"{nearest.distance_m:.3f} m to {nearest.second}"
+                text = f"{nearest.second}: {nearest.distance_m:.3f} m"
                 self._server.scene.add_label("/nearest/label", text, position=tuple(ends[0].mean(axis=0)))
 
     def _show_throw(self, throw: ThrowPart) -> None:
-        """An arrow from where the load would fly off to where it would be some seconds later without gravity, and words at its end."""
+        """An arrow from where the load would fly off to where it would be some seconds later without gravity; how far from which zone."""
         begin = np.array(throw.point_m)
         end = begin + ARROW_S * np.array(throw.velocity_m_s)
         name = f"/plan/throw/{throw.axis[0]}"
@@ -100,7 +100,7 @@ class Scene:
             self._server.scene.add_arrows(
                 f"{name}/arrow", np.array([[begin, end]]), THROW, shaft_radius=0.006, head_radius=0.016, head_length=0.04
             )
-        text = f"let go in {throw.axis}: {throw.distance_m:.2f} m from {throw.zone}"
+        text = f"{throw.axis} → {throw.zone}: {throw.distance_m:.2f} m"
         self._server.scene.add_label(f"{name}/label", text, position=tuple(end))
 
     def _arm(self, root: str, colour: Colour, opacity: float) -> list[viser.FrameHandle]:

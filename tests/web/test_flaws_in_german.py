@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import json
 import re
 import tomllib
@@ -27,9 +26,10 @@ from server.cell_uploads import CellChecker
 from server.problems import problem_of
 from tests.core.small_recording import recording
 from tests.server.hostile_uploads import CELL, HOSTILE
-from tests.server.real_service import ROOT, RealService
+from tests.server.real_service import RealService
 from tests.twin_entries import entry
-from tests.web.flaw_phrases import HOLE, said_by_the_service
+from tests.web.engine_phrases import HOLE, of_flaws
+from tests.web.german_words import german
 from tests.web.judgement import check_looks
 from tests.web.looks import look
 from tests.web.screens import show, signed_in
@@ -44,12 +44,6 @@ SHOWN = (
     "a twin with an effect that there is not", "thousands of names twice",
 )  # fmt: skip
 PLACE = re.compile(r"(cell\.toml|robot\.urdf|twin\.json)\b")
-
-
-def german() -> set[str]:
-    """The phrases that the German catalogue knows."""
-    lines = re.findall(r"""^  (?:('.+?(?<!\\)'|".+?(?<!\\)")|(\w+)):""", (ROOT / "web/src/words/de-flaws.ts").read_text(), re.MULTILINE)
-    return {ast.literal_eval(quoted) if quoted else bare for quoted, bare in lines}
 
 
 def is_value(text: str) -> bool:
@@ -110,7 +104,7 @@ FILES: dict[str, tuple[type[BaseModel], dict[str, Any]]] = {
 
 @pytest.mark.parametrize("file", list(FILES))
 def test_whatever_pydantic_says_of_a_file_has_german_words(file: str) -> None:
-    known = german()
+    known = set(german("flaws"))
     said = set(provoked(*FILES[file]))
     assert len(said) > 20
     assert {phrase for pair in said for phrase in pair if not is_value(phrase) and not has_words(phrase, known)} == set()
@@ -118,13 +112,13 @@ def test_whatever_pydantic_says_of_a_file_has_german_words(file: str) -> None:
 
 def test_the_german_phrases_are_those_that_can_be_said() -> None:
     of_pydantic = {phrase for pair in {each for file in FILES.values() for each in provoked(*file)} for phrase in pair}
-    beyond = german() - said_by_the_service() - OF_UPLOADS
-    assert said_by_the_service() | OF_UPLOADS <= german()
+    beyond = set(german("flaws")) - of_flaws() - OF_UPLOADS
+    assert of_flaws() | OF_UPLOADS <= set(german("flaws"))
     assert {phrase for phrase in beyond if not any(has_words(text, {phrase}) for text in of_pydantic)} == set()
 
 
 def test_what_is_wrong_with_a_hostile_upload_has_german_words(tmp_path: Path) -> None:
-    known = german()
+    known = set(german("flaws"))
     with closing(CellChecker()) as checker:
         for k, (what, content) in enumerate(HOSTILE.items()):
             folder = tmp_path / str(k)

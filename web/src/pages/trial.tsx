@@ -37,7 +37,9 @@ function Trial() {
       {answered.value && (
         <OpenedTrials trials={answered.value} seals={shown.seals ?? []} opened={opened.value} />
       )}
-      {opened.value && shown.sheet !== null && <ScoreSheet trials={shown.trials} sheet={shown.sheet} />}
+      {opened.value && answered.value && shown.sheet !== null && (
+        <ScoreSheet name={shown.trials} trials={answered.value} sheet={shown.sheet} />
+      )}
     </div>
   );
 }

@@ -1,5 +1,5 @@
 import type { Flaw } from '../api';
-import { flawSaid } from '../flaw-words';
+import { engineSaid } from '../engine-words';
 import { words } from '../words';
 import { EngineSentence } from './engine-sentence';
 
@@ -22,5 +22,5 @@ export function FlawSentence({ where, found, expected }: Flaw) {
 }
 
 const Phrase = ({ english }: { english: string }) => (
-  <EngineSentence said={flawSaid(english)} english={english} />
+  <EngineSentence said={engineSaid(english)} english={english} />
 );

@@ -1,8 +1,18 @@
 import { useEffect, useState } from 'preact/hooks';
+import type { OpenedTrial } from '../api';
 import { words } from '../words';
+import { EngineSentence } from './engine-sentence';
 
-/** The score sheet of trials, to read and to keep. */
-export function ScoreSheet({ trials, sheet }: { trials: string; sheet: string }) {
+interface Props {
+  /** Of the trials, for the file's name. */
+  name: string;
+  trials: OpenedTrial[];
+  /** Markdown. */
+  sheet: string;
+}
+
+/** How many trials were judged how, and the score sheet to keep. */
+export function ScoreSheet({ name, trials, sheet }: Props) {
   const said = words.value.gap.trials;
   const [address, keep] = useState('');
   useEffect(() => {
@@ -12,15 +22,29 @@ export function ScoreSheet({ trials, sheet }: { trials: string; sheet: string })
   }, [sheet]);
   return (
     <section class="score-sheet">
+      <h2>{said.score(trials.length)}</h2>
+      <ul class="plain">
+        {counted(trials).map(([mark, count]) => (
+          <li key={mark}>
+            <b>{count}</b> <EngineSentence said={said.marks[mark]} english={mark} />
+          </li>
+        ))}
+      </ul>
       <p class="downloads">
-        <a class="download" href={address} download={`trials-${trials}.md`}>
+        <a class="download" href={address} download={`trials-${name}.md`}>
           {said.sheet}
         </a>
       </p>
-      <details class="others">
-        <summary>{said.sheet}</summary>
-        <pre lang="en">{sheet}</pre>
-      </details>
     </section>
   );
+}
+
+/** Marks with how often they were given, the most frequent first. */
+function counted(trials: OpenedTrial[]): [string, number][] {
+  const marks = trials.map(({ mark }) => mark);
+  const counts = [...new Set(marks)].map((mark): [string, number] => [
+    mark,
+    marks.filter((each) => each === mark).length,
+  ]);
+  return counts.sort(([, one], [, other]) => other - one);
 }

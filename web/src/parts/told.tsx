@@ -1,5 +1,7 @@
 import type { Flaw } from '../api';
+import { engineSaid } from '../engine-words';
 import { words } from '../words';
+import { EngineSentence } from './engine-sentence';
 import { FlawSentence } from './flaw-sentence';
 
 interface Props {
@@ -28,7 +30,12 @@ export function Told({ kind, english, flaws: [first] = [] }: Props) {
           <FlawSentence {...first} />
         </small>
       ) : (
-        english && english !== said && <small lang="en">{english}</small>
+        english &&
+        english !== said && (
+          <small>
+            <EngineSentence said={engineSaid(english)} english={english} />
+          </small>
+        )
       )}
     </p>
   );

@@ -14,7 +14,6 @@ export const flaws: Record<string, string> = {
   none: 'keines',
   'at least one': 'mindestens eines',
   'at least one of them': 'mindestens eines davon',
-  'at least two': 'mindestens zwei',
   'exactly one of {}': 'genau eines von {}',
   'between {} and {}': 'zwischen {} und {}',
   '{} or {}': '{} oder {}',
@@ -271,9 +270,6 @@ export const flaws: Record<string, string> = {
   'about 9.81 m/s2, in the base frame': 'etwa 9,81 m/s², im Basisrahmen',
   'mass, first moment and inertia that a rigid body can have':
     'Masse, erstes Moment und Trägheit, wie sie ein starrer Körper haben kann',
-  '{} samples': '{} Messwerte',
-  'a column of it: a replay needs joint positions and the wrench':
-    'eine Spalte davon: Zum Abspielen braucht es Gelenkstellungen, Kraft und Moment',
   'another robot': 'ein anderer Roboter',
   'the robot of the recording': 'der Roboter der Aufzeichnung',
   "another robot than the recording's": 'ein anderer Roboter als der der Aufzeichnung',
@@ -286,6 +282,7 @@ export const flaws: Record<string, string> = {
     'eine, die der simulierte Roboter tragen kann; fügen Sie sie in cell.toml hinzu',
   'one of {}, which cell {} knows': 'eine von {}, die die Zelle {} kennt',
   'no mass': 'keine Masse',
+  'no inertia': 'keine Trägheit',
   'a payload with mass': 'eine Last mit Masse',
   'those that a rigid body can have': 'solche, die ein starrer Körper haben kann',
   'ten finite numbers [m, mc_x, mc_y, mc_z, Ixx, Ixy, Ixz, Iyy, Iyz, Izz]':

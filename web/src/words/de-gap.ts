@@ -45,7 +45,7 @@ export const deGap: GapWords = {
   },
   jobNext: 'Die Antwort erscheint hier, sobald sie fertig ist. Sie dürfen die Seite verlassen.',
   failedNext: 'Lesen Sie den Grund; beginnen Sie dann eine andere Diagnose.',
-  report: 'Bericht',
+  report: 'Bericht (englisch)',
   back: 'Alle Diagnosen',
   verdict: {
     explained: (effect, stage) => `Die Abweichung ist erklärt: ${effect} (Stufe: ${stage}).`,
@@ -199,7 +199,8 @@ export const deGap: GapWords = {
     unchecked:
       'Über eine Leitung ohne TLS kann dieser Browser das Siegel nicht prüfen: vergleichen Sie die SHA-256 des Textes selbst.',
     size: (times) => `${times}-mal seine plausible Größe`,
-    sheet: 'Wertungsblatt',
+    score: (count) => `Von ${count === 1 ? '1 Versuch' : `${count} Versuchen`}`,
+    sheet: 'Wertungsblatt (englisch)',
     text: 'Versiegelter Text',
     back: 'Alle Versuche',
   },

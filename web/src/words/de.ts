@@ -4,6 +4,7 @@ import { deGap } from './de-gap';
 import { comparison, history } from './de-history';
 import { problems } from './de-problems';
 import { remarks } from './de-remarks';
+import { sentences } from './de-sentences';
 import type { Words } from './en';
 
 export const de: Words = {
@@ -56,6 +57,7 @@ export const de: Words = {
   flaws,
   problems,
   remarks,
+  sentences,
   reading: {
     title: 'Wird vom Dienst gelesen',
     lost: 'Der Dienst antwortet nicht. Diese Seite füllt sich von selbst, sobald er es tut.',
@@ -215,7 +217,7 @@ export const de: Words = {
     exports: 'Für Steuerungen und Simulatoren',
     lost: 'kann nicht enthalten',
     recording: 'Aufzeichnung (zip)',
-    report: 'Bericht',
+    report: 'Bericht (englisch)',
     print: 'Drucken',
     accept: 'Annehmen',
     again: 'Neuer Lauf',

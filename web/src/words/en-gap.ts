@@ -191,6 +191,7 @@ export const enGap = {
     unchecked:
       'Over a line without TLS this browser cannot check the seal: compare the SHA-256 of the text yourself.',
     size: (times: string) => `${times} times its plausible size`,
+    score: (count: number) => `Of ${count === 1 ? '1 trial' : `${count} trials`}`,
     sheet: 'Score sheet',
     text: 'Sealed text',
     back: 'All trials',

@@ -4,6 +4,7 @@ import { enGap } from './en-gap';
 import { comparison, history } from './en-history';
 import { problems } from './en-problems';
 import { remarks } from './en-remarks';
+import { sentences } from './en-sentences';
 
 export const en = {
   product: 'Heft',
@@ -55,6 +56,7 @@ export const en = {
   flaws,
   problems,
   remarks,
+  sentences,
   reading: {
     title: 'Reading from the service',
     lost: 'The service does not answer. This page fills by itself as soon as it does.',

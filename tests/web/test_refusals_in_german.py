@@ -1,0 +1,99 @@
+"""Every sentence of a refusal, a stop or a reason has German words, and the console finds them for what the engine really says."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+from playwright.sync_api import Browser, expect
+
+from core.cell import load_cell
+from core.collision import Nearest
+from core.control.checks import Fault, Numbers
+from core.control.faults import frozen, stopped, too_close
+from core.errors import BadCell, NoStartConfiguration
+from core.planning.rotation_room import Obstruction
+from core.robot import RobotModel
+from server.errors import NotFound
+from tests.server.hostile_uploads import CELL
+from tests.server.real_service import Console, RealService
+from tests.web.engine_phrases import HOLE, of_refusals
+from tests.web.german_words import german
+from tests.web.screens import show, signed_in
+
+IN_HOLES = {
+    "joint {}", "payload", "start", "goal", "unreachable {}", "too close to {}", "{} too close to {}",
+    "a released load would fly into zone {}", "no room for the rotation: {}", *(f"{each} {HOLE}" for each in Obstruction),
+}  # fmt: skip
+"""What sentences name in words, made elsewhere than the sentence."""
+MIXED_UNITS = {"{} of {} is {} N (range {} N m)", "{} of {} is {} N m (range {} N)"}
+"""Of a choice that is made once for both places."""
+ENGLISH = {"the", "is", "stopped", "robot", "limit", "again", "and", "from", "close", "found", "expected"}
+CLOSE = Nearest(0.021, 0.03, "payload", "operator", np.zeros(3), np.zeros(3))
+
+
+def engine_sentences() -> list[str]:
+    """As the engine makes them: every fault of the guard, each kind of thing that it can be too close to, refusals with their reasons."""
+    cell = load_cell(CELL)
+    robot = RobotModel.of_cell(cell)
+    limits = (robot.lower, robot.upper, robot.velocity, np.ones(robot.n))
+    numbers = Numbers(0.001, 0.01, 0.25, 1.0, 0.01, 0.05, 0.1, *limits, np.ones(6), np.ones(robot.n))
+    found: list[Exception] = [
+        stopped(fault, 1, 0.4321, cell=cell, robot=robot, owner="payload", numbers=numbers, samples=())
+        for fault in Fault
+        if fault != Fault.NONE
+    ]
+    near = [replace(CLOSE, second=second) for second in ("operator", "bench", "link3")]
+    found += [too_close(each, cell, predicted=predicted, samples=()) for each in near for predicted in (False, True)]
+    reasons = {"unreachable": 30, "too close to 'bench'": 12, "'link5' too close to 'bench'": 2, f"{Obstruction.JOINT_LIMIT}": 1}
+    found += [
+        frozen(0.3, 0.25, ()),
+        NoStartConfiguration("x+", reasons, 0.012, "bench"),
+        NoStartConfiguration("x+", {}),
+        NotFound("run", "x7"),
+        BadCell("cell.toml: limits.clearance_m", "-0.1", "greater than 0"),
+    ]
+    return [str(each) for each in found]
+
+
+def test_the_german_sentences_are_those_that_can_be_said() -> None:
+    assert set(german("sentences")) == (of_refusals() | IN_HOLES) - MIXED_UNITS - set(german("flaws"))
+
+
+def told_in_german(service: RealService, browser: Browser, sentences: list[str]) -> list[str]:
+    """What the console's history shows as the reasons of runs that ended with these sentences."""
+    person = Console(service)
+    ended = person.run(person.queue(seed=7))
+    person.http.post(f"/api/runs/{ended['run']}/commands", json={"command": "stop"})
+    person.leave()
+    reasons = {"result": None, "reason_kind": "too-close"}
+    answer = [ended | reasons | {"run": f"{k}", "reason": sentence} for k, sentence in enumerate(sentences)]
+    with signed_in(service, browser) as at:
+        at.page.route("**/api/runs?*", lambda route: route.fulfill(json=answer))
+        at.page.evaluate("localStorage.setItem('heft.language', 'de')")
+        at.page.reload()
+        show(at, "history")
+        exact = at.page.locator(".run-list .told small")
+        expect(exact).to_have_count(len(sentences))
+        assert exact.locator("[lang=en]").all_inner_texts() == []
+        return exact.all_inner_texts()
+
+
+def filled(phrase: str, names: Iterable[str]) -> str:
+    parts = phrase.split(HOLE)
+    return parts[0] + "".join(name + part for name, part in zip(names, parts[1:], strict=False))
+
+
+def test_the_console_finds_the_words_of_every_phrase(service: RealService, browser: Browser) -> None:
+    words = german("flaws") | german("sentences")
+    named = [f"'x{k}'" for k in range(12)]
+    told = told_in_german(service, browser, [filled(english, named) for english in words])
+    assert dict(zip(words, told, strict=True)) == {english: filled(said, named) for english, said in words.items()}
+
+
+def test_what_the_guard_and_the_planner_say_is_german_to_the_last_word(service: RealService, browser: Browser) -> None:
+    told = told_in_german(service, browser, engine_sentences())
+    assert [text for text in told if ENGLISH & set(re.findall(r"[A-Za-z]+", text))] == []
+    assert "Gelenk joint2 steht bei 0,4321 rad" in " ".join(told)
