@@ -20,7 +20,7 @@ def finished_trial(service: RealService, sha256: str | None = None) -> str:
     opened = OpenedTrial(
         seed=SEED, sealed=sealed.model_dump_json(), planted=sealed.in_words, size=sealed.size, verdict="explained", named="base_tilt",
         effects=[NamedEffect(id="base_tilt", probability=0.93, closure=0.99)], none_probability=0.02, unknown_probability=0.05,
-        gap_before=3.2, gap_after=1.01, mark="wrong",
+        gap_before=3.2, gap_after=1.01, mark="not right",
     )  # fmt: skip
     store = Store(service.store_url)
     now = datetime.now(UTC)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,14 +13,11 @@ from core.effects.library import library, symptoms
 from core.export.exports import TARGETS
 from core.gap.answer import Diagnosis
 from core.gap.experiment import candidates, second_payload
-from server.job_kinds import DiagnosisOrder
 from server.problems import kinds_by_name
 from server.reason import OWN
-from server.service import utc_now
-from server.store import Store
-from tests.server.finished_diagnosis import SWINGS, explanation, finished_diagnosis
 from tests.server.real_service import ROOT, Console, RealService
 from tests.synthetic import payload, record, run_of
+from tests.web.finished_answers import ANSWERS, ENGLISH, diagnosed
 from tests.web.judgement import check_looks
 from tests.web.looks import look
 from tests.web.screens import show, signed_in
@@ -31,23 +27,6 @@ from tests.web.urgency import urgent
 WORDS = ROOT / "web" / "src" / "words"
 OF_THE_SCREEN = {"unreachable", "not-in-control", "control-not-taken"}
 """Kinds of what goes wrong on the screen alone."""
-PAYLOAD = {
-    "before": {"phi": [2.8, 0.01, 0.02, 0.3, *[0.01] * 6], "std": [0.001] * 10},
-    "after": {"phi": [2.7, 0.01, 0.02, 0.28, *[0.008] * 6], "std": [0.001] * 10},
-}
-TIE = {"ids": ["time_delay", "sensor_lowpass"], "distance_sigma": 2.0, "why": "both come late", "splits": SWINGS["motion"]}
-MINOR = {"id": "sensor_noise", "parameters": {}, "sentence": "detected, but too small to matter"}
-NO_PATH = "the robot stands with 'link3' 0.0100 m from 'bench' (limit 0.030 m). Clear the cell."
-ANSWERS: dict[str, dict[str, Any]] = {
-    "explained": {"effects": [explanation("base_tilt", 0.95)], "payload": PAYLOAD, "minor": [MINOR]},
-    "ambiguous": {
-        "effects": [explanation("time_delay", 0.6), explanation("sensor_lowpass", 0.4)], "indistinguishable": [TIE],
-        "next_experiment": SWINGS | {"planned": False, "refused": NO_PATH, "refused_kind": "no-path"}, "payload": PAYLOAD,
-    },
-    "unknown": {"effects": [explanation("base_tilt", 0.1)], "unknown_probability": 0.9, "payload": PAYLOAD},
-    "no_gap": {"none_probability": 0.99, "payload": PAYLOAD},
-    "not_enough": {"lacking": {"id": "too_short", "sentence": "too short", "values": {"lasts_s": 2.1}}},
-}  # fmt: skip
 SAID = {
     "explained": "Die Abweichung ist erklärt: Schiefe Basis",
     "ambiguous": "Nicht entschieden: Kraftmessung später als die Gelenke oder Tiefpass im Sensor",
@@ -62,7 +41,6 @@ LISTED = {
     "no_gap": "Simulation und Aufzeichnung stimmen überein",
     "not_enough": "Diese Aufzeichnung sagt zu wenig für eine Antwort.",
 }
-ENGLISH = "The engine says this in English."
 
 
 @pytest.fixture
@@ -73,16 +51,6 @@ def german(service: RealService, browser: Browser) -> Iterator[Tablet]:
         at.page.reload()
         at.wait(".setup .cell-facts")
         yield at
-
-
-def diagnosed(service: RealService, verdict: str) -> str:
-    """A diagnosis with that answer, as its job leaves it."""
-    store = Store(service.store_url)
-    found = ANSWERS[verdict] | {"verdict": verdict, "summary": ENGLISH, "consequence": ENGLISH}
-    order = DiagnosisOrder(recording=service.data / "nowhere", cell="lwr4_bench")
-    diagnosis = finished_diagnosis(store, utc_now(), order, **found)
-    store.close()
-    return diagnosis
 
 
 def sentences(answer: Diagnosis) -> set[str]:

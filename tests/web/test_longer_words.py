@@ -1,4 +1,4 @@
-"""Every screen in a language with words 40 % longer than English: there is room for all of them."""
+"""Every screen in a language with words 40 % longer than English: all of them come from its catalogue, and there is room for them."""
 
 from __future__ import annotations
 
@@ -7,15 +7,16 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, expect
 
+from tests.server.finished_trial import finished_trial
 from tests.server.real_service import Console, RealService
+from tests.web.finished_answers import ANSWERS, diagnosed
 from tests.web.judgement import check_nothing_is_cut_off
 from tests.web.looks import Look, glimpse
+from tests.web.plain_words import MARK, words_of_no_catalogue
 from tests.web.tablet import Tablet, tablet
 from tests.web.way import Way
 
 ADDRESS = "?words=longer"
-MARK = "ë"
-"""What words are made longer with."""
 
 
 @pytest.fixture(scope="module")
@@ -47,19 +48,21 @@ def enter(at: Tablet) -> None:
 
 
 def check(at: Tablet, screen: str) -> None:
-    """It shows longer words, and all of them."""
+    """It shows longer words, none beside them, and all of them."""
     expect(at.page.locator("footer .next")).to_contain_text(MARK)
+    assert words_of_no_catalogue(at.page) == set(), screen
     looks: list[Look] = glimpse(at.page, screen)
     check_nothing_is_cut_off(looks)
 
 
-def test_pages_have_room_for_longer_words(at: Tablet, complete: str):
+def test_pages_have_longer_words_and_room_for_them(at: Tablet, service: RealService, complete: str):
     check(at, "sign in")
     enter(at)
     pages = {
         "": ".setup .cell-facts", "settings": ".settings h1", "history": ".run-list tbody tr", "cells": ".zone-places .tile",
         f"history/{complete}/{complete}": ".comparison-table", f"runs/{complete}": ".result .downloads",
-        "gap": "h1", "trials": "h1",
+        "gap": "h1", "trials": "h1", f"trials/{finished_trial(service)}": ".opened-trials",
+        **{f"gap/{diagnosed(service, verdict)}": ".diagnosis h1" for verdict in ANSWERS},
     }  # fmt: skip
     for place, shows in pages.items():
         at.page.evaluate("place => { location.hash = place }", f"#/{place}")
@@ -67,7 +70,7 @@ def test_pages_have_room_for_longer_words(at: Tablet, complete: str):
         check(at, place)
 
 
-def test_a_run_has_room_for_longer_words_from_its_plan_to_its_end(at: Tablet):
+def test_a_run_has_longer_words_and_room_for_them_from_its_plan_to_its_end(at: Tablet):
     enter(at)
     proceed = at.page.locator(".command-bar .press-primary")
     proceed.tap()

@@ -38,7 +38,7 @@ function Settings() {
       <section>
         <h2>{all.settings.account}</h2>
         <p>
-          {session.value?.name} · {session.value?.roles.join(', ')}
+          {session.value?.name} · {session.value?.roles.map((role) => all.roles[role]).join(', ')}
         </p>
         <Press act={signOut}>{all.signIn.out}</Press>
       </section>

@@ -16,7 +16,9 @@ export function Reserved({ roles, disabled = false, ...press }: Props) {
   return (
     <span class="reserved">
       <Press {...press} disabled={disabled || !allowed} />
-      {!allowed && <small>{said.only(roles.map((role) => said.roles[role]).join(` ${said.or} `))}</small>}
+      {!allowed && (
+        <small>{said.only(roles.map((role) => words.value.roles[role]).join(` ${said.or} `))}</small>
+      )}
     </span>
   );
 }

@@ -27,13 +27,6 @@ export const deGap: GapWords = {
   blindTrials: 'Blindversuche',
   blindHint: 'Wie gut ist die Diagnose? Sie wird an Fehlern erprobt, die niemand ausgesucht hat.',
   only: (who) => `Das darf nur ${who}.`,
-  roles: {
-    admin: 'ein Administrator',
-    engineer: 'ein Ingenieur',
-    mes: 'das Leitsystem',
-    operator: 'ein Bediener',
-    viewer: 'ein Zuschauer',
-  },
   or: 'oder',
   cancel: 'Abbrechen',
   jobs: {

@@ -18,6 +18,13 @@ export const de: Words = {
   units: { si: 'kg, m', mm_g: 'g, mm' },
   themes: { system: 'Wie das Gerät', light: 'Hell', dark: 'Dunkel' },
   languages: { en: 'English', de: 'Deutsch' },
+  roles: {
+    admin: 'ein Administrator',
+    engineer: 'ein Ingenieur',
+    mes: 'das Leitsystem',
+    operator: 'ein Bediener',
+    viewer: 'ein Zuschauer',
+  },
   nav: { label: 'Seiten', work: 'Lauf', history: 'Verlauf', cells: 'Zellen', settings: 'Einstellungen' },
   header: {
     cell: 'Zelle',

@@ -27,13 +27,6 @@ export const enGap = {
   blindTrials: 'Blind trials',
   blindHint: 'How good is the diagnosis? It is tried on faults that nobody has chosen.',
   only: (who: string) => `Only ${who} may do this.`,
-  roles: {
-    admin: 'an administrator',
-    engineer: 'an engineer',
-    mes: 'the plant’s job system',
-    operator: 'an operator',
-    viewer: 'a viewer',
-  },
   or: 'or',
   cancel: 'Cancel',
   jobs: {

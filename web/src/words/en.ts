@@ -17,6 +17,13 @@ export const en = {
   units: { si: 'kg, m', mm_g: 'g, mm' },
   themes: { system: 'As the device', light: 'Light', dark: 'Dark' },
   languages: { en: 'English', de: 'Deutsch' },
+  roles: {
+    admin: 'an administrator',
+    engineer: 'an engineer',
+    mes: 'the plant’s job system',
+    operator: 'an operator',
+    viewer: 'a viewer',
+  },
   nav: { label: 'Pages', work: 'Run', history: 'History', cells: 'Cells', settings: 'Settings' },
   header: {
     cell: 'Cell',
