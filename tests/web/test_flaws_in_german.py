@@ -41,7 +41,7 @@ WRONG = ("text", "", "2026-01-02T03:04:05", "x" * 300, 3, 2.5, True, None, -1e9,
 SHOWN = (
     "no zip", "a link to a file", "a zip bomb", "no cell.toml", "robot.urdf absolute", "mesh by http://", "mesh that says it is huge",
     "XInclude", "a negative mass", "a name twice", "a loop of links", "a clearance that is NaN", "a key that nobody knows",
-    "a twin with an effect that there is not", "thousands of names twice",
+    "a twin with an effect that there is not", "thousands of names twice", "a hundred thousand links",
 )  # fmt: skip
 PLACE = re.compile(r"(cell\.toml|robot\.urdf|twin\.json)\b")
 

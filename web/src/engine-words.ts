@@ -4,33 +4,45 @@ import { words } from './words';
 
 const HOLE = '{}';
 
-/** A phrase that the engine may say, and how the chosen language says it. */
+/** A phrase that the engine may say, its words between the holes, and how the chosen language says it. */
 interface Phrase {
-  english: RegExp;
+  words: string[];
   said: string;
 }
 
 /** One that says more itself comes before one that leaves more open. */
 const phrases = computed<Phrase[]>(() => {
   const { flaws, sentences } = words.value;
-  const ownLetters = (pattern: string) => pattern.replaceAll(HOLE, '').length;
+  const ownLetters = ({ words: own }: Phrase) => own.join('').length;
   return Object.entries({ ...flaws, ...sentences })
-    .sort(([one], [other]) => ownLetters(other) - ownLetters(one))
-    .map(([pattern, said]) => ({ english: matching(pattern), said }));
+    .map(([english, said]) => ({ words: english.split(HOLE), said }))
+    .sort((one, other) => ownLetters(other) - ownLetters(one));
 });
-
-function matching(pattern: string): RegExp {
-  const literally = (text: string) => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
-  return new RegExp(`^${pattern.split(HOLE).map(literally).join('(.*)')}$`, 's');
-}
 
 /** What the engine says, in the chosen language; undefined where its catalogue has no words for it. */
 export function engineSaid(english: string): string | undefined {
   for (const phrase of phrases.value) {
-    const named = phrase.english.exec(english);
-    if (named) return filled(phrase.said, named.slice(1).map(partSaid));
+    const named = holes(phrase.words, english);
+    if (named) return filled(phrase.said, named.map(partSaid));
   }
   return undefined;
+}
+
+/** What stands between these words, each where it comes first; null where they do not make up the text. */
+function holes([first = '', ...others]: string[], text: string): string[] | null {
+  const last = others.pop();
+  if (last === undefined) return text === first ? [] : null;
+  const end = text.length - last.length;
+  if (!text.startsWith(first) || !text.endsWith(last)) return null;
+  const found: string[] = [];
+  let at = first.length;
+  for (const word of others) {
+    const next = text.indexOf(word, at);
+    if (next < 0) return null;
+    found.push(text.slice(at, next));
+    at = next + word.length;
+  }
+  return at > end ? null : [...found, text.slice(at, end)];
 }
 
 /** What a phrase names: a number, a phrase itself, several with commas between them, or a value. */
