@@ -23,6 +23,8 @@ FOLDER = ROOT / "docs" / "pictures" / "console"
 COLOURS = 256
 DRAWN_MS = 4000
 """For the cell in three dimensions, which is drawn without a graphics card here."""
+SEEN_S = 8.0
+"""How long a pose is held, for there to be an estimate while the pictures are taken."""
 
 
 def main() -> None:
@@ -37,6 +39,7 @@ def main() -> None:
     ):  # fmt: skip
         first = _run_without_pictures(service)
         run = _run_with_pictures(service, browser, folder)
+        _running(service, browser, folder)
         _pages(service, browser, folder, first, run)
         diagnosis = _gap(service, browser, folder)
         _open_questions(service, browser, folder, diagnosis)
@@ -85,12 +88,27 @@ def _run_with_pictures(service: RealService, browser: Browser, folder: Path) -> 
         at.without_viewer()
         at.press("Release")
         at.press("START")
-        at.wait(".running .estimate-so-far dl")
-        picture(at, folder, "running", 2500)
         at.wait(".result table")
         at.wait(".result aside .download")
         picture(at, folder, "result", 1500)
         return at.page.url.rsplit("/", 1)[1]
+
+
+def _running(service: RealService, browser: Browser, folder: Path) -> None:
+    """A run as a tablet sees it that looks on: drawing in three dimensions takes the processor, and who is in control has to answer."""
+    person = Console(service)
+    person.take_control()
+    run = person.queue(seed=2, pace="real_time", hold_s=SEEN_S)
+    person.wait(run, "Idle")
+    with signed_in(service, browser) as at:
+        person.release(run).raise_for_status()
+        show(at, "runs", run)
+        at.without_notice()
+        at.wait(".running .estimate-so-far dl")
+        picture(at, folder, "running", DRAWN_MS)
+    person.command(run, "stop").raise_for_status()
+    person.wait(run, "Stopped")
+    person.leave()
 
 
 def _pages(service: RealService, browser: Browser, folder: Path, first: str, run: str) -> None:

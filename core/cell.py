@@ -7,16 +7,16 @@ from __future__ import annotations
 
 import difflib
 import tomllib
-from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, NamedTuple
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, ValidationError, model_validator
 from pydantic_core import ErrorDetails
 
+from core.cell_contradictions import contradictions
 from core.errors import BadCell, BadRobot, together
 from core.inertia import InertialParameters
 from core.jail import read_inside
@@ -37,8 +37,6 @@ Text = Annotated[str, Field(min_length=1, max_length=200)]
 CELL_FILE = "cell.toml"
 TWIN_FILE = "twin.json"
 MAX_CELL_BYTES = 1_000_000
-BASE_IN_ZONE = 0.001  # m; a robot may stand at the border of a zone
-BASE_IN_OBSTACLE = 0.05  # m; or be sunk into the table that carries it
 
 
 class Obstacle(Model):
@@ -165,72 +163,6 @@ class Cell(Model):
         if flaws:
             raise together(flaws)
         return self
-
-
-class Contradiction(NamedTuple):
-    """A key whose value does not go with another."""
-
-    key: str
-    found: str
-    expected: str
-
-
-def contradictions(cell: Cell) -> Iterator[Contradiction]:
-    """What is wrong with a cell whose every value is right by itself."""
-    yield from _name_contradictions(cell)
-    yield from _place_contradictions(cell)
-    yield from _sensor_contradictions(cell.sensor)
-    for name, payload in cell.payloads.items():
-        yield from _payload_contradictions(f"payloads.{name}", payload, cell)
-
-
-def _name_contradictions(cell: Cell) -> Iterator[Contradiction]:
-    names = [obstacle.name for obstacle in cell.obstacles] + [zone.name for zone in cell.zones]
-    for name in sorted({name for name in names if names.count(name) > 1}):
-        yield Contradiction("obstacles, zones", f"the name {name!r} {names.count(name)} times", "each name once")
-
-
-def _place_contradictions(cell: Cell) -> Iterator[Contradiction]:
-    strength = float(np.linalg.norm(cell.gravity))
-    if not 9.0 < strength < 10.5:
-        yield Contradiction("gravity_m_s2", f"{list(cell.gravity_m_s2)}, {strength:.3f} m/s2 strong", "that of the earth")
-    base = cell.robot.base.translation
-    if base[2] < cell.floor_z_m:
-        yield Contradiction("floor_z_m", f"{cell.floor_z_m} above the robot's base at {base[2]}", "a floor below the base")
-    for key, items, allowed in (("obstacles", cell.obstacles, BASE_IN_OBSTACLE), ("zones", cell.zones, BASE_IN_ZONE)):
-        for item in items:
-            depth = item.shape.depth(base)
-            if depth > allowed:
-                found = f"the robot's base {depth:.3f} m inside it"
-                yield Contradiction(f"{key}.{item.name}.shape", found, f"the base outside (at most {allowed} m inside)")
-
-
-def _sensor_contradictions(sensor: Sensor) -> Iterator[Contradiction]:
-    for key in ("noise_std", "resolution"):
-        for value, limit in zip(getattr(sensor, key), sensor.range, strict=True):
-            if value >= 0.1 * limit:
-                yield Contradiction(f"sensor.{key}", f"{value}", f"less than a tenth of sensor.range, {limit}")
-
-
-def _payload_contradictions(key: str, payload: Payload, cell: Cell) -> Iterator[Contradiction]:
-    parameters = payload.parameters
-    if not parameters.consistent:
-        found = f"mass {payload.mass_kg}, first_moment {payload.first_moment_kg_m}, inertia {payload.inertia_kg_m2}"
-        yield Contradiction(f"{key}.inertia_kg_m2", found, "values that a rigid body can have (pseudo-inertia positive definite)")
-        return
-    depth = payload.box.depth(parameters.com)
-    if depth < 0:
-        found = f"a centre of mass at {np.round(parameters.com, 4).tolist()} m, {-depth:.3f} m outside the box"
-        yield Contradiction(f"{key}.box", found, "a box that contains the payload")
-    g = float(np.linalg.norm(cell.gravity))
-    c = parameters.first_moment
-    static = g * np.array([parameters.mass] * 3 + [np.hypot(c[1], c[2]), np.hypot(c[0], c[2]), np.hypot(c[0], c[1])])
-    for axis, load, limit, unit in zip(
-        ("fx", "fy", "fz", "tx", "ty", "tz"), static, cell.sensor.range, ["N"] * 3 + ["N m"] * 3, strict=True
-    ):
-        if load > limit:
-            found = f"{limit} {unit} for {axis}"
-            yield Contradiction("sensor.range", found, f"more than the weight of {key} puts on it, {load:.3g} {unit}")
 
 
 def load_cell(folder: Path) -> Cell:

@@ -17,7 +17,8 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from core.bodies import Body, SpeedPoints, corners_of, fixed_body, link_bodies, payload_body, reach_of
-from core.cell import BASE_IN_OBSTACLE, Box, Cell, Obstacle, Pose, Zone
+from core.cell import Box, Cell, Obstacle, Pose, Zone
+from core.cell_contradictions import BASE_IN_OBSTACLE
 from core.errors import BadCell
 from core.robot import RobotModel
 

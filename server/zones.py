@@ -57,7 +57,7 @@ def move(db: Session, cell: Cell, zone: str, pose: Pose, measured_at: datetime, 
 
 
 def with_zones_where_they_are(cell: Cell, known: dict[str, ZonePosition]) -> Cell:
-    """The cell with each zone at its latest place; what the place contradicts is not checked (see `core.cell.contradictions`)."""
+    """The cell with each zone at its latest place; what the place contradicts is not checked (see `core.cell_contradictions`)."""
     zones = tuple(_moved(zone, known[zone.name]) if zone.name in known else zone for zone in cell.zones)
     return cell.model_copy(update={"zones": zones})
 

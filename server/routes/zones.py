@@ -8,7 +8,7 @@ from typing import Annotated
 from fastapi import APIRouter
 from fastapi import Path as InPath
 
-from core.cell import contradictions
+from core.cell_contradictions import contradictions
 from core.shapes import Pose
 from server import audit, zones
 from server.dependencies import Asking, Here, Now

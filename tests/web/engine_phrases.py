@@ -9,17 +9,18 @@ from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 
+import core.errors
+import server.errors
+from core.errors import BadInput, HeftError
 from tests.server.real_service import ROOT
 
-FLAWS = dict.fromkeys(
-    ("BadCell", "BadRobot", "BadPayload", "BadTwin", "BadRecording", "BadInput", "Contradiction", "refusal", "kind"), slice(1, 3)
-)
-FLAWS |= {"_refusal": slice(0, 2), "SchemaFlaw": slice(1, 3), "_replace": slice(1, 3), "opened_zip": slice(2, 3)}
+ERRORS = {name: error for module in (core.errors, server.errors) for name, error in vars(module).items() if isinstance(error, type)}
+FLAWS = {name: slice(1, 3) for name, error in ERRORS.items() if issubclass(error, BadInput)}
+FLAWS |= {"Contradiction": slice(1, 3), "refusal": slice(1, 3), "kind": slice(1, 3), "_refusal": slice(0, 2), "SchemaFlaw": slice(1, 3)}
+FLAWS |= {"_replace": slice(1, 3), "opened_zip": slice(2, 3)}
 """Which arguments say what was found and what was expected."""
-SENTENCES = dict.fromkeys(
-    ("NoPath", "Stopped", "TooClose", "TooFast", "OutOfLimits", "OverLoad", "BadState", "Held", "Commanded", "ControlLost", "Interrupted",
-     "NotSignedIn", "NotAllowed", "Conflict", "Unprocessable", "TooLarge", "TooMany", "kind"), slice(0, 1))  # fmt: skip
-SENTENCES |= {"Reason": slice(1, 2), "Failed": slice(1, 2), "__init__": slice(0, 1)}
+SENTENCES = {name: slice(0, 1) for name, error in ERRORS.items() if issubclass(error, HeftError) and name not in FLAWS}
+SENTENCES |= {"kind": slice(0, 1), "Reason": slice(1, 2), "Failed": slice(1, 2), "__init__": slice(0, 1)}
 """Which argument is the sentence of an error or a reason."""
 NOT_HEARD = (
     "command.py", "command_line.py", "twin_commands.py", "trial/", "serve.py", "experiment/file.py", "experiment/stops.py",

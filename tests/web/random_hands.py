@@ -125,10 +125,16 @@ class RandomHands:
         return bool(places)
 
     def type(self, page: Page) -> None:
-        """Something, readable or not, into a field."""
+        """Something, readable or not, into a field. The page may have gone on before it is typed, as when another tab has begun a run."""
         fields = page.locator("main input:not([type]):visible").all()
-        if fields:
-            self.chance.choice(fields).fill(self.chance.choice(TEXTS), timeout=2_000)
+        if not fields:
+            return
+        field = self.chance.choice(fields)
+        try:
+            field.fill(self.chance.choice(TEXTS), timeout=2_000)
+        except Error:
+            if field.is_visible():
+                raise
 
     def poke(self, page: Page) -> None:
         """Anywhere."""

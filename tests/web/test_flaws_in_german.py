@@ -25,7 +25,7 @@ from server.cell_archive import UPLOAD
 from server.cell_uploads import CellChecker
 from server.problems import problem_of
 from tests.core.small_recording import recording
-from tests.server.hostile_uploads import CELL, HOSTILE
+from tests.server.hostile_uploads import CELL, HOSTILE, sound, zipped
 from tests.server.real_service import RealService
 from tests.twin_entries import entry
 from tests.web.engine_phrases import HOLE, of_flaws
@@ -146,11 +146,19 @@ def test_the_flaws_of_an_uploaded_cell_are_told_in_german(cells_in_german: Table
     page = cells_in_german.page
     told = page.locator(".cell-upload .warnings")
     for k, what in enumerate(SHOWN):
-        with page.expect_file_chooser() as chooser:
-            cells_in_german.press("ZIP-Datei wählen…")
-        chooser.value.set_files(FilePayload(name=f"{k}.zip", mimeType="application/zip", buffer=HOSTILE[what]()))
+        choose(cells_in_german, f"{k}.zip", HOSTILE[what]())
         expect(told).to_contain_text(f"{k}.zip ist nicht verwendbar")
         expect(told).to_contain_text("erwartet: ")
         left = told.locator("[lang=en]").all_inner_texts()
         assert [text for text in left if not is_value(text) and not PLACE.match(text)] == [], what
     check_looks(look(page, "flaws in German"))
+    choose(
+        cells_in_german, "named.zip", zipped(sound() | {"cell.toml": sound()["cell.toml"].replace(b'"lwr4_bench"', b'"one for two"', 1)})
+    )
+    expect(told).to_contain_text("gefunden: 'one for two', erwartet: ein Text nach dem Muster")
+
+
+def choose(at: Tablet, name: str, content: bytes) -> None:
+    with at.page.expect_file_chooser() as chooser:
+        at.press("ZIP-Datei wählen…")
+    chooser.value.set_files(FilePayload(name=name, mimeType="application/zip", buffer=content))

@@ -16,7 +16,9 @@ from core.control.faults import frozen, stopped, too_close
 from core.errors import BadCell, NoStartConfiguration
 from core.planning.rotation_room import Obstruction
 from core.robot import RobotModel
-from server.errors import NotFound
+from server.errors import Conflict, NotFound
+from server.job_kinds import ADDITION, DIAGNOSIS, TRIALS
+from server.jobs import State
 from tests.server.hostile_uploads import CELL
 from tests.server.real_service import Console, RealService
 from tests.web.engine_phrases import HOLE, of_refusals
@@ -26,6 +28,7 @@ from tests.web.screens import show, signed_in
 IN_HOLES = {
     "joint {}", "payload", "start", "goal", "unreachable {}", "too close to {}", "{} too close to {}",
     "a released load would fly into zone {}", "no room for the rotation: {}", *(f"{each} {HOLE}" for each in Obstruction),
+    *State, ADDITION, DIAGNOSIS, TRIALS,
 }  # fmt: skip
 """What sentences name in words, made elsewhere than the sentence."""
 MIXED_UNITS = {"{} of {} is {} N (range {} N m)", "{} of {} is {} N m (range {} N)"}
@@ -53,6 +56,7 @@ def engine_sentences() -> list[str]:
         NoStartConfiguration("x+", reasons, 0.012, "bench"),
         NoStartConfiguration("x+", {}),
         NotFound("run", "x7"),
+        Conflict(f"{DIAGNOSIS} x7: it is {State.done}; only what waits or runs can be cancelled"),
         BadCell("cell.toml: limits.clearance_m", "-0.1", "greater than 0"),
     ]
     return [str(each) for each in found]

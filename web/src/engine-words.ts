@@ -3,6 +3,8 @@ import { number } from './units';
 import { words } from './words';
 
 const HOLE = '{}';
+/** What somebody called something, or a list of it: no words of the engine's. */
+const VALUE = /^('[^']*'|"[^"]*"|\[.*\])$/s;
 
 /** A phrase that the engine may say, its words between the holes, and how the chosen language says it. */
 interface Phrase {
@@ -21,6 +23,7 @@ const phrases = computed<Phrase[]>(() => {
 
 /** What the engine says, in the chosen language; undefined where its catalogue has no words for it. */
 export function engineSaid(english: string): string | undefined {
+  if (VALUE.test(english)) return undefined;
   for (const phrase of phrases.value) {
     const named = holes(phrase.words, english);
     if (named) return filled(phrase.said, named.map(partSaid));

@@ -120,6 +120,23 @@ export const sentences: Record<string, string> = {
 
   // what does not go with the present state
   '{}: there is none called {}. List what there is and ask again.': '{}: keines heißt {}.',
+  run: 'Lauf',
+  cell: 'Zelle',
+  'zone of cell {}': 'Zone der Zelle {}',
+  diagnosis: 'Diagnose',
+  trials: 'Versuche',
+  addition: 'Ergänzung',
+  'effect in the twin': 'Effekt im Zwilling',
+  account: 'Konto',
+  key: 'Schlüssel',
+  webhook: 'Webhook',
+  'kind of problem': 'Art von Fehler',
+  'file of the console': 'Datei der Konsole',
+  waiting: 'wartend',
+  running: 'in Arbeit',
+  done: 'fertig',
+  failed: 'gescheitert',
+  cancelled: 'zurückgenommen',
   '{} is not possible in {}; legal commands here: {}.': '{} ist in {} nicht möglich; hier gehen: {}.',
   'run {}: {} is not possible in {}; legal commands here: {}':
     'Lauf {}: {} ist in {} nicht möglich; hier gehen: {}',
