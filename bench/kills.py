@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import tempfile
 import threading
 import time
@@ -20,6 +21,7 @@ from websockets.exceptions import WebSocketException
 from server.packml import State
 from tests.server.real_service import Console, real_service
 
+SOON_S = 2.0
 SETTLED = {State.RESETTING, State.IDLE, State.STOPPED, State.COMPLETE, State.ABORTED}
 
 
@@ -101,9 +103,12 @@ def main() -> None:
             for run in touched:
                 lost += lost_of(console, run, known[run])
             console.leave()
-            print(f"kill {k + 1}: {len(touched)} runs looked at, back after {back[-1]:.1f} s, lost so far: {len(lost)}", flush=True)
+            machine = f"{time.strftime('%H:%M:%S')}, load {os.getloadavg()[0]:.1f}"
+            told = f"{len(touched)} runs looked at, back after {back[-1]:.1f} s, lost so far: {len(lost)}"
+            print(f"{machine}: kill {k + 1}: {told}", flush=True)
     print(f"{asked.count} kills, {len(known)} acknowledged runs, lost: {len(lost)} {lost[:5]}")
-    print(f"back after {np.median(back):.1f} s in the median, {max(back):.1f} s at most")
+    soon = sum(seconds <= SOON_S for seconds in back)
+    print(f"back after {np.median(back):.1f} s in the median, {max(back):.1f} s at most, {soon} of {asked.count} times within {SOON_S:g} s")
 
 
 if __name__ == "__main__":

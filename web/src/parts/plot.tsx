@@ -101,7 +101,7 @@ function optionsOf(
         size: (_plot, texts) =>
           Math.max(AXIS_PX, DIGIT_PX * Math.max(...(texts ?? []).map((text) => text.length)) + 12),
         space: TICK_PX,
-        values: (_plot, ticks) => ticks.map((value) => number(value, decimalsOf(ticks))),
+        values: (_plot, ticks, _axis, _space, step) => ticks.map((value) => number(value, decimalsOf(step))),
       },
     ],
     series: [
@@ -130,7 +130,7 @@ const TIMES: Record<Since, UPlot.Axis> = {
   run: {
     size: 28,
     incrs: SECONDS,
-    values: (_plot, ticks) => ticks.map((t) => `${number(t, decimalsOf(ticks))} s`),
+    values: (_plot, ticks, _axis, _space, step_s) => ticks.map((t) => `${number(t, decimalsOf(step_s))} s`),
   },
   '1970': { size: 48, space: 90, values: (_plot, ticks, _axis, _space, step) => datesOf(ticks, step) },
 };
@@ -163,9 +163,8 @@ function datesOf(ticks: number[], step_s: number): string[] {
   return ticks.map((t_s, k) => time.format(1000 * t_s) + (days[k] === days[k - 1] ? '' : `\n${days[k]}`));
 }
 
-/** As many decimals as tell the ticks apart. */
-function decimalsOf(ticks: number[]): number {
-  const step = (ticks[1] ?? 1) - (ticks[0] ?? 0);
+/** As many decimals as tell ticks this far apart from each other. */
+function decimalsOf(step: number): number {
   const enough = DECIMALS.find((places) => Math.abs(step - Number(step.toFixed(places))) < 1e-3 * step);
   return enough ?? DECIMALS.length;
 }
