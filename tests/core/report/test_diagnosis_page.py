@@ -5,135 +5,19 @@ from __future__ import annotations
 import html
 import re
 from collections.abc import Iterator
-from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from core.gap.answer import (
-    Cell,
-    Change,
     Diagnosis,
-    Experiment,
-    Explanation,
-    GapPart,
-    Minor,
     Pair,
-    Payload,
-    PayloadPart,
-    Tied,
-    Value,
-    Where,
 )
 from core.report import diagnosis_page
 from core.report.diagnosis_page import Overlay, worst_motion, write_diagnosis
-from core.report.diagnosis_rows import heat_map, parameter_texts, payload_rows, percent, value_text
-
-CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
-PHI = [2.0, 0.1, 0.0, 0.0, 0.02, 0.0, 0.0, 0.04, 0.0, 0.03]
-
-
-def effect(name: str, title: str, probability: float, closure: float, **parameters: Value) -> Explanation:
-    interval = (closure - 0.02, closure + 0.01)
-    advice = f"fix {title}"
-    return Explanation(
-        id=name, title=title, stage="timing", probability=probability, parameters=parameters, gap_after=1.25,
-        closure=closure, closure_interval=interval, advice=advice,
-    )  # fmt: skip
-
-
-@cache
-def explained() -> Diagnosis:
-    """A delay, clearly; two rivals that are not."""
-    delay = effect("time_delay", "a late wrench", 0.93, 0.97, delay_s=Value(value=0.0123, std=0.0004, unit="s"))
-    lag = effect("kinematic_lag", "a lag of the motion", 0.04, 0.6, lag_s=Value(value=0.1, std=None, unit="s", at_bound=True))
-    tilt = effect("base_tilt", "a tilted base", 0.003, 0.12, about_x_rad=Value(value=0.01, std=0.001, unit="rad"))
-    cells = [("tx", "rotate:y", (0.0, 2.0), 14.2, 0.5), ("tx", "rotate:y", (2.0, 8.0), 3.0, 0.1), ("fz", "hold:x+", (0.0, 2.0), 1.5, 0.05)]
-    shifted = [PHI[0], PHI[1], 0.0, 0.0, 0.022, *PHI[5:]]
-    return Diagnosis(
-        verdict="explained",
-        summary="The gap is explained by a late wrench",
-        effects=[delay, lag, tilt],
-        none_probability=0.0,
-        unknown_probability=0.02,
-        pairs=[Pair(ids=("time_delay", "base_tilt"), probability=0.007, gap_after=1.1, closure=0.98)],
-        minor=[
-            Minor(id="joint_friction", parameters={"joint_1_coulomb_nm": Value(value=3.0, std=0.1, unit="N m")}, sentence="joint 1 rubs")
-        ],
-        indistinguishable=[],
-        where=Where(
-            cells=[Cell(channel=c, phase=p, band_hz=b, times_noise=n, share=s) for c, p, b, n, s in cells],
-            channel="tx",
-            phase="rotate:y",
-            stage="timing",
-            by_time=[0.1, 0.7, 0.2],
-            by_direction={"positive": 4.0, "still": 1.0},
-            sentence="the gap is largest in tx",
-        ),
-        gap=GapPart(
-            before=9.8,
-            after=1.25,
-            held_out=["hold:x+", "rotate:y"],
-            by_channel={c: Change(before=9.0 - k, after=2.5 if c == "ty" else 1.0) for k, c in enumerate(CHANNELS)},
-        ),
-        payload=PayloadPart(before=Payload(phi=shifted, std=[1e-4] * 10), after=Payload(phi=PHI, std=[1e-4] * 10)),
-        consequence="left out, it changes the inertia",
-        next_experiment=None,
-        limits=["sensor_drift: no temperature was recorded"],
-        seconds=6.1,
-    )
-
-
-def with_verdict(verdict: str, **changes: Any) -> Diagnosis:
-    return explained().model_copy(update={"verdict": verdict, "summary": f"this is {verdict}", **changes})
-
-
-@cache
-def overlay() -> Overlay:
-    """The middle motion is the worst, there in fz and tx."""
-    random = np.random.default_rng(0)
-    t = np.linspace(0.0, 30.0, 300)
-    noise = np.array([0.02, 0.02, 0.03, 0.001, 0.001, 0.001])
-    after = np.sin(t)[:, None] * np.array([5, 5, 5, 0.3, 0.3, 0.3])
-    before = after.copy()
-    before[:100] += 5 * noise
-    before[100:200, [2, 3]] += 40 * noise[[2, 3]]
-    return Overlay(
-        t, np.repeat(["hold:x+", "rotate:y", "hold:x+"], 100), after + random.normal(size=(300, 6)) * noise, before, after, noise
-    )
-
-
-AMBIGUOUS = {
-    "indistinguishable": [Tied(ids=("time_delay", "kinematic_lag"), distance_sigma=2.14, why="both are late", splits="a wide-band motion")],
-    "next_experiment": Experiment(
-        id="swings_about_horizontal_x",
-        stops=[],
-        sigma_before=2.0,
-        sigma_after=9.0,
-        motion="rotate about a horizontal axis",
-        splits=[("time_delay", "kinematic_lag")],
-        seconds=12.3,
-    ),
-}
-NOTHING: dict[str, Any] = {
-    "effects": [], "pairs": [], "minor": [], "where": None, "gap": None, "payload": None, "consequence": "",
-    "none_probability": 0.0, "unknown_probability": 0.0, "limits": ["no wrench was recorded"],
-}  # fmt: skip
-AGREES: dict[str, Any] = {
-    "effects": [], "pairs": [], "none_probability": 1.0, "unknown_probability": 0.0,
-    "gap": GapPart(before=1.1, after=1.1, held_out=["hold:x+"], by_channel={"fx": Change(before=1.1, after=1.1)}),
-    "payload": PayloadPart(before=Payload(phi=PHI, std=[1e-4] * 10), after=Payload(phi=PHI, std=[1e-4] * 10)),
-}  # fmt: skip
-CASES = {
-    "explained": with_verdict("explained"),
-    "ambiguous": with_verdict("ambiguous", **AMBIGUOUS),
-    "unknown": with_verdict("unknown", unknown_probability=0.9),
-    "no_gap": with_verdict("no_gap", **AGREES),
-    "not_enough": with_verdict("not_enough", **NOTHING),
-}
+from tests.core.report.made_up_diagnoses import CASES, explained, overlay, with_verdict
 
 
 def written(folder: Path, diagnosis: Diagnosis, drawn: Overlay | None = None) -> str:
@@ -279,58 +163,6 @@ def test_an_overlay_without_a_change_has_one_line(tmp_path: Path) -> None:
     same = Overlay(drawn.t, drawn.phase, drawn.measured, drawn.before, drawn.before, drawn.noise_std)
     assert "simulated before" not in words(written(tmp_path, explained(), same))
     assert "simulated before" in words(written(tmp_path, explained(), drawn))
-
-
-def test_the_heat_map_takes_the_loudest_band_and_adds_the_shares() -> None:
-    where = explained().where
-    assert where is not None
-    phases, blocks = heat_map(where.cells)
-    assert phases == ("hold:x+", "rotate:y")
-    assert [block.title for block in blocks] == ["all bands", "0 to 2 Hz", "2 to 8 Hz"]
-    rows = {row.name: row for row in blocks[0].rows}
-    assert list(rows) == list(CHANNELS)
-    assert rows["tx"].entries == (("", 0, ""), ("14.2", 2, "60 %"))
-    assert rows["tx"].share == "60 %"
-    assert rows["fz"].entries[0] == ("1.5", 0, "5 %")  # below twice the noise: no tint
-    assert [row.name for row in blocks[2].rows] == ["tx"]
-    assert heat_map([]) == ((), ())
-
-
-@pytest.mark.parametrize(
-    ("name", "value", "text"),
-    [
-        ("delay_s", Value(value=0.0123, std=0.0004, unit="s"), "delay 12.30 ± 0.40 ms"),
-        ("time_constant_s", Value(value=120.0, std=5.0, unit="s"), "time constant 120.0 ± 5.0 s"),
-        ("about_x_rad", Value(value=np.radians(0.5), std=np.radians(0.01), unit="rad"), "about x 0.500 ± 0.010°"),
-        ("z_m", Value(value=-0.0031, std=0.0002, unit="m"), "z -3.10 ± 0.20 mm"),
-        ("fx_creep_share", Value(value=0.003, std=0.0001, unit="1"), "fx creep 0.300 ± 0.010 %"),
-        ("damping_ratio", Value(value=0.05, std=None, unit="1"), "damping ratio 0.05"),
-        ("stiffness_n_per_m", Value(value=3.0, std=0.5, unit="N/m"), "stiffness 3.00 ± 0.50 N/m"),
-        ("frequency_hz", Value(value=50.0, std=0.0, unit="Hz", at_bound=True), "frequency 50 Hz (at its bound)"),
-    ],
-)
-def test_a_parameter_is_told_in_everyday_units(name: str, value: Value, text: str) -> None:
-    assert value_text(name, value) == text
-
-
-def test_of_many_parameters_the_clearest_are_told() -> None:
-    many = {f"gain_{k}": Value(value=float(k), std=1.0, unit="1") for k in range(30)}
-    texts = parameter_texts(many)
-    assert [text.split(" ±")[0] for text in texts[:-1]] == [f"gain {k} {k}.0" for k in range(24, 30)]
-    assert texts[-1] == "and 24 more, less clear"
-
-
-@pytest.mark.parametrize(("share", "text"), [(0.0, "< 0.1 %"), (0.5, "50.0 %"), (1.0, "> 99.9 %"), (0.9987, "99.9 %")])
-def test_no_probability_is_told_as_certain(share: float, text: str) -> None:
-    assert percent(share) == text
-
-
-def test_a_payload_that_moves_within_its_uncertainty_is_not_marked() -> None:
-    before, after = [2.05, *PHI[1:]], PHI
-    wide = payload_rows(PayloadPart(before=Payload(phi=before, std=[0.03] * 10), after=Payload(phi=after, std=[0.03] * 10)))
-    narrow = payload_rows(PayloadPart(before=Payload(phi=before, std=[0.01] * 10), after=Payload(phi=after, std=[0.01] * 10)))
-    assert [row.name for row in wide if row.material] == []
-    assert [(row.name, row.change, row.sigmas) for row in narrow if row.material] == [("m", "-2.50 %", "-5.0")]
 
 
 def test_words_from_outside_stay_words(tmp_path: Path) -> None:
