@@ -19,6 +19,7 @@ from core.robot import RobotModel
 from server.errors import Conflict, NotFound
 from server.job_kinds import ADDITION, DIAGNOSIS, TRIALS
 from server.jobs import State
+from server.problem_answers import NEXT_STEPS
 from tests.server.hostile_uploads import CELL
 from tests.server.real_service import Console, RealService
 from tests.web.engine_phrases import HOLE, of_refusals
@@ -28,7 +29,7 @@ from tests.web.screens import show, signed_in
 IN_HOLES = {
     "joint {}", "payload", "start", "goal", "unreachable {}", "too close to {}", "{} too close to {}",
     "a released load would fly into zone {}", "no room for the rotation: {}", *(f"{each} {HOLE}" for each in Obstruction),
-    *State, ADDITION, DIAGNOSIS, TRIALS,
+    *State, ADDITION, DIAGNOSIS, TRIALS, *(f"{HOLE}: {step}" for _, step in NEXT_STEPS.values()),
 }  # fmt: skip
 """What sentences name in words, made elsewhere than the sentence."""
 MIXED_UNITS = {"{} of {} is {} N (range {} N m)", "{} of {} is {} N m (range {} N)"}

@@ -11,10 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.gap.answer import (
-    Diagnosis,
-    Pair,
-)
+from core.gap.answer import Diagnosis, Pair
 from core.report import diagnosis_page
 from core.report.diagnosis_page import Overlay, worst_motion, write_diagnosis
 from tests.core.report.made_up_diagnoses import CASES, explained, overlay, with_verdict

@@ -29,6 +29,8 @@ interface Props {
 
 const AXIS_PX = 56;
 const TICK_PX = 32;
+/** However low a plot is, there are about so many. */
+const FEWEST_TICKS = 2;
 const DIGIT_PX = 9;
 const DECIMALS = [0, 1, 2, 3, 4, 5, 6];
 const SECONDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60];
@@ -100,7 +102,7 @@ function optionsOf(
         ...axis,
         size: (_plot, texts) =>
           Math.max(AXIS_PX, DIGIT_PX * Math.max(...(texts ?? []).map((text) => text.length)) + 12),
-        space: TICK_PX,
+        space: (_plot, _axis, _least, _most, height) => Math.min(TICK_PX, height / FEWEST_TICKS),
         values: (_plot, ticks, _axis, _space, step) => ticks.map((value) => number(value, decimalsOf(step))),
       },
     ],

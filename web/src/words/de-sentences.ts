@@ -109,6 +109,12 @@ export const sentences: Record<string, string> = {
     'der Zustand des Laufs konnte nicht geschrieben werden; der Roboter wurde gestoppt.',
   'the service ended while the run was in {}; the robot was stopped. Look at the cell, then clear the run.':
     'der Dienst endete, während der Lauf in {} war; der Roboter wurde gestoppt. Sehen Sie nach der Zelle, dann quittieren Sie.',
+  "the run's state could not be written ({}); the robot was stopped.":
+    'der Zustand des Laufs konnte nicht geschrieben werden ({}); der Roboter wurde gestoppt.',
+  "the run's state could not be written within {}; the robot was stopped. See to the database and its disk.":
+    'der Zustand des Laufs konnte nicht innerhalb von {} geschrieben werden; der Roboter wurde gestoppt. Sehen Sie nach der Datenbank und ihrer Platte.',
+  'the server is gone; the robot was stopped. Start the service and clear the run.':
+    'der Dienst ist fort; der Roboter wurde gestoppt. Starten Sie den Dienst und quittieren Sie den Lauf.',
   "the run's folder could not be written ({}); the robot was stopped. Make room.":
     'der Ordner des Laufs ließ sich nicht beschreiben ({}); der Roboter wurde gestoppt. Schaffen Sie Platz.',
   'the control process ended with code {}; its robot got no more commands. See the log.':
@@ -221,6 +227,16 @@ export const sentences: Record<string, string> = {
     'Idempotency-Key {}: wurde schon für etwas anderes gebraucht; nehmen Sie für eine neue Anfrage einen neuen',
   "Content-Type: found {}, expected application/zip; send a zip of the {}'s folder":
     'Content-Type: gefunden: {}, erwartet: application/zip',
+
+  // any request
+  "the database is locked, full or away; nothing was changed. Try again; if it stays so, see the service's log":
+    'die Datenbank ist gesperrt, voll oder fort; nichts wurde geändert. Versuchen Sie es noch einmal; bleibt es so, sehen Sie im Protokoll des Dienstes nach',
+  "an error that was not foreseen; the service's log has it under request_id":
+    'ein unvorhergesehener Fehler; das Protokoll des Dienstes hat ihn',
+  '{}: there is nothing at this address; GET /openapi.json lists what there is':
+    '{}: unter dieser Adresse gibt es nichts',
+  '{}: this address does not know the method; see `allowed`': '{}: das geht unter dieser Adresse nicht',
+  '{}: the body is too large; send a smaller one': '{}: das ist zu groß; senden Sie weniger',
 
   // people
   'name or password: not right; try again or ask whoever keeps the accounts':
