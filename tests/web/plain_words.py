@@ -19,34 +19,30 @@ AXES = {a + b for a in "xyz" for b in "xyz"} | {a + b for a in "ft" for b in "xy
 MONTHS = {"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"}
 PEOPLE = {"operator", "engineer", "account"}
 
-WORDS = """() => {
+TEXTS = """() => {
     const shown = each => each.checkVisibility() && !each.closest('script, style, [lang=en], svg, code, pre');
-    const texts = [...document.querySelectorAll('body, body *')].filter(shown).flatMap(each => [
+    return [...document.querySelectorAll('body, body *')].filter(shown).flatMap(each => [
         ...[...each.childNodes].filter(node => node.nodeType === 3).map(node => node.data),
-        ...['aria-label', 'title', 'placeholder', 'alt'].map(name => each.getAttribute(name) ?? '')]);
-    return texts.flatMap(text => text.match(/[\\p{L}\\p{N}_]+/gu) ?? []) }"""
+        ...['aria-label', 'title', 'placeholder', 'alt'].map(name => each.getAttribute(name) ?? '')]) }"""
 
 
 def words_of_no_catalogue(page: Page) -> set[str]:
-    """Of a page whose catalogue is the longer one."""
-    own = _data() | UNITS | AXES | MONTHS | PEOPLE | {state.value for state in State}
-    said = {word for word in page.evaluate(WORDS) if re.fullmatch(r"[^\W\d_]{2,}", word)}
-    return {word for word in said if MARK not in word} - own
+    """Of a page whose catalogue is the longer one, beside what a cell calls things, as a whole."""
+    own = UNITS | AXES | MONTHS | PEOPLE | {state.value for state in State}
+    names = re.compile("|".join(rf"(?<!\w){re.escape(name)}(?!\w)" for name in sorted(_names(), key=len, reverse=True)))
+    said = {word for text in page.evaluate(TEXTS) for word in re.findall(r"\w+", names.sub(" ", text))}
+    return {word for word in said if re.fullmatch(r"[^\W\d_]{2,}", word) and MARK not in word} - own
 
 
-def _data() -> set[str]:
-    """Whatever cells call things."""
-    contents = [tomllib.loads(file.read_text()) for file in (ROOT / "cells").glob("*/cell.toml")]
-    return {word for content in contents for text in _strings(content) for word in re.findall(r"[^\W\d_]+", text)}
+def _names() -> set[str]:
+    """Whatever cells call things: their texts, and payloads by their keys."""
+    cells = [tomllib.loads(file.read_text()) for file in (ROOT / "cells").glob("*/cell.toml")]
+    return {name for cell in cells for name in (*_texts(cell), *cell.get("payloads", ()))}
 
 
-def _strings(content: Any) -> Iterator[str]:
+def _texts(content: Any) -> Iterator[str]:
     if isinstance(content, str):
         yield content
-    elif isinstance(content, dict):
-        yield from content
-        for value in content.values():
-            yield from _strings(value)
-    elif isinstance(content, list):
-        for value in content:
-            yield from _strings(value)
+    elif isinstance(content, dict | list):
+        for value in content.values() if isinstance(content, dict) else content:
+            yield from _texts(value)

@@ -154,6 +154,12 @@ export const sentences: Record<string, string> = {
     'Lauf {}: wurde schon angenommen, von {}; ein Ergebnis wird einmal angenommen',
   'run {}: has no recording, it is in {}; wait for its end':
     'Lauf {}: hat keine Aufzeichnung, er ist in {}; warten Sie auf sein Ende',
+  'run {}: has no recording, it is in {}; one is there once a robot that has moved stands again':
+    'Lauf {}: hat keine Aufzeichnung, er ist in {}; sie ist da, sobald ein Roboter, der sich bewegt hat, wieder steht',
+  'run {}: has no report, it is in {}; a report comes with a run that is Complete':
+    'Lauf {}: hat keinen Bericht, er ist in {}; ein Bericht kommt mit einem Lauf, der fertig ist',
+  'diagnosis {}: has no report, it is {}; a report comes with a diagnosis that is done':
+    'Diagnose {}: hat keinen Bericht, sie ist {}; ein Bericht kommt mit einer fertigen Diagnose',
   'run {}: its control process still closes the recording; ask again in some seconds':
     'Lauf {}: seine Steuerung schließt noch die Aufzeichnung; versuchen Sie es in einigen Sekunden noch einmal',
   'cell {}: does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common':
