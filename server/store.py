@@ -17,6 +17,7 @@ from sqlalchemy.orm import DeclarativeBase, Session
 
 MIGRATIONS = Path(__file__).parent / "migrations"
 BUSY_S = 5.0  # how long a write waits for another
+AWAY_S = 10.0  # how long a database that is somewhere else may take to answer
 MIGRATION_LOCK, WRITE_LOCK = 0x48454654, 0x48454655  # any numbers that all services on one database agree on
 
 NAMES = {
@@ -115,7 +116,7 @@ def up_to_date(connection: Connection) -> bool:
 
 def _engine(url: str) -> Engine:
     if not url.startswith("sqlite"):
-        return create_engine(url, pool_pre_ping=True)
+        return create_engine(url, pool_pre_ping=True, connect_args={"timeout": AWAY_S})
     engine = create_engine(url, connect_args={"timeout": BUSY_S, "check_same_thread": False})
     event.listen(engine, "connect", _durable)
     event.listen(engine, "begin", _begin)
