@@ -14,13 +14,14 @@ from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from core.cell import Cell
-from core.errors import HeftError
+from core.errors import HeftError, refuse
 from core.sessions.leased import Renewal
 from core.shapes import Pose
 from server import run_ledger
 from server.active_run import ActiveRun
 from server.broadcast import Broadcast
 from server.cell_folder import CellFolder
+from server.cell_now import read_now
 from server.crashed_runs import Left, close_crashed, recover
 from server.errors import Conflict
 from server.idle_runs import IdleRuns
@@ -33,7 +34,6 @@ from server.runner.context import warm_up
 from server.runner.messages import ZoneMoved
 from server.runner.run_folder import free
 from server.store import Store
-from server.zones import positions, with_zones_where_they_are
 
 log = logging.getLogger("heft.runs")
 
@@ -114,9 +114,27 @@ class Conductor:
         return next((active for active in self.active.values() if active.id == run), None)
 
     def cell_now(self, db: Session, name: str) -> Cell:
-        """A cell with its zones where they are."""
-        cell = self.cells.load(name)
-        return with_zones_where_they_are(cell, positions(db, name))
+        """A cell with its zones where they are, whatever they contradict there.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell, BadRobot: it cannot be read, or its robot cannot be used.
+        """
+        found = read_now(self.cells, db, name)
+        if found.robot_flaws:
+            refuse(self.cells.flaws(found))
+        return found.cell
+
+    def plannable(self, db: Session, name: str) -> Cell:
+        """The same where something can be planned in it.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell, BadRobot: nothing can, and why.
+        """
+        found = read_now(self.cells, db, name)
+        refuse(self.cells.flaws(found))
+        return found.cell
 
     def _left_of(self, run: str) -> Left:
         with self.store.read() as db:
@@ -171,7 +189,7 @@ class Conductor:
     async def _begin(self, row: RunRow) -> None:
         try:
             with self.store.read() as db:
-                cell = self.cell_now(db, row.cell)
+                cell = self.plannable(db, row.cell)
             active = ActiveRun(self.store, row, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
         except (HeftError, OSError) as error:
             await asyncio.to_thread(self._idle.end, row.id, of_error(error))

@@ -62,7 +62,7 @@ class StampAnswer(Body):
 @router.post("")
 async def take_control(body: ControlBody, here: Here, asking: Asking, now: Now) -> ControlAnswer:
     """Takes control; then open the websocket `/api/control/{cell}/lease` and answer its stamps. Ends when they stop coming back."""
-    here.cells.load(body.cell)
+    here.cells.check_known(body.cell)
     with here.store.write() as db:
         holder = here.control.take(db, body.cell, asking.who)
         audit.record(db, asking.who, "control.take", {"cell": body.cell, "fence": holder.fence}, now=now)
@@ -72,7 +72,7 @@ async def take_control(body: ControlBody, here: Here, asking: Asking, now: Now) 
 @router.get("/{cell}")
 async def read_control(cell: str, here: Here) -> ControlAnswer:
     """Who is in control of a cell."""
-    here.cells.load(cell)
+    here.cells.check_known(cell)
     return _answer(cell, here.control.holder(cell))
 
 
