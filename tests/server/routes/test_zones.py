@@ -10,11 +10,12 @@ from fastapi.testclient import TestClient
 
 from server.active_run import ActiveRun
 from server.roles import Role
-from server.runner.messages import ZoneMoved
+from server.runner.messages import Failed, ZoneMoved
 from server.service import Service
 from server.zones import positions, with_zones_where_they_are
 from tests.server.people import BOTH_STORES, As, Clock
 from tests.server.real_service import wait_for
+from tests.server.scripted_process import ScriptedProcess
 
 CELL = "/api/cells/lwr4_bench"
 ZONE = f"{CELL}/zones/operator"
@@ -113,11 +114,14 @@ def test_a_run_in_such_a_cell_is_refused_with_the_flaw_but_one_that_was_made_is_
     assert operator.post("/api/runs", json=order).status_code == 202
 
 
-def test_a_run_that_waits_when_the_zone_comes_ends_with_the_flaw_as_its_reason(nothing_planned: None, signed_in: As) -> None:
+def test_a_run_that_waits_when_the_zone_comes_ends_with_the_flaw_as_its_reason(
+    nothing_planned: None, service: Service, signed_in: As
+) -> None:
     operator = signed_in(Role.operator)
-    first, second = (operator.post("/api/runs", json={"cell": "lwr4_bench"}).json()["run"] for _ in range(2))
+    _, second = (operator.post("/api/runs", json={"cell": "lwr4_bench"}).json()["run"] for _ in range(2))
+    wait_for(lambda: "lwr4_bench" in service.conductor.active, "the first run to have the cell")
     place(operator, ON_THE_BASE)
-    assert operator.delete(f"/api/runs/{first}").status_code == 200
+    ScriptedProcess.newest.say(Failed("NoPath", "the first run is over"), None)
     wait_for(lambda: operator.get(f"/api/runs/{second}").json()["state"] == "Stopped", "the run that waited to be refused")
     run = operator.get(f"/api/runs/{second}").json()
     assert run["reason_kind"] == "bad-cell"

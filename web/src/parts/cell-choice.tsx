@@ -1,6 +1,8 @@
+import type { Flaw } from '../api';
 import { cells } from '../stores/cells';
 import { words } from '../words';
 import { Choice } from './choice';
+import { FlawSentence } from './flaw-sentence';
 
 interface Props {
   legend: string;
@@ -8,19 +10,26 @@ interface Props {
   choose: (name: string) => void;
 }
 
-/** One of the cells; one that cannot be used says why. */
+/** One of the cells; one in which nothing can be planned says why, and can be looked at all the same. */
 export function CellChoice({ legend, chosen, choose }: Props) {
   return (
     <Choice
       legend={legend}
-      options={(cells.value ?? []).map(({ name, title, flaw }) => ({
+      options={(cells.value ?? []).map(({ name, title, flaws: [flaw] }) => ({
         value: name,
         label: name,
-        note: flaw === null ? title : `${words.value.setup.unusable}: ${flaw}`,
-        disabled: flaw !== null,
+        note: flaw ? <Unusable flaw={flaw} /> : title,
       }))}
       chosen={chosen}
       choose={choose}
     />
+  );
+}
+
+function Unusable({ flaw }: { flaw: Flaw }) {
+  return (
+    <>
+      <span aria-hidden="true">▲</span> {words.value.setup.unusable}: <FlawSentence {...flaw} />
+    </>
   );
 }
