@@ -53,6 +53,7 @@ function Undrawn({ cell }: { cell: Cell }) {
 
 function next(): string {
   const said = words.value.cells;
+  if (shownCell.value?.flaws.length) return said.nextFlawed;
   return may('engineer') ? said.nextEngineer : said.next;
 }
 

@@ -1,8 +1,6 @@
-import type { Flaw } from '../api';
 import { cells } from '../stores/cells';
 import { words } from '../words';
 import { Choice } from './choice';
-import { FlawSentence } from './flaw-sentence';
 
 interface Props {
   legend: string;
@@ -10,15 +8,15 @@ interface Props {
   choose: (name: string) => void;
 }
 
-/** One of the cells; one in which nothing can be planned says why, and can be looked at all the same. */
+/** One of the cells; one in which nothing can be planned says so, and can be looked at all the same. */
 export function CellChoice({ legend, chosen, choose }: Props) {
   return (
     <Choice
       legend={legend}
-      options={(cells.value ?? []).map(({ name, title, flaws: [flaw] }) => ({
+      options={(cells.value ?? []).map(({ name, title, flaw }) => ({
         value: name,
         label: name,
-        note: flaw ? <Unusable flaw={flaw} /> : title,
+        note: flaw === null ? title : <Unusable />,
       }))}
       chosen={chosen}
       choose={choose}
@@ -26,10 +24,8 @@ export function CellChoice({ legend, chosen, choose }: Props) {
   );
 }
 
-function Unusable({ flaw }: { flaw: Flaw }) {
-  return (
-    <>
-      <span aria-hidden="true">▲</span> {words.value.setup.unusable}: <FlawSentence {...flaw} />
-    </>
-  );
-}
+const Unusable = () => (
+  <>
+    <span aria-hidden="true">▲</span> {words.value.cells.unusable}
+  </>
+);

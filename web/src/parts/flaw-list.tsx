@@ -16,6 +16,7 @@ export function FlawList({ title, flaws, children }: Props) {
       <h2>
         <span aria-hidden="true">▲</span> {title}
       </h2>
+      {children}
       <ul>
         {flaws.map((flaw) => (
           <li key={flaw.where + flaw.found}>
@@ -23,7 +24,6 @@ export function FlawList({ title, flaws, children }: Props) {
           </li>
         ))}
       </ul>
-      {children}
     </div>
   );
 }

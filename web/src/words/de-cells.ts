@@ -37,11 +37,12 @@ export const cells: typeof en.cells = {
   robotBase: 'Fuß des Roboters',
   zoneNow: 'Zone jetzt',
   zoneNew: 'Zone dann',
+  unusable: 'dort kann jetzt nichts geplant werden',
   nothingPlanned: 'In dieser Zelle kann nichts geplant werden',
   zoneInTheWay: (zone) =>
     `${zone} steht, wo der Roboter ist. Das bleibt so stehen, denn Menschen sind, wo sie sind. Verschieben Sie die Zone, wenn sie woanders sind, oder stellen Sie sie zurück, wenn es ein Versehen war.`,
   mendFiles:
-    'Bessern Sie die Dateien der Zelle aus, oder wählen Sie unter „Neue Zelle“ die ZIP-Datei einer ausgebesserten: Sie tritt an deren Stelle.',
+    'Bessern Sie die Dateien der Zelle aus, oder übernehmen Sie auf der Seite „Zellen“ die ZIP-Datei einer ausgebesserten: Sie tritt an deren Stelle.',
   mendFilesElse: 'Wer als Ingenieur angemeldet ist, kann eine ausgebesserte Zelle an ihre Stelle setzen.',
   notDrawn: 'Mit einem Roboter, der nicht verwendbar ist, lässt sie sich nicht dreidimensional zeigen.',
   lookAtCell: 'Die Zelle und ihre Zonen ansehen',

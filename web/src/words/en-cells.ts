@@ -35,11 +35,12 @@ export const cells = {
   robotBase: 'Robot’s base',
   zoneNow: 'Zone now',
   zoneNew: 'Zone then',
+  unusable: 'nothing can be planned there now',
   nothingPlanned: 'Nothing can be planned in this cell',
   zoneInTheWay: (zone: string) =>
     `${zone} stands where the robot is. That is kept, for people are where they are. Move it when they are somewhere else, or put it back if it was a mistake.`,
   mendFiles:
-    'Mend the cell’s files, or choose a zip of a mended cell under “New cell”: it takes this one’s place.',
+    'Mend the cell’s files, or take in a zip of a mended cell on the page “Cells”: it takes this one’s place.',
   mendFilesElse: 'An engineer can put a mended cell in its place.',
   notDrawn: 'It cannot be shown in three dimensions with a robot that cannot be used.',
   lookAtCell: 'Look at the cell and its zones',
