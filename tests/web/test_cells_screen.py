@@ -91,7 +91,7 @@ def test_a_zone_on_the_robot_is_seen_before_it_moves_and_the_cell_says_what_is_w
     expect(page.get_by_role("button", name="plan")).to_have_count(0)
     expect(page.get_by_role("link", name="Look at the cell")).to_have_attribute("href", "#/cells/lwr4_bench")
     check_looks(look(page, "a cell that takes no run"))
-    at.press("Put operator back to where it was")
+    at.press("Put operator back where it was")
     expect(page.locator(".setup [role=alert]")).to_have_count(0)
     expect(page.get_by_role("button", name="plan")).to_be_enabled()
     assert console.http.get("/api/cells/lwr4_bench").json()["cell"]["zones"][0]["shape"]["pose"]["xyz_m"] == [1.35, 0.0, 0.625]
