@@ -9,15 +9,15 @@ import difflib
 import tomllib
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, ValidationError
 from pydantic_core import ErrorDetails
 
 from core.cell_contradictions import contradictions
-from core.errors import BadCell, BadRobot, together
+from core.errors import BadCell, BadInput, BadRobot, refuse, together
 from core.inertia import InertialParameters
 from core.jail import read_inside
 from core.schema_flaw import SchemaFlaw, schema_flaw
@@ -26,8 +26,8 @@ from core.urdf import Urdf, check_urdf
 from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 
 __all__ = [
-    "Box", "Capsule", "Cell", "Control", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape", "Sphere", "Zone",
-    "check_robot", "find_cell", "list_cells", "load_cell",
+    "Box", "Capsule", "Cell", "CellRead", "Control", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape", "Sphere", "Zone",
+    "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -123,7 +123,10 @@ class Payload(Model):
 
 
 class Cell(Model):
-    """One robot cell, everything the procedure needs to know of it."""
+    """One robot cell, everything the procedure needs to know of it.
+
+    Every value is right by itself; whether they go together says `contradictions_of`.
+    """
 
     name: Name
     title: Text
@@ -170,13 +173,27 @@ class Cell(Model):
         }
         return self.model_copy(update=moved)
 
-    @model_validator(mode="after")
-    def _contradicts_nothing(self) -> Cell:
-        where = self.folder / CELL_FILE
-        flaws = [BadCell(f"{where}: {key}", found, expected) for key, found, expected in contradictions(self)]
-        if flaws:
-            raise together(flaws)
-        return self
+
+class CellRead(NamedTuple):
+    """A cell whose `cell.toml` could be read, whether or not it can be used.
+
+    Args:
+        robot_flaws: what of the robot's model cannot be used, or does not go with the cell.
+    """
+
+    cell: Cell
+    robot_flaws: tuple[BadInput, ...] = ()
+
+    @property
+    def flaws(self) -> tuple[BadInput, ...]:
+        """Why nothing can be planned in it; empty where nothing speaks against it."""
+        return (*contradictions_of(self.cell), *self.robot_flaws)
+
+
+def contradictions_of(cell: Cell) -> list[BadCell]:
+    """What in a cell does not go together, wherever its zones have been moved to."""
+    where = cell.folder / CELL_FILE
+    return [BadCell(f"{where}: {key}", found, expected, name) for key, found, expected, name in contradictions(cell)]
 
 
 def load_cell(folder: Path) -> Cell:
@@ -186,6 +203,26 @@ def load_cell(folder: Path) -> Cell:
         BadCell: cell.toml is malformed or contradicts itself or the URDF.
         BadRobot: the URDF is malformed or hostile.
     """
+    found = read_cell(folder)
+    refuse(found.flaws)
+    return found.cell
+
+
+def read_cell(folder: Path) -> CellRead:
+    """Reads `cell.toml` and looks at the URDF beside it; what does not go together is told beside the cell.
+
+    Raises:
+        BadCell: cell.toml cannot be read as a cell.
+    """
+    cell = _parsed(folder)
+    try:
+        _check_urdf(cell)
+    except BadInput as flaw:
+        return CellRead(cell, (flaw, *flaw.others))
+    return CellRead(cell)
+
+
+def _parsed(folder: Path) -> Cell:
     where = str(folder / CELL_FILE)
     text = read_inside(folder, CELL_FILE, BadCell, max_bytes=MAX_CELL_BYTES)
     try:
@@ -193,14 +230,16 @@ def load_cell(folder: Path) -> Cell:
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise BadCell(where, f"TOML that does not parse ({str(error)[:120]})", "TOML") from error
     try:
-        cell = Cell.model_validate({**content, "folder": folder})
+        return Cell.model_validate({**content, "folder": folder})
     except ValidationError as error:
         raise together([_sentence(flaw, where) for flaw in error.errors()]) from error
-    urdf = check_urdf(cell.urdf, str(folder / cell.robot.urdf))
+
+
+def _check_urdf(cell: Cell) -> None:
+    urdf = check_urdf(cell.urdf, str(cell.folder / cell.robot.urdf))
     check_robot(cell, urdf)
     urdf.check_bodies(cell.robot.base_frame, cell.robot.sensor_frame)
-    urdf.check_meshes(folder)
-    return cell
+    urdf.check_meshes(cell.folder)
 
 
 def check_robot(cell: Cell, urdf: Urdf) -> None:

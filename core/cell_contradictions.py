@@ -15,11 +15,16 @@ BASE_IN_OBSTACLE = 0.05  # m; or be sunk into the table that carries it
 
 
 class Contradiction(NamedTuple):
-    """A key whose value does not go with another."""
+    """A key whose value does not go with another.
+
+    Args:
+        in_the_way: name of the obstacle or zone that stands where the robot is, where that is what it is about.
+    """
 
     key: str
     found: str
     expected: str
+    in_the_way: str | None = None
 
 
 def contradictions(cell: Cell) -> Iterator[Contradiction]:
@@ -49,7 +54,8 @@ def _place_contradictions(cell: Cell) -> Iterator[Contradiction]:
             depth = item.shape.depth(base)
             if depth > allowed:
                 found = f"the robot's base {depth:.3f} m inside it"
-                yield Contradiction(f"{key}.{item.name}.shape", found, f"the base outside (at most {allowed} m inside)")
+                expected = f"the base outside (at most {allowed} m inside)"
+                yield Contradiction(f"{key}.{item.name}.shape", found, expected, item.name)
 
 
 def _sensor_contradictions(sensor: Sensor) -> Iterator[Contradiction]:

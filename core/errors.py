@@ -85,6 +85,16 @@ def together(flaws: Sequence[BadInput]) -> BadInput:
     return first
 
 
+def refuse(flaws: Sequence[BadInput]) -> None:
+    """Nothing where nothing is wrong.
+
+    Raises:
+        BadInput: all of them `together`.
+    """
+    if flaws:
+        raise together(flaws)
+
+
 class BadRobot(BadInput):
     """A URDF that is malformed, hostile, or lacks limits, masses or frames."""
 

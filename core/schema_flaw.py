@@ -27,6 +27,8 @@ class SchemaFlaw(NamedTuple):
 def schema_flaw(error: Mapping[str, Any]) -> SchemaFlaw:
     """One of `ValidationError.errors()`."""
     key = ".".join(str(part) for part in error["loc"])
+    if error["type"] == "json_invalid":
+        return SchemaFlaw(key, f"JSON that does not parse ({error['ctx']['error']})", "JSON")
     if error["type"] == "missing":
         return SchemaFlaw(key, "no such key", "it")
     if error["type"] == "extra_forbidden":

@@ -6,7 +6,6 @@ import difflib
 
 import numpy as np
 from pydantic import ValidationError
-from pydantic_core import ErrorDetails
 
 from core.cell import TWIN_FILE, Cell
 from core.effects.effect import Parameter
@@ -35,7 +34,7 @@ def read_twin(cell: Cell) -> Twin:
     try:
         twin = Twin.model_validate_json(text)
     except ValidationError as error:
-        raise _sentence(error.errors()[0], str(file)) from error
+        raise BadTwin(*schema_flaw(error.errors()[0]).at(str(file))) from error
     _check(twin, cell, str(file))
     return twin
 
@@ -64,13 +63,6 @@ def checked_text(cell: Cell, twin: Twin) -> str:
     """
     _check(twin, cell, str(cell.folder / TWIN_FILE))
     return twin.model_dump_json(indent=1) + "\n"
-
-
-def _sentence(error: ErrorDetails, file: str) -> BadTwin:
-    """One of pydantic's errors as one of ours."""
-    if error["type"] == "json_invalid":
-        return BadTwin(file, f"JSON that does not parse ({error['ctx']['error']})", "JSON")
-    return BadTwin(*schema_flaw(error).at(file))
 
 
 def close_name(identifier: str, known: list[str]) -> str:

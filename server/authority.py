@@ -40,6 +40,8 @@ AUTHORITY: dict[str, frozenset[Role] | None] = {
     "GET /api/cells/{cell}": SIGNED_IN,
     "PUT /api/cells/{cell}": frozenset({engineer}),
     "PUT /api/cells/{cell}/zones/{zone}": AT_THE_CELL,
+    "POST /api/cells/{cell}/zones/{zone}/check": AT_THE_CELL,
+    "POST /api/cells/{cell}/zones/{zone}/undo": AT_THE_CELL,
     "GET /api/cells/{cell}/twin": SIGNED_IN,
     "POST /api/cells/{cell}/twin": frozenset({engineer}),
     "GET /api/cells/{cell}/twin/additions/{addition}": SIGNED_IN,

@@ -8,8 +8,8 @@ import shutil
 from pathlib import Path
 from threading import Lock
 
-from core.cell import CELL_FILE, TWIN_FILE, Cell, list_cells, load_cell
-from core.errors import BadCell, BadTwin, HeftError
+from core.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cells, read_cell
+from core.errors import BadCell, BadInput, BadTwin, refuse, together
 from core.whole_file import write_whole
 from server.errors import Conflict, NotFound
 
@@ -28,7 +28,7 @@ class CellFolder:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self._read: dict[str, tuple[Stamp, Cell]] = {}
+        self._read: dict[str, tuple[Stamp, CellRead]] = {}
         self._replacing = Lock()
 
     def prepare(self) -> None:
@@ -50,6 +50,15 @@ class CellFolder:
         """Of all cells, readable or not."""
         return sorted(file.parent.name for file in self.folder.glob(f"[!.]*/{CELL_FILE}"))
 
+    def check_known(self, name: str) -> None:
+        """There is such a cell, whether or not it can be read.
+
+        Raises:
+            NotFound: there is none of that name.
+        """
+        if name not in self.names():
+            raise NotFound("cell", name)
+
     def load(self, name: str) -> Cell:
         """A cell, checked.
 
@@ -57,32 +66,48 @@ class CellFolder:
             NotFound: there is none of that name.
             BadCell, BadRobot: it cannot be used.
         """
-        if name not in self.names():
-            raise NotFound("cell", name)
+        found = self.read(name)
+        refuse(self.flaws(found))
+        return found.cell
+
+    def read(self, name: str) -> CellRead:
+        """A cell as its files have it; `flaws` says what speaks against using it.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell: its cell.toml cannot be read as a cell.
+        """
+        self.check_known(name)
         stamp = _stamp(self.folder / name)
         known = self._read.get(name)
         if known is None or known[0] != stamp:
-            self._read[name] = known = (stamp, self._loaded(name))
+            self._read[name] = known = (stamp, self._read_anew(name))
         return known[1]
 
-    def _loaded(self, name: str) -> Cell:
-        cell = load_cell(self.folder / name)
-        if cell.name != name:
-            raise BadCell(f"{name}/{CELL_FILE}: name", repr(cell.name), f"the name of its folder, {name!r}")
-        return cell
-
-    def flaw(self, name: str) -> str | None:
-        """Why a cell cannot be used; None where it can."""
+    def _read_anew(self, name: str) -> CellRead:
         try:
-            self.load(name)
-        except HeftError as error:
-            return str(error)
-        return None
+            cell, robot_flaws = read_cell(self.folder / name)
+        except BadInput as error:
+            raise together([self._told(each) for each in (error, *error.others)]) from error
+        if cell.name == name:
+            return CellRead(cell, robot_flaws)
+        misnamed = BadCell(f"{name}/{CELL_FILE}: name", repr(cell.name), f"the name of its folder, {name!r}")
+        return CellRead(cell.model_copy(update={"name": name}), (misnamed, *robot_flaws))
+
+    def flaws(self, found: CellRead) -> list[BadInput]:
+        """What speaks against using a cell, with its zones where `found` has them."""
+        return [self._told(each) for each in found.flaws]
+
+    def _told(self, flaw: BadInput) -> BadInput:
+        """A flaw whose files are named from the folder of the cells on: no screen needs to say where that is."""
+        where, found, expected = (text.replace(f"{self.folder}/", "") for text in (flaw.where, flaw.found, flaw.expected))
+        told = type(flaw)(where, found, expected)
+        told.in_the_way = flaw.in_the_way
+        return told
 
     def digest(self, name: str) -> str:
         """SHA-256 over the names and contents of a cell's files, hex."""
-        if name not in self.names():
-            raise NotFound("cell", name)
+        self.check_known(name)
         whole = hashlib.sha256()
         folder = self.folder / name
         for file in _files(folder):

@@ -16,7 +16,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from core.cell import Cell
-from core.errors import HeftError
+from core.errors import HeftError, refuse
 from core.sessions.leased import Renewal
 from core.shapes import Pose
 from server import audit, run_ledger
@@ -24,6 +24,7 @@ from server.active_run import ActiveRun
 from server.audit import Deed
 from server.broadcast import Broadcast
 from server.cell_folder import CellFolder
+from server.cell_now import read_now
 from server.crashed_runs import Left, close_crashed, forget_journals, recover, take_from_journals, unrecovered
 from server.errors import Conflict
 from server.idle_runs import IdleRuns
@@ -36,7 +37,6 @@ from server.runner.context import warm_up
 from server.runner.messages import ZoneMoved
 from server.runner.run_folder import free
 from server.store import Store
-from server.zones import positions, with_zones_where_they_are
 
 log = logging.getLogger("heft.runs")
 
@@ -140,9 +140,27 @@ class Conductor:
         return next((active for active in self.active.values() if active.id == run), None)
 
     def cell_now(self, db: Session, name: str) -> Cell:
-        """A cell with its zones where they are."""
-        cell = self.cells.load(name)
-        return with_zones_where_they_are(cell, positions(db, name))
+        """A cell with its zones where they are, whatever they contradict there.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell, BadRobot: it cannot be read, or its robot cannot be used.
+        """
+        found = read_now(self.cells, db, name)
+        if found.robot_flaws:
+            refuse(self.cells.flaws(found))
+        return found.cell
+
+    def plannable(self, db: Session, name: str) -> Cell:
+        """The same where something can be planned in it.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell, BadRobot: nothing can, and why.
+        """
+        found = read_now(self.cells, db, name)
+        refuse(self.cells.flaws(found))
+        return found.cell
 
     def cell_as_it_is(self, name: str) -> Cell:
         """The same for whoever has no session of the database at hand."""
@@ -231,7 +249,7 @@ class Conductor:
     def _known(self, row: RunRow) -> tuple[Cell, list[tuple[int, str]]]:
         """The run's cell, and what has happened to it."""
         with self.store.read() as db:
-            return self.cell_now(db, row.cell), run_ledger.told(db, row.id, 0)
+            return self.plannable(db, row.cell), run_ledger.told(db, row.id, 0)
 
     async def _carry(self, active: ActiveRun) -> None:
         run_id.set(active.id)

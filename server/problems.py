@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from http import HTTPStatus
 from math import ceil
@@ -19,7 +20,7 @@ STORE_RETRY_S = 1.0
 
 
 class Flaw(BaseModel):
-    """One thing in the request that cannot be used."""
+    """One thing that cannot be used: in the request, or in a cell."""
 
     where: str
     found: str
@@ -129,7 +130,7 @@ def problem_of(error: HeftError) -> Problem:
     known, kind = kind_of(error)
     more: dict[str, Any] = {}
     if isinstance(error, BadInput):
-        more["flaws"] = [Flaw(where=each.where, found=each.found, expected=each.expected) for each in (error, *error.others)]
+        more["flaws"] = flaws_of([error, *error.others])
     if isinstance(error, Stopped):
         more |= {"value": error.value, "limit": error.limit}
     if isinstance(error, errors.StoreUnavailable):
@@ -139,6 +140,11 @@ def problem_of(error: HeftError) -> Problem:
     if isinstance(error, errors.Conflict) and error.allowed:
         more["allowed"] = list(error.allowed)
     return problem(slug(known.__name__), kind, str(error), **more)
+
+
+def flaws_of(errors: Iterable[BadInput]) -> list[Flaw]:
+    """What is wrong, as an answer tells it."""
+    return [Flaw(where=each.where, found=each.found, expected=each.expected) for each in errors]
 
 
 def problem(type_name: str, kind: Kind, detail: str, **more: Any) -> Problem:

@@ -35,12 +35,13 @@ def queued(here: Service, response: Response, asked: Request, order: RunOrder, m
 
     Raises:
         Unprocessable: the key came with another body.
+        BadCell, BadRobot: nothing can be planned in the cell as it is now.
         Conflict: the same request is just being answered.
     """
     try:
         with here.store.write() as db:
             made = None if asked.key is None else idempotency.made_before(db, asked.who, asked.key, asked.body)
-            row = _made(db, asked, order, motion) if made is None else run_ledger.load(db, made)
+            row = _made(here, db, asked, order, motion) if made is None else run_ledger.load(db, made)
             found = run_ledger.answer(row)
     except IntegrityError as error:
         raise Conflict(f"Idempotency-Key {asked.key!r}: the first request is still under way; ask again") from error
@@ -49,7 +50,8 @@ def queued(here: Service, response: Response, asked: Request, order: RunOrder, m
     return found
 
 
-def _made(db: Session, asked: Request, order: RunOrder, motion: Motion | None) -> RunRow:
+def _made(here: Service, db: Session, asked: Request, order: RunOrder, motion: Motion | None) -> RunRow:
+    here.conductor.plannable(db, order.cell)
     row = run_ledger.queue(db, order, asked.who, asked.now, motion)
     if asked.key is not None:
         idempotency.once(db, asked.who, asked.key, asked.body, row.id, asked.now)

@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Cell, Obstacle, Payload, Pose, Zone, load_cell
+from core.cell import Box, Cell, Obstacle, Payload, Pose, Zone, contradictions_of, load_cell
 from core.collision import CollisionModel
-from core.errors import BadCell
+from core.errors import BadCell, refuse
 from core.inertia import InertialParameters
 from core.robot import RobotModel
 
@@ -58,7 +58,7 @@ def _with(cell: Cell, key: str, draw: object) -> Cell:
     for _ in range(_TRIES):
         larger = cell.model_copy(update={key: (*getattr(cell, key), draw())})  # type: ignore[operator]  # mypy infers no type of lambdas with defaults
         try:
-            Cell.model_validate(larger.model_dump() | {"folder": cell.folder})
+            refuse(contradictions_of(Cell.model_validate(larger.model_dump() | {"folder": cell.folder})))
             robot = RobotModel.of_cell(larger)
             collision = CollisionModel(larger, robot, larger.payload_box)
         except BadCell:

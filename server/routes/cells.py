@@ -9,15 +9,22 @@ from typing import Annotated
 
 from fastapi import APIRouter, Depends, Request, Response
 from fastapi import Path as InPath
+from sqlalchemy.orm import Session
 
-from core.cell import Cell
-from core.errors import HeftError
+from core.cell import Cell, CellRead
+from core.errors import BadInput, BadTwin, HeftError
+from core.shapes import Pose
 from server import audit, zones
 from server.cell_archive import UPLOAD
+from server.cell_folder import CellFolder
+from server.cell_now import read_now
 from server.cell_uploads import take_in, upload_folder
 from server.dependencies import Asking, Cells, Here, Now, Stored
+from server.problems import Flaw, flaws_of
+from server.routes.twins import twin_of
 from server.schemas import Answer, Name
 from server.zip_body import ZIP, check_is_zip, write_body
+from server.zones import ZonePosition
 
 router = APIRouter(prefix="/api/cells", tags=["cells"])
 
@@ -25,32 +32,47 @@ CellName = Annotated[Name, InPath()]
 
 
 class CellListed(Answer):
-    """A cell; `flaw` says why it cannot be used."""
+    """A cell; `flaw` says in a sentence why nothing can be planned in it now, `flaws` says all of it."""
 
     name: str
     title: str | None
     flaw: str | None
+    flaws: list[Flaw]
 
 
 class ZonePlace(Answer):
-    """When a zone was brought to where it is now, and by whom: measured by the clock of who measured it, received by ours."""
+    """When a zone was brought to where it is now, and by whom: measured by the clock of who measured it, received by ours.
+
+    Args:
+        previous: where it was before.
+        in_file: where the cell's file has it.
+    """
 
     zone: str
     moves: int
     moved_by: str
     measured_at: datetime
     received_at: datetime
+    previous: Pose
+    in_file: Pose
 
 
 class CellShown(Answer):
     """A cell, its protected zones where they are now; `sha256` covers its files.
 
     Args:
-        moved: the zones that are no longer where the cell's file has them.
+        cell: null where its `cell.toml` cannot be read as a cell; then `flaws` says why.
+        flaws: why nothing can be planned in it now, be it the fault of its files or of where its zones are.
+        in_the_way: obstacles and zones that stand where the robot's base is.
+        drawn: whether `/viewer/{cell}/` can show it, which takes a sound robot.
+        moved: the zones that were brought to where they are now.
         read_at: the service's clock, for who measures zones and has none of their own that agrees.
     """
 
-    cell: Cell
+    cell: Cell | None
+    flaws: list[Flaw]
+    in_the_way: list[str]
+    drawn: bool
     sha256: str
     moved: list[ZonePlace]
     read_at: datetime
@@ -75,21 +97,28 @@ Uploaded = Annotated[Path, Depends(_uploaded)]
 
 
 @router.get("")
-def list_cells(cells: Cells) -> list[CellListed]:
-    """All cells."""
-    found = [(name, cells.flaw(name)) for name in cells.names()]
-    return [CellListed(name=name, title=None if flaw else cells.load(name).title, flaw=flaw) for name, flaw in found]
+def list_cells(cells: Cells, store: Stored) -> list[CellListed]:
+    """All cells, also those in which nothing can be planned."""
+    with store.read() as db:
+        return [_listed(name, *_looked_at(cells, db, name)) for name in cells.names()]
 
 
 @router.get("/{cell}")
 def read_cell(cell: CellName, cells: Cells, store: Stored, now: Now) -> CellShown:
-    """A cell, its protected zones where they are now."""
-    loaded = cells.load(cell)
+    """A cell, its protected zones where they are now, and what speaks against planning in it."""
     with store.read() as db:
+        there, flaws = _looked_at(cells, db, cell)
         known = zones.positions(db, cell)
-        moved = [ZonePlace.model_validate(row) for zone, row in known.items() if any(zone == each.name for each in loaded.zones)]
-    there = zones.with_zones_where_they_are(loaded, known)
-    return CellShown(cell=there, sha256=cells.digest(cell), moved=moved, read_at=now)
+    in_file = {} if there is None else {each.name: each.shape.pose for each in cells.read(cell).cell.zones}
+    return CellShown(
+        cell=None if there is None else there.cell,
+        flaws=flaws_of(flaws),
+        in_the_way=[flaw.in_the_way for flaw in flaws if flaw.in_the_way is not None],
+        drawn=there is not None and not there.robot_flaws,
+        sha256=cells.digest(cell),
+        moved=[_place(row, in_file[zone]) for zone, row in known.items() if zone in in_file],
+        read_at=now,
+    )
 
 
 @router.post("/validate", openapi_extra=ZIP)
@@ -111,6 +140,41 @@ def create_cell(folder: Uploaded, here: Here, asking: Asking, now: Now, response
 def replace_cell(cell: CellName, folder: Uploaded, here: Here, asking: Asking, now: Now) -> CellTaken:
     """Takes a cell in, in place of the one of that name."""
     return _take_in(here, folder, cell, asking, now)
+
+
+def _looked_at(cells: CellFolder, db: Session, name: str) -> tuple[CellRead | None, list[BadInput]]:
+    """A cell as it is now, None where it cannot be read, and all that is wrong with it and its twin.
+
+    Raises:
+        NotFound: there is none of that name.
+    """
+    try:
+        there = read_now(cells, db, name)
+    except BadInput as error:
+        return None, [error, *error.others]
+    flaws = cells.flaws(there)
+    try:
+        twin_of(there.cell)
+    except BadTwin as error:
+        flaws.append(error)
+    return there, flaws
+
+
+def _listed(name: str, there: CellRead | None, flaws: list[BadInput]) -> CellListed:
+    title = None if there is None else there.cell.title
+    return CellListed(name=name, title=title, flaw=str(flaws[0]) if flaws else None, flaws=flaws_of(flaws))
+
+
+def _place(row: ZonePosition, in_file: Pose) -> ZonePlace:
+    return ZonePlace(
+        zone=row.zone,
+        moves=row.moves,
+        moved_by=row.moved_by,
+        measured_at=row.measured_at,
+        received_at=row.received_at,
+        previous=zones.before(row, in_file),
+        in_file=in_file,
+    )
 
 
 def _take_in(here: Here, folder: Path, name: str | None, asking: Asking, now: Now) -> CellTaken:

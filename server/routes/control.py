@@ -10,7 +10,8 @@ from pydantic import Field, ValidationError
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.websockets import WebSocketDisconnect
 
-from core.cell import Cell
+from core.cell import Control as CellControl
+from core.errors import HeftError
 from core.sessions.leased import Renewal
 from server import audit
 from server.auth import Caller
@@ -93,31 +94,31 @@ class StampAnswer(Body):
 @router.post("")
 async def take_control(body: ControlBody, here: Here, asking: Asking, now: Now) -> ControlAnswer:
     """Takes control; then open the websocket `/api/control/{cell}/lease` and answer its stamps. Ends when they stop coming back."""
-    cell = await asyncio.to_thread(here.cells.load, body.cell)
-    here.control.check_free(cell.name, asking.who)
+    settings = await asyncio.to_thread(_settings, here, body.cell)
+    here.control.check_free(body.cell, asking.who)
 
     def write() -> int:
         with here.store.write() as db:
-            fence = next_fence(db, cell.name)
-            audit.record(db, asking.who, "control.take", {"cell": cell.name, "fence": fence}, now=now)
+            fence = next_fence(db, body.cell)
+            audit.record(db, asking.who, "control.take", {"cell": body.cell, "fence": fence}, now=now)
             return fence
 
-    here.control.take(cell.name, asking.who, await asyncio.to_thread(write), cell.control.lease_s)
-    return _answer(here, cell)
+    here.control.take(body.cell, asking.who, await asyncio.to_thread(write), settings.lease_s)
+    return _answer(here, body.cell, settings)
 
 
 @router.get("/{cell}")
 async def read_control(cell: str, here: Here) -> ControlAnswer:
     """Who is in control of a cell, and over which link."""
-    return _answer(here, await asyncio.to_thread(here.cells.load, cell))
+    return _answer(here, cell, await asyncio.to_thread(_settings, here, cell))
 
 
 @router.delete("/{cell}")
 async def let_go_of_control(cell: str, fence: int, here: Here, asking: Asking) -> ControlAnswer:
     """Lets go of control that was taken with this fence; a robot that moves is put on hold when its lease ends."""
-    loaded = await asyncio.to_thread(here.cells.load, cell)
+    settings = await asyncio.to_thread(_settings, here, cell)
     here.control.let_go(cell, asking.who, fence)
-    return _answer(here, loaded)
+    return _answer(here, cell, settings)
 
 
 @router.websocket("/{cell}/lease")
@@ -189,14 +190,27 @@ class _Keeper:
                 continue  # the database is away; it is asked again
 
 
-def _answer(here: Service, cell: Cell) -> ControlAnswer:
-    holder = here.control.holder(cell.name)
+def _settings(here: Service, name: str) -> CellControl:
+    """How a cell's robot depends on whoever is in control; the usual where its file cannot be read: a robot in it may have to be cleared.
+
+    Raises:
+        NotFound: there is no such cell.
+    """
+    here.cells.check_known(name)
+    try:
+        return here.cells.read(name).cell.control
+    except HeftError:
+        return CellControl()
+
+
+def _answer(here: Service, cell: str, settings: CellControl) -> ControlAnswer:
+    holder = here.control.holder(cell)
     found = None if holder is None else holder.link.figures(holder.lease_s, here.control.clock())
     return ControlAnswer(
-        cell=cell.name,
+        cell=cell,
         holder=None if holder is None else holder.who,
         fence=None if holder is None else holder.fence,
-        lease_s=cell.control.lease_s,
-        hold_limit_s=cell.control.hold_limit_s,
+        lease_s=settings.lease_s,
+        hold_limit_s=settings.hold_limit_s,
         link=None if found is None else LinkAnswer(**found._asdict()),
     )

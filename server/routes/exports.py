@@ -73,7 +73,7 @@ def download_export(run: str, target: TargetName, here: Here) -> Response:
 
 def _payload(here: Service, run: str) -> tuple[UncertainParameters, Cell]:
     row = here.conductor.row_of(run)
-    cell = here.cells.load(row.cell)
+    cell = here.cells.read(row.cell).cell
     return payload_of(run_ledger.result_of(row), cell), cell
 
 

@@ -28,6 +28,6 @@ def queue_motion(
     cell = DiagnosisOrder.model_validate_json(diagnosed.order).cell
     if cell is None:
         raise Conflict(f"diagnosis {diagnosis}: its recording was made in no cell of this service; upload it again with ?cell=")
-    order = order_of(motion, continued, here.cells.load(cell), body)
+    order = order_of(motion, continued, here.cells.read(cell).cell, body)
     same = f"{diagnosis} {body.model_dump_json()}".encode()
     return queued(here, response, Request(asking.who, now, idempotency_key, same), order, motion)

@@ -70,7 +70,7 @@ def compare_runs(run: str, other: str, here: Here) -> ComparisonAnswer:
 
 def _mounted(here: Service, row: RunRow) -> Cell:
     """The cell of a run, which says how its sensor is mounted."""
-    cell = here.cells.load(row.cell)
+    cell = here.cells.read(row.cell).cell
     if cell.sensor.mount is None:
         raise Conflict(
             f"cell {row.cell!r}: does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common"

@@ -30,7 +30,7 @@ def queue_run(
 ) -> RunAnswer:
     """Queues a run; nothing moves before an operator at the cell has released its plan. The same `Idempotency-Key` makes one run."""
     body = order.model_dump_json().encode()
-    order = with_payload(order, here.cells.load(order.cell))
+    order = with_payload(order, here.cells.read(order.cell).cell)
     return queued(here, response, Request(asking.who, now, idempotency_key, body), order)
 
 

@@ -87,7 +87,7 @@ class AdditionAnswer(JobAnswer):
 @router.get("")
 def read_twin(cell: PathName, cells: Cells) -> TwinAnswer:
     """The effects that simulated runs, identification and diagnosis of the cell count with."""
-    return twin_of(cells.load(cell))
+    return twin_of(cells.read(cell).cell)
 
 
 @router.post("", status_code=HTTP_202_ACCEPTED)
@@ -152,7 +152,7 @@ def twin_of(cell: Cell) -> TwinAnswer:
     try:
         return TwinAnswer.model_validate_json(read_inside(cell.folder, TWIN_FILE, BadTwin, max_bytes=MAX_BYTES))
     except ValidationError as error:
-        raise BadTwin(*schema_flaw(error.errors()[0]).at(TWIN_FILE)) from error
+        raise BadTwin(*schema_flaw(error.errors()[0]).at(f"{cell.name}/{TWIN_FILE}")) from error
 
 
 def _load(db: Session, cell: str, addition: str) -> JobRow:

@@ -1,4 +1,4 @@
-"""Where the protected zones of a cell are now."""
+"""Where the protected zones of a cell are now, where they would be, and the way back."""
 
 from __future__ import annotations
 
@@ -7,13 +7,18 @@ from typing import Annotated
 
 from fastapi import APIRouter
 from fastapi import Path as InPath
+from sqlalchemy.orm import Session
 
-from core.cell_contradictions import contradictions
 from core.shapes import Pose
 from server import audit, zones
+from server.cell_now import read_now
 from server.dependencies import Asking, Here, Now
 from server.errors import Conflict
+from server.problems import Flaw, flaws_of
 from server.schemas import Answer, Body, Moment, Name
+from server.service import Service
+from server.zone_check import flaws_of_bodies
+from server.zones import ZonePosition
 
 router = APIRouter(prefix="/api/cells/{cell}/zones", tags=["cells"])
 
@@ -28,16 +33,50 @@ class ZoneMove(Body):
     measured_at: Moment
 
 
+class ZoneTry(Body):
+    """Where a zone's centre would be, in the world frame."""
+
+    pose: Pose
+
+
+class ZoneBack(Body):
+    """The way back.
+
+    Args:
+        to: where it was `before`, or where the cell's `file` has it.
+        moves: how often the zone had moved when whoever asks saw it; refused where it has moved on since.
+    """
+
+    to: zones.Back = "before"
+    moves: int | None = None
+
+
 class ZoneShown(Answer):
-    """A zone's latest place; `contradiction` says why nothing can be planned while it is there."""
+    """A zone's latest place.
+
+    Args:
+        previous: where it was before that.
+        contradiction: why nothing can be planned while it is there, in a sentence; `flaws` says all of it.
+    """
 
     cell: str
     zone: str
     pose: Pose
+    previous: Pose
     moves: int
     measured_at: datetime
     received_at: datetime
     contradiction: str | None
+    flaws: list[Flaw]
+
+
+class ZoneChecked(Answer):
+    """Why nothing could be planned with a zone at a place; nothing where `flaws` is empty. The zone has not moved."""
+
+    cell: str
+    zone: str
+    pose: Pose
+    flaws: list[Flaw]
 
 
 @router.put("/{zone}")
@@ -47,20 +86,50 @@ def move_zone(cell: PathName, zone: PathName, moved: ZoneMove, asking: Asking, h
         raise Conflict(
             f"measured_at: {moved.measured_at.isoformat()} is ahead of the service's clock, {now.isoformat()}; set the measuring clock"
         )
-    loaded = here.cells.load(cell)
+    loaded = here.cells.read(cell).cell
     with here.store.write() as db:
         row = zones.move(db, loaded, zone, moved.pose, moved.measured_at, asking.who, now)
         said = {"cell": cell, "zone": zone, "pose": row.pose, "measured_at": moved.measured_at.isoformat()}
         audit.record(db, asking.who, "zone.move", said, now=now)
-        known = zones.positions(db, cell)
+        shown = _shown(here, db, row)
     here.conductor.zone_moved(cell, zone, moved.pose)
-    flaw = next(contradictions(zones.with_zones_where_they_are(loaded, known)), None)
+    return shown
+
+
+@router.post("/{zone}/check")
+def check_zone(cell: PathName, zone: PathName, tried: ZoneTry, here: Here) -> ZoneChecked:
+    """What a zone would contradict at a place, the whole arm at home included, before anybody moves it there."""
+    with here.store.read() as db:
+        found = read_now(here.cells, db, cell)
+    zones.place_in_file(found.cell, zone)
+    there = zones.with_zones_at(found.cell, {zone: tried.pose})
+    flaws = here.cells.flaws(found._replace(cell=there)) or flaws_of_bodies(there)
+    return ZoneChecked(cell=cell, zone=zone, pose=tried.pose, flaws=flaws_of(flaws))
+
+
+@router.post("/{zone}/undo")
+def put_zone_back(cell: PathName, zone: PathName, asking: Asking, here: Here, now: Now, back: ZoneBack | None = None) -> ZoneShown:
+    """Puts a zone back to where it was before, or to where the cell's file has it; a later measurement moves it as ever."""
+    asked = back or ZoneBack()
+    loaded = here.cells.read(cell).cell
+    with here.store.write() as db:
+        row = zones.put_back(db, loaded, zone, asked.to, asked.moves, asking.who, now)
+        audit.record(db, asking.who, "zone.undo", {"cell": cell, "zone": zone, "to": asked.to, "pose": row.pose}, now=now)
+        shown = _shown(here, db, row)
+    here.conductor.zone_moved(cell, zone, shown.pose)
+    return shown
+
+
+def _shown(here: Service, db: Session, row: ZonePosition) -> ZoneShown:
+    flaws = here.cells.flaws(read_now(here.cells, db, row.cell))
     return ZoneShown(
-        cell=cell,
-        zone=zone,
-        pose=moved.pose,
+        cell=row.cell,
+        zone=row.zone,
+        pose=Pose.model_validate_json(row.pose),
+        previous=zones.before(row, zones.place_in_file(here.cells.read(row.cell).cell, row.zone)),
         moves=row.moves,
         measured_at=row.measured_at,
         received_at=row.received_at,
-        contradiction=None if flaw is None else f"{flaw.key}: found {flaw.found}, expected {flaw.expected}",
+        contradiction=str(flaws[0]) if flaws else None,
+        flaws=flaws_of(flaws),
     )

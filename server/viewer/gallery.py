@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import asyncio
 
+from sqlalchemy.exc import SQLAlchemyError
+
 from core.cell import Cell
+from core.errors import HeftError
+from core.shapes import Pose
 from server import run_ledger
 from server.conductor import Conductor
 from server.viewer.process import InTheWay, Moved, Planned, ViewerProcess, Zones
@@ -88,10 +92,29 @@ class Gallery:
             await asyncio.sleep(PERIOD_S)
 
     async def _told_changes(self, cell: Cell, in_the_way: str | None, viewer: ViewerProcess) -> tuple[Cell, str | None]:
-        """Tells the viewer what has changed in the store; returns how it stands there."""
-        now, named = await asyncio.to_thread(self._standing, cell.name)
+        """Tells the viewer what has changed; returns how it stands.
+
+        Where the robot or an obstacle is another one by now, the viewer ends: the next look begins one anew.
+        """
+        try:
+            now, named = await asyncio.to_thread(self._standing, cell.name)
+            same = _never_redrawn(now) == _never_redrawn(cell)
+        except (HeftError, SQLAlchemyError):  # what was drawn stays until the cell can be read again
+            return cell, in_the_way
+        if not same:
+            viewer.close()
+            return now, named
         if now.zones != cell.zones:
             viewer.tell(Zones(now))
         if named != in_the_way:
             viewer.tell(InTheWay(named))
         return now, named
+
+
+def _never_redrawn(cell: Cell) -> tuple[object, ...]:
+    """What a viewer draws once: all but where the zones are."""
+    return (
+        cell.model_copy(update={"zones": ()}),
+        cell.urdf,
+        [(zone.name, zone.shape.model_copy(update={"pose": Pose()})) for zone in cell.zones],
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -11,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.cell import Box, Capsule, Pose, Shape, Sphere, find_cell, list_cells, load_cell
+from core.cell import Box, Capsule, Pose, Shape, Sphere, contradictions_of, find_cell, list_cells, load_cell, read_cell
 from core.errors import BadCell, BadInput, BadRobot
 
 CELLS = Path(__file__).parents[2] / "cells"
@@ -179,6 +180,40 @@ def test_all_that_is_wrong_with_a_cell_is_told_at_once(changes: list[tuple[str, 
     told = (caught.value, *caught.value.others)
     assert {each.where.removeprefix(f"{folder / 'cell.toml'}: ") for each in told} == keys
     assert all(isinstance(each, BadCell) for each in told)
+
+
+@pytest.mark.parametrize(
+    ("name", "of_robot"),
+    [("floor above the base", False), ("zone swallows the base", False), ("sensor too weak", False), ("name twice", False),
+     ("home of six", True), ("unknown base frame", True), ("URDF not there", True), ("URDF with a massless link", True)],
+)  # fmt: skip
+def test_a_cell_that_contradicts_itself_can_be_read_and_says_what_is_wrong(name: str, of_robot: bool, folder: Path) -> None:
+    break_it, words = BROKEN[name]
+    break_it(folder)
+    found = read_cell(folder)
+    assert (found.cell.name, len(found.cell.zones)) == ("lwr4_bench", 1)
+    [flaw] = found.flaws
+    assert re.search(words, str(flaw))
+    assert bool(found.robot_flaws) is of_robot
+    with pytest.raises(BadInput) as caught:
+        load_cell(folder)
+    assert str(caught.value) == str(flaw)
+
+
+@pytest.mark.parametrize("name", ["no file", "not TOML", "not UTF-8", "clearance negative", "no robot"])
+def test_a_file_that_holds_no_cell_cannot_be_read(name: str, folder: Path) -> None:
+    BROKEN[name][0](folder)
+    with pytest.raises(BadCell, match=BROKEN[name][1]):
+        read_cell(folder)
+
+
+def test_a_sound_cell_has_no_flaws_until_a_zone_is_moved_onto_the_robot(folder: Path) -> None:
+    found = read_cell(folder)
+    assert found.flaws == ()
+    [flaw] = found._replace(cell=found.cell.with_moved("operator", Pose())).flaws
+    assert flaw.where.endswith("zones.operator.shape")
+    assert flaw.in_the_way == "operator"
+    assert contradictions_of(found.cell.with_moved("operator", Pose(xyz_m=(1.5, 0.0, 0.6)))) == []
 
 
 def test_a_folder_without_a_cell_is_named(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import zstandard
 from viser import _messages as messages
-from websockets.exceptions import InvalidStatus
+from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
 from core.cell import Pose, load_cell
@@ -60,6 +60,29 @@ def test_what_is_in_the_way_of_a_refused_run_gets_a_sign(real: RealService):
         shown = b""
         while f"▲ {zone}".encode() not in shown:
             shown = inside(live.recv(timeout=20))
+    person.leave()
+
+
+def test_a_cell_is_drawn_wherever_its_zones_are_and_drawn_anew_when_something_else_stands_in_it(real: RealService):
+    person = Console(real)
+    file = real.data / "cells" / "lwr4_bench" / "cell.toml"
+    sound = file.read_text()
+    with zone_at(person, (0.0, 0.0, 0.0)):
+        assert person.http.get("/api/cells/lwr4_bench").json()["flaws"]
+        assert person.http.get("/viewer/lwr4_bench/", timeout=60).status_code == 200
+        with person.socket("/viewer/lwr4_bench", subprotocols=[VISER], max_size=None) as live:
+            live.recv(timeout=20)
+            file.write_text(sound.replace('name = "fixture"', 'name = "fixture_of_today"', 1))
+            with pytest.raises(ConnectionClosed):
+                while True:
+                    live.recv(timeout=20)
+        try:
+            with person.socket("/viewer/lwr4_bench", subprotocols=[VISER], max_size=None) as live:
+                shown = b""
+                while b"fixture_of_today" not in shown:
+                    shown = inside(live.recv(timeout=60))
+        finally:
+            file.write_text(sound)
     person.leave()
 
 

@@ -45,6 +45,10 @@ def test_a_zone_is_moved_by_typed_numbers_and_every_screen_says_by_whom(at: Tabl
     check_looks(look(at.page, "cells"))
     at.page.get_by_role("textbox", name="x").fill("1,42")
     at.page.get_by_role("textbox", name="y").fill("-0.25")
+    expect(at.page.locator(".zone-preview")).to_contain_text("The robot’s base and its arm at home stay free.")
+    expect(at.page.locator(".zone-places .tile")).to_contain_text("centre at 1.350 | 0.000 | 0.625 m")
+    assert outlines(at) == [(0.92, 1.92), (-1.75, 1.25)]
+    check_looks(look(at.page, "a place that nothing speaks against"))
     at.press("Move the zone")
     expect(at.page.locator(".zone-places .tile")).to_contain_text("centre at 1.420 | −0.250 | 0.625 m")
     expect(at.page.locator(".zone-places .tile")).to_contain_text("moved by operator")
@@ -55,6 +59,79 @@ def test_a_zone_is_moved_by_typed_numbers_and_every_screen_says_by_whom(at: Tabl
     assert console.http.put("/api/cells/lwr4_bench/zones/operator", json=moved).status_code == 200
     expect(at.page.locator(".zone-places .tile")).to_contain_text("centre at 1.350 | 0.000 | 0.625 m")
     console.leave()
+
+
+def outlines(at: Tablet) -> list[tuple[float, float]]:
+    """From where to where a zone would be, along x and y of the drawing from above, m."""
+    points = at.page.locator(".zone-preview svg").first.locator(".zone-new").get_attribute("points") or ""
+    corners = [[float(number) for number in point.split(",")] for point in points.split()]
+    xs, ys = [x for x, _ in corners], [-y for _, y in corners]
+    return [(min(xs), max(xs)), (min(ys), max(ys))]
+
+
+def test_a_zone_on_the_robot_is_seen_before_it_moves_and_the_cell_says_what_is_wrong_and_leads_back(at: Tablet, service: RealService):
+    console = Console(service)
+    page = at.page
+    for axis, metres in (("x", "0"), ("y", "0"), ("z", "0.6")):
+        page.get_by_role("textbox", name=axis).fill(metres)
+    warned = page.locator(".zone-preview [role=alert]")
+    expect(warned).to_contain_text("Nothing can be planned while it is there")
+    expect(warned).to_contain_text("the robot's base 0.500 m inside it")
+    check_looks(look(page, "a place that makes planning impossible"))
+    assert console.http.get("/api/cells/lwr4_bench").json()["flaws"] == []
+    at.press("Move the zone")
+    flawed = page.locator(".cells > section > [role=alert]")
+    expect(flawed).to_contain_text("zones.operator.shape")
+    expect(page.locator("iframe.viewer")).to_be_visible()
+    expect(page.get_by_role("radio", name="lwr4_bench")).to_be_enabled()
+    expect(page.locator(".option", has_text="lwr4_bench")).to_contain_text("nothing can be planned there now")
+    check_looks(look(page, "a cell in which nothing can be planned"))
+    at.tap(page.get_by_role("link", name="Run", exact=True))
+    expect(page.locator(".setup [role=alert]")).to_contain_text("Nothing can be planned in this cell")
+    expect(page.get_by_role("button", name="plan")).to_have_count(0)
+    expect(page.get_by_role("link", name="Look at the cell")).to_have_attribute("href", "#/cells/lwr4_bench")
+    check_looks(look(page, "a cell that takes no run"))
+    at.press("Put operator back where it was")
+    expect(page.locator(".setup [role=alert]")).to_have_count(0)
+    expect(page.get_by_role("button", name="plan")).to_be_enabled()
+    assert console.http.get("/api/cells/lwr4_bench").json()["cell"]["zones"][0]["shape"]["pose"]["xyz_m"] == [1.35, 0.0, 0.625]
+    console.leave()
+
+
+def test_an_arm_that_could_not_stand_at_home_is_told_before_the_zone_moves(at: Tablet):
+    at.page.get_by_role("textbox", name="x").fill("0.95")
+    expect(at.page.locator(".zone-preview [role=alert]")).to_contain_text("robot.home_rad")
+    at.press("Leave it")
+    expect(at.page.locator(".zone-preview")).to_have_count(0)
+    expect(at.page.get_by_role("textbox", name="x")).to_have_value("1.350")
+
+
+@pytest.mark.parametrize(
+    ("file", "before", "after", "says", "sketches"),
+    [
+        ("cell.toml", "clearance_m = 0.03", "clearance_m = -1.0", "limits.clearance_m", 0),
+        ("cell.toml", "floor_z_m = -0.75", "floor_z_m = 0.4", "floor_z_m", 0),
+        ("robot.urdf", "</robot>", "", "XML that does not parse", 2),
+    ],
+    ids=["a value that is impossible", "values that contradict", "a robot that cannot be read"],
+)  # fmt: skip
+def test_a_cell_broken_on_disk_is_shown_with_its_flaw_until_it_is_mended(
+    file: str, before: str, after: str, says: str, sketches: int, at: Tablet, service: RealService
+):
+    path = service.data / "cells" / "lwr4_bench" / file
+    sound_text = path.read_text()
+    flawed = at.page.locator(".cells > section > [role=alert]")
+    try:
+        path.write_text(sound_text.replace(before, after, 1))
+        expect(flawed).to_contain_text(says)
+        expect(flawed).to_contain_text("take in a zip of a mended cell")
+        expect(at.page.locator(".undrawn svg")).to_have_count(sketches)
+        check_looks(look(at.page, says))
+    finally:
+        path.write_text(sound_text)
+    expect(flawed).to_have_count(0)
+    expect(at.page.locator("iframe.viewer")).to_be_visible()
+    expect(at.page.locator(".zone-places .tile")).to_have_count(1)
 
 
 def test_a_cell_that_cannot_be_used_is_refused_in_words_and_a_sound_one_taken_in_when_somebody_says_so(at: Tablet, service: RealService):

@@ -229,7 +229,7 @@ export interface paths {
         };
         /**
          * List Cells
-         * @description All cells.
+         * @description All cells, also those in which nothing can be planned.
          */
         get: operations["list_cells"];
         put?: never;
@@ -253,7 +253,7 @@ export interface paths {
         };
         /**
          * Read Cell
-         * @description A cell, its protected zones where they are now.
+         * @description A cell, its protected zones where they are now, and what speaks against planning in it.
          */
         get: operations["read_cell"];
         /**
@@ -302,6 +302,46 @@ export interface paths {
          */
         put: operations["move_zone"];
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/cells/{cell}/zones/{zone}/check": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Check Zone
+         * @description What a zone would contradict at a place, the whole arm at home included, before anybody moves it there.
+         */
+        post: operations["check_zone"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/cells/{cell}/zones/{zone}/undo": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Put Zone Back
+         * @description Puts a zone back to where it was before, or to where the cell's file has it; a later measurement moves it as ever.
+         */
+        post: operations["put_zone_back"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1160,7 +1200,7 @@ export interface components {
         Cause: "network" | "page" | "service" | "store" | "control_process" | "sensor" | "robot";
         /**
          * CellListed
-         * @description A cell; `flaw` says why it cannot be used.
+         * @description A cell; `flaw` says in a sentence why nothing can be planned in it now, `flaws` says all of it.
          */
         CellListed: {
             /** Name */
@@ -1169,6 +1209,8 @@ export interface components {
             title: string | null;
             /** Flaw */
             flaw: string | null;
+            /** Flaws */
+            flaws: components["schemas"]["Flaw"][];
         };
         /**
          * CellNow
@@ -1203,11 +1245,21 @@ export interface components {
          * @description A cell, its protected zones where they are now; `sha256` covers its files.
          *
          *     Args:
-         *         moved: the zones that are no longer where the cell's file has them.
+         *         cell: null where its `cell.toml` cannot be read as a cell; then `flaws` says why.
+         *         flaws: why nothing can be planned in it now, be it the fault of its files or of where its zones are.
+         *         in_the_way: obstacles and zones that stand where the robot's base is.
+         *         drawn: whether `/viewer/{cell}/` can show it, which takes a sound robot.
+         *         moved: the zones that were brought to where they are now.
          *         read_at: the service's clock, for who measures zones and has none of their own that agrees.
          */
         CellShown: {
-            cell: components["schemas"]["core__cell__Cell"];
+            cell: components["schemas"]["core__cell__Cell"] | null;
+            /** Flaws */
+            flaws: components["schemas"]["Flaw"][];
+            /** In The Way */
+            in_the_way: string[];
+            /** Drawn */
+            drawn: boolean;
             /** Sha256 */
             sha256: string;
             /** Moved */
@@ -1653,6 +1705,18 @@ export interface components {
             kind: "finished";
             /** Verdict */
             verdict: string;
+        };
+        /**
+         * Flaw
+         * @description One thing that cannot be used: in the request, or in a cell.
+         */
+        Flaw: {
+            /** Where */
+            where: string;
+            /** Found */
+            found: string;
+            /** Expected */
+            expected: string;
         };
         /**
          * GapPart
@@ -3206,6 +3270,37 @@ export interface components {
             shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"];
         };
         /**
+         * ZoneBack
+         * @description The way back.
+         *
+         *     Args:
+         *         to: where it was `before`, or where the cell's `file` has it.
+         *         moves: how often the zone had moved when whoever asks saw it; refused where it has moved on since.
+         */
+        ZoneBack: {
+            /**
+             * To
+             * @default before
+             * @enum {string}
+             */
+            to?: "before" | "file";
+            /** Moves */
+            moves?: number | null;
+        };
+        /**
+         * ZoneChecked
+         * @description Why nothing could be planned with a zone at a place; nothing where `flaws` is empty. The zone has not moved.
+         */
+        ZoneChecked: {
+            /** Cell */
+            cell: string;
+            /** Zone */
+            zone: string;
+            pose: components["schemas"]["Pose"];
+            /** Flaws */
+            flaws: components["schemas"]["Flaw"][];
+        };
+        /**
          * ZoneMove
          * @description Where a zone's centre was measured, in the world frame; its shape and size stay.
          */
@@ -3220,6 +3315,10 @@ export interface components {
         /**
          * ZonePlace
          * @description When a zone was brought to where it is now, and by whom: measured by the clock of who measured it, received by ours.
+         *
+         *     Args:
+         *         previous: where it was before.
+         *         in_file: where the cell's file has it.
          */
         ZonePlace: {
             /** Zone */
@@ -3238,10 +3337,16 @@ export interface components {
              * Format: date-time
              */
             received_at: string;
+            previous: components["schemas"]["Pose"];
+            in_file: components["schemas"]["Pose"];
         };
         /**
          * ZoneShown
-         * @description A zone's latest place; `contradiction` says why nothing can be planned while it is there.
+         * @description A zone's latest place.
+         *
+         *     Args:
+         *         previous: where it was before that.
+         *         contradiction: why nothing can be planned while it is there, in a sentence; `flaws` says all of it.
          */
         ZoneShown: {
             /** Cell */
@@ -3249,6 +3354,7 @@ export interface components {
             /** Zone */
             zone: string;
             pose: components["schemas"]["Pose"];
+            previous: components["schemas"]["Pose"];
             /** Moves */
             moves: number;
             /**
@@ -3263,10 +3369,21 @@ export interface components {
             received_at: string;
             /** Contradiction */
             contradiction: string | null;
+            /** Flaws */
+            flaws: components["schemas"]["Flaw"][];
+        };
+        /**
+         * ZoneTry
+         * @description Where a zone's centre would be, in the world frame.
+         */
+        ZoneTry: {
+            pose: components["schemas"]["Pose"];
         };
         /**
          * Cell
          * @description One robot cell, everything the procedure needs to know of it.
+         *
+         *     Every value is right by itself; whether they go together says `contradictions_of`.
          */
         core__cell__Cell: {
             /** Name */
@@ -3397,18 +3514,6 @@ export interface components {
          */
         server__packml__State: "Stopped" | "Resetting" | "Idle" | "Starting" | "Execute" | "Completing" | "Complete" | "Aborting" | "Aborted" | "Clearing" | "Stopping" | "Suspending" | "Suspended" | "Unsuspending" | "Holding" | "Held" | "Unholding";
         /**
-         * Flaw
-         * @description One thing in the request that cannot be used.
-         */
-        Flaw: {
-            /** Where */
-            where: string;
-            /** Found */
-            found: string;
-            /** Expected */
-            expected: string;
-        };
-        /**
          * Problem
          * @description What went wrong; `type` names the kind, `detail` is a sentence for a person.
          * @example {
@@ -3500,6 +3605,7 @@ export type Explanation = components['schemas']['Explanation'];
 export type ExportListed = components['schemas']['ExportListed'];
 export type ExportsAnswer = components['schemas']['ExportsAnswer'];
 export type Finished = components['schemas']['Finished'];
+export type Flaw = components['schemas']['Flaw'];
 export type GapPart = components['schemas']['GapPart'];
 export type Health = components['schemas']['Health'];
 export type JobState = components['schemas']['JobState'];
@@ -3575,16 +3681,18 @@ export type WebhookAnswer = components['schemas']['WebhookAnswer'];
 export type WebhookBody = components['schemas']['WebhookBody'];
 export type Where = components['schemas']['Where'];
 export type Zone = components['schemas']['Zone'];
+export type ZoneBack = components['schemas']['ZoneBack'];
+export type ZoneChecked = components['schemas']['ZoneChecked'];
 export type ZoneMove = components['schemas']['ZoneMove'];
 export type ZonePlace = components['schemas']['ZonePlace'];
 export type ZoneShown = components['schemas']['ZoneShown'];
+export type ZoneTry = components['schemas']['ZoneTry'];
 export type CoreCellCell = components['schemas']['core__cell__Cell'];
 export type CoreCellPayload = components['schemas']['core__cell__Payload'];
 export type CoreGapAnswerCell = components['schemas']['core__gap__answer__Cell'];
 export type CoreGapAnswerPayload = components['schemas']['core__gap__answer__Payload'];
 export type ServerJobsState = components['schemas']['server__jobs__State'];
 export type ServerPackmlState = components['schemas']['server__packml__State'];
-export type Flaw = components['schemas']['Flaw'];
 export type Problem = components['schemas']['Problem'];
 export type $defs = Record<string, never>;
 export interface operations {
@@ -4191,6 +4299,78 @@ export interface operations {
         requestBody: {
             content: {
                 "application/json": components["schemas"]["ZoneMove"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ZoneShown"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    check_zone: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                cell: string;
+                zone: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ZoneTry"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ZoneChecked"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_zone_back: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                cell: string;
+                zone: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["ZoneBack"] | null;
             };
         };
         responses: {

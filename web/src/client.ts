@@ -24,7 +24,11 @@ type Operation<E> = E extends `${infer M} ${infer P}`
     : never
   : never;
 type Parameters<O, K extends string> = O extends { parameters: { [key in K]?: infer T } } ? T : never;
-type Body<O> = O extends { requestBody: { content: { 'application/json': infer T } } } ? T : never;
+type Body<O> = O extends { requestBody?: infer R }
+  ? [R] extends [{ content: { 'application/json': infer T } } | undefined]
+    ? T
+    : never
+  : never;
 type Json<R> = R extends { content: { 'application/json': infer T } } ? T : never;
 type Good<O> = O extends { responses: infer R }
   ? { [S in keyof R]: S extends 200 | 201 | 202 ? Json<R[S]> : never }[keyof R]

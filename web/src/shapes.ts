@@ -16,10 +16,13 @@ export function centreOf(shape: Shape): [number, number, number] {
 }
 
 export function placeOf(shape: Shape): string {
+  return spotOf(centreOf(shape));
+}
+
+/** A point in the world frame. */
+export function spotOf(xyz_m: [number, number, number]): string {
   const { factor, unit, places } = scaleOf('length');
-  return `${centreOf(shape)
-    .map((value) => number(factor * value, places))
-    .join(' | ')} ${unit}`;
+  return `${xyz_m.map((value) => number(factor * value, places)).join(' | ')} ${unit}`;
 }
 
 function lengths(size_m: number[]): string {

@@ -1,22 +1,18 @@
-"""Cells over HTTP: listed, read, taken in by an engineer, with their zones where the people are."""
+"""Cells over HTTP: listed, read whatever is wrong with them, taken in by an engineer."""
 
 from __future__ import annotations
 
-from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
-from fastapi.testclient import TestClient
 
 from server.roles import Role
 from server.service import Service
 from server.settings import Settings
-from server.zones import positions, with_zones_where_they_are
 from tests.server.hostile_uploads import HOSTILE, sound, zipped
-from tests.server.people import BOTH_STORES, As, Clock
+from tests.server.people import As
 
 ZIP = {"content-type": "application/zip"}
-ZONE = "/api/cells/lwr4_bench/zones/operator"
 
 
 def other() -> bytes:
@@ -36,14 +32,64 @@ def test_a_cell_is_read_with_its_units_and_its_hash(signed_in: As, service: Serv
     assert answer["sha256"] == service.cells.digest("lwr4_bench")
 
 
-def test_a_cell_that_was_broken_by_hand_is_listed_with_its_flaw(signed_in: As, settings: Settings) -> None:
-    file = settings.cells_folder / "lwr4_bench" / "cell.toml"
-    file.write_text(file.read_text().replace("clearance_m = 0.03", "clearance_m = -1.0"))
+def change(settings: Settings, before: str, after: str, file: str = "cell.toml") -> None:
+    """By hand, in the folder of the cells."""
+    path = settings.cells_folder / "lwr4_bench" / file
+    text = path.read_text()
+    assert before in text
+    path.write_text(text.replace(before, after, 1))
+
+
+def test_a_cell_whose_file_cannot_be_read_is_listed_and_answers_with_its_flaw(signed_in: As, settings: Settings) -> None:
+    change(settings, "clearance_m = 0.03", "clearance_m = -1.0")
     viewer = signed_in(Role.viewer)
-    flaws = {cell["name"]: cell["flaw"] for cell in viewer.get("/api/cells").json()}
-    assert "limits.clearance_m: found -1.0" in flaws["lwr4_bench"]
+    listed = {cell["name"]: cell for cell in viewer.get("/api/cells").json()}["lwr4_bench"]
+    flaw = {"where": "lwr4_bench/cell.toml: limits.clearance_m", "found": "-1.0", "expected": "greater than 0"}
+    assert (listed["title"], listed["flaws"]) == (None, [flaw])
     answer = viewer.get("/api/cells/lwr4_bench")
-    assert (answer.status_code, answer.json()["type"]) == (422, "/problems/bad-cell")
+    assert answer.status_code == 200
+    assert (answer.json()["cell"], answer.json()["flaws"], answer.json()["drawn"]) == (None, [flaw], False)
+    change(settings, "clearance_m = -1.0", "clearance_m = 0.03")
+    assert viewer.get("/api/cells/lwr4_bench").json()["flaws"] == []
+
+
+CONTRADICTING = {
+    "a floor above the base": ("cell.toml", "floor_z_m = -0.75", "floor_z_m = 0.4", "cell.toml: floor_z_m", True),
+    "another name": ("cell.toml", 'name = "lwr4_bench"', 'name = "other"', "cell.toml: name", False),
+    "home outside the limits": ("cell.toml", "home_rad = [0.0, -0.35", "home_rad = [0.0, -2.35", "cell.toml: robot.home_rad", False),
+    "a robot that does not parse": ("robot.urdf", "</robot>", "", "robot.urdf", False),
+    "a robot that is not there": ("cell.toml", "home_rad", 'urdf = "none.urdf"\nhome_rad', "cell.toml: robot.urdf", False),
+}
+
+
+@pytest.mark.parametrize("what", CONTRADICTING)
+def test_a_cell_that_contradicts_itself_is_read_says_so_and_takes_no_run(
+    what: str, signed_in: As, settings: Settings, nothing_planned: None
+) -> None:
+    file, before, after, where, drawn = CONTRADICTING[what]
+    change(settings, before, after, file)
+    operator = signed_in(Role.operator)
+    answer = operator.get("/api/cells/lwr4_bench")
+    assert answer.status_code == 200
+    shown = answer.json()
+    assert shown["cell"]["name"] == "lwr4_bench"
+    assert shown["cell"]["limits"]["clearance_m"] == 0.03
+    assert [flaw["where"] for flaw in shown["flaws"]] == [f"lwr4_bench/{where}"]
+    assert shown["drawn"] is drawn
+    refused = operator.post("/api/runs", json={"cell": "lwr4_bench"})
+    assert refused.status_code == 422
+    assert refused.json()["flaws"] == shown["flaws"]
+    assert operator.get("/api/control/lwr4_bench").status_code == 200
+    assert operator.get("/api/cells/lwr4_bench/twin").status_code == 200
+
+
+@pytest.mark.parametrize(("text", "found"), [("{", "JSON that does not parse"), ('{"effects": [{}]}', "no such key")])
+def test_a_twin_that_no_longer_fits_is_a_flaw_of_a_cell_that_is_shown(text: str, found: str, signed_in: As, settings: Settings) -> None:
+    (settings.cells_folder / "lwr4_bench" / "twin.json").write_text(text)
+    shown = signed_in(Role.viewer).get("/api/cells/lwr4_bench").json()
+    assert shown["drawn"] is True
+    assert shown["flaws"][0]["where"].startswith("lwr4_bench/twin.json")
+    assert found in shown["flaws"][0]["found"]
 
 
 def test_an_engineer_takes_a_cell_in_and_it_is_written_down(signed_in: As) -> None:
@@ -77,72 +123,6 @@ def test_an_upload_that_is_no_zip_by_its_header_is_refused(signed_in: As) -> Non
 @pytest.mark.parametrize("name", ["..", "%2e%2e", "a b", "a%2fb", ".old-lwr4_bench", "lwr4_bench%00"])
 def test_a_name_that_could_lead_elsewhere_is_refused(name: str, signed_in: As) -> None:
     assert signed_in(Role.viewer).get(f"/api/cells/{name}").status_code in (404, 422)
-
-
-def moved(client: TestClient, x: float, at: str) -> int:
-    return client.put(ZONE, json={"pose": {"xyz_m": [x, 0.0, 0.625]}, "measured_at": at}).status_code
-
-
-@BOTH_STORES
-def test_a_zone_stands_where_it_was_last_seen(signed_in: As, service: Service) -> None:
-    operator = signed_in(Role.operator)
-    assert moved(operator, 1.5, "2026-03-01T08:00:00Z") == 200
-    assert moved(operator, 1.6, "2026-03-01T09:00:00.5+01:00") == 200
-    shown = operator.get("/api/cells/lwr4_bench").json()["cell"]["zones"][0]
-    assert shown["shape"]["pose"]["xyz_m"] == [1.6, 0.0, 0.625]
-    cell = service.cells.load("lwr4_bench")
-    with service.store.read() as db:
-        known = positions(db, "lwr4_bench")
-    assert known["operator"].moves == 2
-    there = with_zones_where_they_are(cell, known).zones[0].shape
-    assert there.corners.mean(axis=0) == pytest.approx([1.6, 0.0, 0.625])
-    assert cell.zones[0].shape.pose.xyz_m[0] == 1.35
-
-
-def test_a_zone_that_was_moved_says_by_whom_and_when_and_the_service_what_time_it_is(signed_in: As, clock: Clock) -> None:
-    operator = signed_in(Role.operator)
-    assert operator.get("/api/cells/lwr4_bench").json()["moved"] == []
-    assert moved(operator, 1.5, "2026-03-01T08:00:00Z") == 200
-    answer = operator.get("/api/cells/lwr4_bench").json()
-    assert datetime.fromisoformat(answer["read_at"]) == clock()
-    (place,) = answer["moved"]
-    assert (place["zone"], place["moves"], place["moved_by"]) == ("operator", 1, f"account:{Role.operator.value}")
-    assert datetime.fromisoformat(place["measured_at"]) == datetime(2026, 3, 1, 8, tzinfo=UTC)
-
-
-def test_measurements_out_of_order_repeated_or_from_the_future_are_refused(signed_in: As, clock: Clock) -> None:
-    operator = signed_in(Role.operator)
-    assert moved(operator, 1.5, "2026-03-01T08:00:00Z") == 200
-    assert moved(operator, 1.4, "2026-03-01T08:00:00Z") == 409
-    assert moved(operator, 1.4, "2026-03-01T07:59:59Z") == 409
-    assert moved(operator, 1.4, "2026-03-01T08:00:02Z") == 409
-    assert moved(operator, 1.4, "2026-03-01T08:00:01") == 422
-    clock.go_on(seconds=2)
-    assert moved(operator, 1.4, "2026-03-01T08:00:02Z") == 200
-
-
-def test_a_zone_over_the_robot_is_kept_and_what_it_contradicts_is_said(signed_in: As) -> None:
-    body = {"pose": {"xyz_m": [0.0, 0.0, 0.0]}, "measured_at": "2026-03-01T08:00:00Z"}
-    answer = signed_in(Role.operator).put(ZONE, json=body)
-    assert answer.status_code == 200
-    assert "zones.operator.shape" in answer.json()["contradiction"]
-    far = {"pose": {"xyz_m": [1.35, 0.0, 0.625]}, "measured_at": "2026-03-01T08:00:00.1Z"}
-    assert signed_in(Role.operator).put(ZONE, json=far).json()["contradiction"] is None
-
-
-@pytest.mark.parametrize(
-    ("address", "body", "status"),
-    [
-        (ZONE.replace("operator", "nobody"), {"pose": {}, "measured_at": "2026-03-01T08:00:00Z"}, 404),
-        (ZONE.replace("lwr4_bench", "none"), {"pose": {}, "measured_at": "2026-03-01T08:00:00Z"}, 404),
-        (ZONE, {"pose": {"xyz_m": [1e9, 0, 0]}, "measured_at": "2026-03-01T08:00:00Z"}, 422),
-        (ZONE, {"pose": {"xyz_m": ["1", 0, 0]}, "measured_at": "2026-03-01T08:00:00Z"}, 422),
-        (ZONE, {"pose": {}, "shape": {}, "measured_at": "2026-03-01T08:00:00Z"}, 422),
-        (ZONE, {"pose": {}}, 422),
-    ],
-)
-def test_a_move_that_means_nothing_is_refused(address: str, body: dict[str, object], status: int, signed_in: As) -> None:
-    assert signed_in(Role.operator).put(address, json=body).status_code == status
 
 
 def test_cells_given_by_a_folder_are_used_as_they_are(tmp_path: Path, settings: Settings) -> None:

@@ -1,15 +1,17 @@
 import { CellChoice } from '../parts/cell-choice';
+import { CellFlaws } from '../parts/cell-flaws';
 import { Choice } from '../parts/choice';
 import { Facts } from '../parts/facts';
 import { Press } from '../parts/press';
 import type { Screen } from '../parts/screen';
 import { ToolFields } from '../parts/tool-fields';
-import { go } from '../route';
+import { go, to } from '../route';
 import { cell, chosenCell, payloads } from '../stores/cells';
 import { holder, mine, takeControl } from '../stores/control';
 import { order, tool } from '../stores/order';
 import { activeRun, queueRun } from '../stores/runs';
 import { may, session } from '../stores/session';
+import { shownCell } from '../stores/shown-cell';
 import { spelt } from '../units';
 import { words } from '../words';
 
@@ -18,6 +20,14 @@ function Setup() {
   return (
     <div class="page setup">
       <h1>{said.title}</h1>
+      {shownCell.value && isFlawed() && (
+        <section class="refused">
+          <CellFlaws shown={shownCell.value} />
+          <a class="download" href={to('cells', chosenCell.value)}>
+            {words.value.cells.lookAtCell}
+          </a>
+        </section>
+      )}
       <CellChoice
         legend={said.cell}
         chosen={chosenCell.value}
@@ -74,12 +84,17 @@ function Actions() {
       </Press>
     );
   }
-  if (!may('operator') || heldElsewhere()) return null;
+  if (!may('operator') || heldElsewhere() || isFlawed()) return null;
   return (
     <Press kind="primary" disabled={order.value === null} act={plan}>
       {mine.value ? said.planOnly : said.plan}
     </Press>
   );
+}
+
+/** Whether the cell as it is now leaves nothing to be planned. */
+function isFlawed(): boolean {
+  return (shownCell.value?.flaws.length ?? 0) > 0;
 }
 
 function heldElsewhere(): boolean {
@@ -97,6 +112,7 @@ function next(): string {
   const said = words.value.setup;
   if (activeRun.value !== null) return said.running;
   if (!may('operator')) return said.mayNot;
+  if (isFlawed()) return words.value.cells.nextFlawed;
   return heldElsewhere() ? said.busy(holder.value ?? '') : said.next;
 }
 

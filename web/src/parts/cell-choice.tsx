@@ -8,7 +8,7 @@ interface Props {
   choose: (name: string) => void;
 }
 
-/** One of the cells; one that cannot be used says why. */
+/** One of the cells; one in which nothing can be planned says so, and can be looked at all the same. */
 export function CellChoice({ legend, chosen, choose }: Props) {
   return (
     <Choice
@@ -16,11 +16,16 @@ export function CellChoice({ legend, chosen, choose }: Props) {
       options={(cells.value ?? []).map(({ name, title, flaw }) => ({
         value: name,
         label: name,
-        note: flaw === null ? title : `${words.value.setup.unusable}: ${flaw}`,
-        disabled: flaw !== null,
+        note: flaw === null ? title : <Unusable />,
       }))}
       chosen={chosen}
       choose={choose}
     />
   );
 }
+
+const Unusable = () => (
+  <>
+    <span aria-hidden="true">▲</span> {words.value.cells.unusable}
+  </>
+);

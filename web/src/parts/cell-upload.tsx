@@ -5,7 +5,7 @@ import { Refusal } from '../refusal';
 import { cells } from '../stores/cells';
 import { checkCell, takeCellIn } from '../stores/shown-cell';
 import { words } from '../words';
-import { FlawSentence } from './flaw-sentence';
+import { FlawList } from './flaw-list';
 import { Press } from './press';
 
 interface Checked {
@@ -71,7 +71,7 @@ async function judged(file: File): Promise<Checked> {
 function Judgement({ checked, taken }: { checked: Checked; taken: (done: Checked) => void }) {
   const said = words.value.cells;
   const { file, name, flaws } = checked;
-  if (flaws) return <Flaws file={file.name} flaws={flaws} />;
+  if (flaws) return <FlawList title={said.flawed(file.name)} flaws={flaws} />;
   if (name === undefined) return <p role="status">{said.checking(file.name)}</p>;
   if (checked.taken) return <p role="status">{said.taken(name)}</p>;
   const replaces = (cells.value ?? []).some((each) => each.name === name);
@@ -87,23 +87,5 @@ function Judgement({ checked, taken }: { checked: Checked; taken: (done: Checked
         {replaces ? said.replace(name) : said.add}
       </Press>
     </>
-  );
-}
-
-function Flaws({ file, flaws }: { file: string; flaws: Flaw[] }) {
-  const said = words.value.cells;
-  return (
-    <div class="warnings" role="alert">
-      <h2>
-        <span aria-hidden="true">▲</span> {said.flawed(file)}
-      </h2>
-      <ul>
-        {flaws.map((flaw) => (
-          <li key={flaw.where + flaw.found}>
-            <FlawSentence {...flaw} />
-          </li>
-        ))}
-      </ul>
-    </div>
   );
 }

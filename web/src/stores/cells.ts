@@ -12,14 +12,15 @@ export type Payload = CoreCellPayload;
 export const cells = signal<CellListed[] | null>(null);
 /** Name of the cell that this console stands at; empty where none was chosen. */
 export const chosenCell = kept('cell', '', (_text): _text is string => true);
-/** The chosen cell, its zones where they were when it was read. */
+/** The chosen cell, its zones where they were when it was read; null also where its file cannot be read. */
 export const cell = signal<Cell | null>(null);
 export const payloads = computed<[string, Payload][]>(() => Object.entries(cell.value?.payloads ?? {}));
 
 export async function readCells(): Promise<void> {
   cells.value = await ask('GET /api/cells');
-  const usable = cells.value.filter((each) => each.flaw === null);
-  if (!usable.some((each) => each.name === chosenCell.value)) chosenCell.value = usable[0]?.name ?? '';
+  const names = cells.value.map((each) => each.name);
+  const usable = cells.value.find((each) => each.flaw === null)?.name;
+  if (!names.includes(chosenCell.value)) chosenCell.value = usable ?? names[0] ?? '';
 }
 
 export async function readCell(name: string): Promise<void> {

@@ -55,7 +55,7 @@ export const historyTools = signal<[string, string][]>([]);
 async function readTools(cell: string): Promise<void> {
   const found = await ask('GET /api/cells/{cell}', { path: { cell } });
   if (cell !== historyCell.value) return;
-  historyTools.value = Object.entries(found.cell.payloads ?? {}).map(([name, { title }]) => [name, title]);
+  historyTools.value = Object.entries(found.cell?.payloads ?? {}).map(([name, { title }]) => [name, title]);
 }
 
 async function readPast(cell: string, payload: string, limit: number): Promise<void> {

@@ -223,6 +223,12 @@ export const sentences: Record<string, string> = {
     'hochgeladene Datei: die Zelle nennt sich {}, nicht {}',
   'upload: the process that checks cells ended; nothing was changed, send it again':
     'hochgeladene Datei: die Prüfung endete unerwartet; nichts wurde geändert, senden Sie sie noch einmal',
+  "zone {}: is where the cell's file has it; there is nothing to undo":
+    'Zone {}: steht, wo die Datei der Zelle sie hat; es gibt nichts zurückzunehmen',
+  'zone {}: has moved {} times, not {}; look where it is now and ask again':
+    'Zone {}: wurde {}-mal verschoben, nicht {}-mal; sehen Sie nach, wo sie jetzt ist, und fragen Sie noch einmal',
+  'zones of {}: nothing was looked at; send it again':
+    'Zonen von {}: Es wurde nichts geprüft; senden Sie die Anfrage noch einmal',
   'zone {}: measured at {}, but its place at {} is known already; send measurements in order':
     'Zone {}: gemessen um {}, aber ihr Ort um {} ist schon bekannt; senden Sie Messungen der Reihe nach',
   "measured_at: {} is ahead of the service's clock, {}; set the measuring clock":

@@ -96,7 +96,6 @@ export const de: Words = {
     mass: 'Masse, falls bekannt',
     massHint: 'Nur zum Planen; der Lauf misst sie',
     badMass: 'Eine Masse über 0 angeben, als 1,5 oder 1.5',
-    unusable: 'nicht verwendbar',
     plan: 'Bedienung übernehmen und planen',
     planOnly: 'Planen',
     next: 'Wählen Sie, was der Roboter trägt. Dann wird der Plan gezeigt; vor Ihrer Freigabe bewegt sich nichts.',

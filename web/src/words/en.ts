@@ -95,7 +95,6 @@ export const en = {
     mass: 'Mass, if known',
     massHint: 'Only used to plan; the run measures it',
     badMass: 'Write a mass above 0, as 1.5 or 1,5',
-    unusable: 'cannot be used',
     plan: 'Take control and plan',
     planOnly: 'Plan',
     next: 'Choose what the robot carries. Then the plan is shown; nothing moves before you release it.',
