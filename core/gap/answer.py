@@ -13,6 +13,14 @@ from core.remark import Remark
 Verdict = Literal["no_gap", "explained", "ambiguous", "unknown", "not_enough"]
 
 
+SIDES: dict[Side, str] = {
+    "joints": "at the joints",
+    "reading": "in the sensor's readings",
+    "reference": "against the reference payload",
+}
+"""Where something is seen, in words."""
+
+
 class Part(BaseModel):
     """Frozen, without NaN."""
 
