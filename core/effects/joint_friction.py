@@ -137,7 +137,7 @@ class _Seen:
         if self.theta.shape[1] == 1:
             lag, lag_std = 1e3 * self.theta[joint, 0], 1e3 * self.std[joint, 0]
             text = (
-                f"Joint {joint + 1} lags its command by {lag:.2f} +- {lag_std:.2f} mrad in the direction of motion: Coulomb friction in "
+                f"Joint {joint + 1} lags its command by {lag:.3f} +- {lag_std:.3f} mrad in the direction of motion: Coulomb friction in "
                 "the tracking error; without joint torques there is nothing to compare with the cell."
             )
             return self._told(None, "friction_in_tracking", text, {"joint": str(joint + 1), "lag_rad": float(self.theta[joint, 0])})
