@@ -41,7 +41,7 @@ class OpenedTrial(Answer):
     verdict: str
     named: str | None
     effects: list[NamedEffect]
-    also: list[str] = []
+    also: tuple[str, ...] = ()
     none_probability: float
     unknown_probability: float
     gap_before: float | None

@@ -199,7 +199,7 @@ def _also(also: Also) -> dict[str, Any]:
         "title": sentence(also.title).rstrip("."),
         "where": SIDES[also.side],
         "material": also.material,
-        "times": "" if also.times_expected is None else f"{also.times_expected:.1f} times what is expected",
+        "times": "" if also.times_expected is None else f"{also.times_expected:.1f} times what is stated or tolerated",
         "sentence": sentence(also.sentence),
         "parameters": parameter_texts(also.parameters),
     }

@@ -24,6 +24,7 @@ export const flaws: Record<string, string> = {
   'at least {}': 'mindestens {}',
   'at most {}': 'höchstens {}',
   '{} values': '{} Werte',
+  '{}, one for each joint': '{}, einer für jedes Gelenk',
   '{}, for {}': '{}, für {}',
   '{} for {}': '{} für {}',
   '{} {} times': '{} {}-mal',
