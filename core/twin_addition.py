@@ -88,10 +88,10 @@ def chosen_effects(identifier: str) -> tuple[Effect, ...]:
 
 def _check_cell(recording: Recording, cell: Cell, folder: Path) -> None:
     if recording.cell not in (None, cell.name):
-        raise BadTwin(f"{folder}: cell", repr(recording.cell), f"{cell.name!r}, whose twin it is to change")
+        raise BadTwin(f"{folder}: cell", f"a recording of the cell {recording.cell!r}", f"{cell.name!r}, whose twin it is to change")
     joints = 0 if recording.q is None else recording.q.shape[1]
     if joints not in (0, len(cell.robot.home_rad)):
-        raise BadTwin(f"{folder}", f"{joints} joints", f"{len(cell.robot.home_rad)}, as in the cell {cell.name!r}")
+        raise BadTwin(f"{folder}", f"a recording of {joints} joints", f"{len(cell.robot.home_rad)}, as in the cell {cell.name!r}")
 
 
 def _fit_of(evidence: Evidence, chosen: tuple[Effect, ...], where: str) -> EffectFit:

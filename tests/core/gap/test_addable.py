@@ -58,6 +58,6 @@ def test_what_is_offered_is_added_and_what_is_not_is_refused_for_the_reason_that
 def test_a_cell_is_offered_nothing_that_was_recorded_in_another(late: Recording, cell: Cell, tmp_path: Path) -> None:
     elsewhere = addable_to(diagnose(late, FEW), planned("ur5e_line")[0], late, tmp_path)
     assert not any(each.addable for each in (*elsewhere.effects, *elsewhere.pairs))
-    assert elsewhere.effects[0].why_not == "'lwr4_bench'"
+    assert elsewhere.effects[0].why_not == "a recording of the cell 'lwr4_bench'"
     own = diagnose(late, FEW)
     assert addable_to(own, cell, late, tmp_path) == own
