@@ -21,12 +21,12 @@ from core.errors import BadCell, BadInput, BadRobot, refuse, together
 from core.inertia import InertialParameters
 from core.jail import read_inside
 from core.schema_flaw import SchemaFlaw, schema_flaw
-from core.shapes import Angle, Box, Capsule, Model, Number, Pose, Positive, Shape, Six, SixPositive, Sphere, Vector3
+from core.shapes import Angle, Box, Capsule, Model, NotNegative, Number, Pose, Positive, Shape, Six, SixPositive, Sphere, Vector3
 from core.urdf import Urdf, check_urdf
 from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 
 __all__ = [
-    "Box", "Capsule", "Cell", "CellRead", "Control", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape", "Sphere", "Zone",
+    "Box", "Capsule", "Cell", "CellRead", "Control", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape", "Sphere", "Zone",
     "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
 ]  # fmt: skip
 
@@ -53,6 +53,14 @@ class Zone(Model):
     shape: Shape
 
 
+class Friction(Model):
+    """Friction that the drives are known to have, one value for each joint: no news where a diagnosis finds it."""
+
+    coulomb_n_m: tuple[NotNegative, ...]
+    viscous_n_m_s: tuple[NotNegative, ...]
+    """N m per rad/s."""
+
+
 class Robot(Model):
     """The arm. Joints are those between `base_frame` and `sensor_frame`, in that order."""
 
@@ -63,6 +71,8 @@ class Robot(Model):
     acceleration_rad_s2: tuple[Positive, ...]
     velocity_rad_s: tuple[Positive, ...] | None = None
     """The URDF's limits where absent."""
+    friction: Friction | None = None
+    """None where nobody has said."""
     base: Pose = Pose()
 
 
@@ -259,6 +269,9 @@ def check_robot(cell: Cell, urdf: Urdf) -> None:
         values = getattr(robot, key)
         if values is not None and len(values) != len(joints):
             raise BadCell(f"{where}.{key}", f"{len(values)} values", f"{len(joints)}, for {[joint.name for joint in joints]}")
+    for key, values in robot.friction or ():
+        if len(values) != len(joints):
+            raise BadCell(f"{where}.friction.{key}", f"{len(values)} values", f"{len(joints)}, for {[joint.name for joint in joints]}")
     for home, joint in zip(robot.home_rad, joints, strict=True):
         if not joint.lower < home < joint.upper:
             raise BadCell(f"{where}.home_rad", f"{home} for {joint.name!r}", f"a position in ({joint.lower}, {joint.upper})")
@@ -281,7 +294,7 @@ def _sentence(error: ErrorDetails, where: str) -> BadCell:
 
 def _keys() -> list[str]:
     """Every key of the format."""
-    models = (Cell, Robot, Sensor, Limits, Control, Payload, Obstacle, Zone, Box, Sphere, Capsule, Pose)
+    models = (Cell, Robot, Friction, Sensor, Limits, Control, Payload, Obstacle, Zone, Box, Sphere, Capsule, Pose)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})
 
 

@@ -33,10 +33,12 @@ from core.result import Result, SecondsPart, result_of
 from core.robot import RobotModel
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
+from core.stated_friction import knowing_friction
 from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table, reason_lines, verification_lines
 from core.terminal import HELP, answers, enter, messages
 from core.trial.command import trial
 from core.twin import NOMINAL
+from core.twin_addition import addable_to
 from core.twin_file import read_twin
 from core.whole_file import write_whole
 
@@ -138,9 +140,11 @@ def diagnose_command(
     made_in = None if cell is None else load_cell(find_cell(cell))
     twin = NOMINAL if made_in is None else read_twin(made_in)
     loaded = read_recording(recording)
+    loaded = loaded if made_in is None else knowing_friction(loaded, made_in)
     with messages.status("fitting effects") if messages.is_terminal else nullcontext():
         diagnosis, evidence = examine(loaded, twin=twin)
     if made_in is not None:
+        diagnosis = addable_to(diagnosis, made_in, loaded, recording)
         diagnosis = plan_next(diagnosis, evidence, loaded, recording, made_in, experiment, messages)
     if report is not None:
         report.mkdir(parents=True)

@@ -14,7 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from core.errors import BadRecording
 from core.inertia import InertialParameters, pseudo_inertia
 from core.jail import read_inside
-from core.recording import Recording, SensorDescription
+from core.recording import FrictionDescription, Recording, SensorDescription
 from core.schema_flaw import schema_flaw
 
 FORMAT: Literal["recording/1"] = "recording/1"
@@ -23,6 +23,7 @@ MAX_BYTES = 1_000_000
 
 Number = Annotated[float, Field(strict=True)]
 Positive = Annotated[float, Field(strict=True, gt=0)]
+NotNegative = Annotated[float, Field(strict=True, ge=0)]
 Vector3 = tuple[Number, Number, Number]
 Six = tuple[Number, Number, Number, Number, Number, Number]
 SixPositive = tuple[Positive, Positive, Positive, Positive, Positive, Positive]
@@ -34,6 +35,18 @@ class Part(BaseModel):
     model_config = ConfigDict(frozen=True, extra="ignore", allow_inf_nan=False)
 
 
+class FrictionPart(Part):
+    """Friction that the joints are known to have, one value for each."""
+
+    coulomb_n_m: tuple[NotNegative, ...]
+    viscous_n_m_s: tuple[NotNegative, ...]
+
+    @property
+    def description(self) -> FrictionDescription:
+        """The same as arrays."""
+        return FrictionDescription(np.array(self.coulomb_n_m), np.array(self.viscous_n_m_s))
+
+
 class RobotPart(Part):
     """Nominal kinematics; `urdf` is a path inside the folder."""
 
@@ -41,6 +54,7 @@ class RobotPart(Part):
     joints: Annotated[tuple[str, ...], Field(min_length=1, max_length=32)]
     base_frame: str
     sensor_frame: str
+    friction: FrictionPart | None = None
 
 
 class SensorPart(Part):
@@ -103,12 +117,16 @@ def read_manifest(folder: Path) -> Manifest:
     for key, part in PARTS.items():
         if isinstance(content.get(key), dict):
             _refuse_misspelt(content[key], part, f"{where}: {key}")
+    if isinstance(content.get("robot"), dict) and isinstance(friction := content["robot"].get("friction"), dict):
+        _refuse_misspelt(friction, FrictionPart, f"{where}: robot.friction")
     try:
         manifest = Manifest.model_validate(content)
     except ValidationError as error:
         raise BadRecording(*schema_flaw(error.errors()[0]).at(where)) from error
     if not 9.0 < float(np.linalg.norm(manifest.gravity)) < 10.5:
         raise BadRecording(f"{where}: gravity", f"{list(manifest.gravity)}", "about 9.81 m/s2, in the base frame")
+    if manifest.robot and manifest.robot.friction:
+        _check_friction(manifest.robot.friction, len(manifest.robot.joints), f"{where}: robot.friction")
     if manifest.payload_reference:
         _check_reference(manifest.payload_reference.parameters, f"{where}: payload_reference")
     return manifest
@@ -116,7 +134,7 @@ def read_manifest(folder: Path) -> Manifest:
 
 def manifest_of(recording: Recording) -> Manifest:
     """The manifest of a recording in memory; its wrench has the paper's sign."""
-    robot, reference, sensor = recording.robot, recording.reference, recording.sensor
+    robot, reference, sensor, friction = recording.robot, recording.reference, recording.sensor, recording.friction
     content: dict[str, Any] = {
         "gravity": recording.gravity.tolist(),
         "robot": robot
@@ -125,6 +143,7 @@ def manifest_of(recording: Recording) -> Manifest:
             "joints": robot.joints,
             "base_frame": robot.base_frame,
             "sensor_frame": robot.sensor_frame,
+            "friction": friction and {"coulomb_n_m": tuple(friction.coulomb.tolist()), "viscous_n_m_s": tuple(friction.viscous.tolist())},
         },
         "sensor": {
             key: None if getattr(sensor, key) is None else tuple(getattr(sensor, key).tolist())
@@ -164,6 +183,12 @@ def _refuse_misspelt(content: dict[str, Any], part: type[Part], where: str) -> N
         close = difflib.get_close_matches(key, absent, n=1, cutoff=0.75) if key not in part.model_fields else []
         if close:
             raise BadRecording(f"{where}: {key}", "an unknown key", f"{close[0]!r}, if that is what was meant")
+
+
+def _check_friction(friction: FrictionPart, n: int, where: str) -> None:
+    for key, values in friction:
+        if len(values) != n:
+            raise BadRecording(f"{where}.{key}", f"{len(values)} values", f"{n}, one for each joint")
 
 
 def _check_reference(reference: InertialParameters, where: str) -> None:

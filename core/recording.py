@@ -41,6 +41,14 @@ class SensorDescription:
 
 
 @dataclass(frozen=True)
+class FrictionDescription:
+    """Friction that the joints are known to have, one value for each: `coulomb` (n,) N m and `viscous` (n,) N m s/rad."""
+
+    coulomb: Array
+    viscous: Array
+
+
+@dataclass(frozen=True)
 class Recording:
     """Samples of one run, one row per sample, SI. Gravity in the base frame, the wrench in sensor axes about the sensor origin.
 
@@ -52,6 +60,7 @@ class Recording:
         orientation: (N, 3, 3), sensor axes in the base frame, for a log without joints; `position`: (N, 3), m.
         temperature: (N,), degC.
         phase: (N,), text: `transfer`, `hold:<axis><sign>`, `hold:free`, `rotate:<axis>`.
+        friction: of the joints, as the cell states it; None where nobody has said. It may be stated later of the same robot.
         reference: the payload as somebody else knows it, with `reference_source`.
     """
 
@@ -67,6 +76,7 @@ class Recording:
     temperature: Array | None = None
     phase: NDArray[np.str_] | None = None
     robot: RobotDescription | None = None
+    friction: FrictionDescription | None = None
     sensor: SensorDescription = field(default_factory=SensorDescription)
     reference: InertialParameters | None = None
     reference_source: str | None = None

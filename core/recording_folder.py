@@ -74,6 +74,7 @@ def read_recording(folder: Path) -> Recording:
         temperature=samples.numbers("temperature")[:, 0] if "temperature" in samples else None,
         phase=_checked_phase(phase, samples.where),
         robot=robot,
+        friction=manifest.robot.friction.description if manifest.robot and manifest.robot.friction else None,
         sensor=manifest.sensor.description,
         reference=reference.parameters if reference else None,
         reference_source=reference.source if reference else None,

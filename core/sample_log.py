@@ -10,6 +10,7 @@ from core.cell import Cell, Payload
 from core.recording import Recording, SensorDescription, appended
 from core.robot import RobotModel
 from core.sessions.session import RobotState
+from core.stated_friction import stated_friction
 
 
 class SampleLog:
@@ -76,6 +77,7 @@ class SampleLog:
             temperature=np.array([state.temperature for state in states]) if has_temperature else None,
             phase=np.array(self.phases),
             robot=self.robot.description,
+            friction=stated_friction(self.cell),
             sensor=SensorDescription(np.array(sensor.noise_std), np.array(sensor.range), np.array(sensor.resolution)),
             reference=None if self.reference is None else self.reference.parameters,
             reference_source=None if self.reference is None else self.reference.source,

@@ -13,6 +13,7 @@ Array = NDArray[np.float64]
 Number = Annotated[float, Field(strict=True, ge=-1000, le=1000)]  # no quantity of a cell is larger, in SI units
 Angle = Annotated[float, Field(strict=True, ge=-2 * np.pi, le=2 * np.pi)]
 Positive = Annotated[float, Field(strict=True, gt=0, le=1000)]
+NotNegative = Annotated[float, Field(strict=True, ge=0, le=1000)]
 Vector3 = tuple[Number, Number, Number]
 Six = tuple[Number, Number, Number, Number, Number, Number]
 SixPositive = tuple[Positive, Positive, Positive, Positive, Positive, Positive]

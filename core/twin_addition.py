@@ -14,7 +14,9 @@ from core.cell import Cell
 from core.effects.effect import Effect
 from core.effects.library import library, symptoms
 from core.errors import BadTwin
-from core.gap.closure import closure_of, gap_of
+from core.gap.addable import check_addable, check_closure, check_shown, parameter_rows
+from core.gap.answer import Diagnosis
+from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
 from core.gap.effect_fit import EffectFit
 from core.gap.evidence import Evidence
@@ -25,9 +27,6 @@ from core.twin import Entry, Fitted, Twin
 from core.twin_file import close_name
 
 Array = NDArray[np.float64]
-
-SEEN_SIGMA = 2.0
-"""An effect none of whose parameters is farther than this from its absent value, in its own uncertainty, is not determined."""
 
 
 def with_effect(twin: Twin, cell: Cell, folder: Path, identifier: str, *, fit_all: FitAll = on_all_cores) -> Twin:
@@ -50,11 +49,22 @@ def with_effect(twin: Twin, cell: Cell, folder: Path, identifier: str, *, fit_al
         why = "" if diagnosis.lacking is None else f" ({diagnosis.lacking.sentence})"
         raise BadTwin(f"{folder}", f"a recording that says nothing about a gap{why}", "one of a whole run")
     fit = _fit_of(evidence, chosen, str(folder))
-    _check_closure(evidence, fit, str(folder))
+    check_addable(evidence, fit, str(folder))
     source = {"recording": folder.resolve().name, "sha256": recording_sha256(folder), "added": datetime.now(UTC)}
-    for entry in _entries(evidence, fit, source, str(folder)):
+    for entry in _entries(evidence, fit, source):
         twin = twin.having(entry)
     return twin
+
+
+def addable_to(diagnosis: Diagnosis, cell: Cell, recording: Recording, folder: Path) -> Diagnosis:
+    """The diagnosis as far as that cell's twin is concerned, which takes nothing from a recording of another cell."""
+    try:
+        _check_cell(recording, cell, folder)
+    except BadTwin as reason:
+        against = {"addable": False, "why_not": reason.found}
+        changed = {part: [each.model_copy(update=against) for each in getattr(diagnosis, part)] for part in ("effects", "pairs")}
+        return diagnosis.model_copy(update=changed)
+    return diagnosis
 
 
 def chosen_effects(identifier: str) -> tuple[Effect, ...]:
@@ -78,53 +88,28 @@ def chosen_effects(identifier: str) -> tuple[Effect, ...]:
 
 def _check_cell(recording: Recording, cell: Cell, folder: Path) -> None:
     if recording.cell not in (None, cell.name):
-        raise BadTwin(f"{folder}: cell", repr(recording.cell), f"{cell.name!r}, whose twin it is to change")
+        raise BadTwin(f"{folder}: cell", f"a recording of the cell {recording.cell!r}", f"{cell.name!r}, whose twin it is to change")
     joints = 0 if recording.q is None else recording.q.shape[1]
     if joints not in (0, len(cell.robot.home_rad)):
-        raise BadTwin(f"{folder}", f"{joints} joints", f"{len(cell.robot.home_rad)}, as in the cell {cell.name!r}")
+        raise BadTwin(f"{folder}", f"a recording of {joints} joints", f"{len(cell.robot.home_rad)}, as in the cell {cell.name!r}")
 
 
 def _fit_of(evidence: Evidence, chosen: tuple[Effect, ...], where: str) -> EffectFit:
     """The fit of these effects together."""
-    scene = evidence.windows.basis.scene.carrying(evidence.nominal.phi)
-    for effect in chosen:
-        if reason := effect.missing(scene):
-            raise BadTwin(where, f"a recording that cannot show {effect.id} ({reason})", "one that can")
-        if reason := effect.tied_to_run(scene):
-            raise BadTwin(where, f"a recording from which {effect.id} cannot be carried over ({reason})", "one that states it")
+    check_shown(evidence, chosen, where)
     ids = {effect.id for effect in chosen}
     for fit in (*evidence.singles, *evidence.pairs):
         if {effect.id for effect in fit.effects} == ids:
             return fit
     best = min(evidence.singles, key=lambda fit: float(fit.held_out.sum()))
-    _check_closure(evidence, best, where)
+    check_closure(evidence, best, where)
     raise BadTwin(where, f"no more explained by both than by {best.name} alone", f"{best.name!r}, if that is what was meant")
 
 
-def _check_closure(evidence: Evidence, fit: EffectFit, where: str) -> None:
-    """The gap is smaller with the effects."""
-    closure, (low, _) = closure_of(evidence.windows, evidence.nominal, fit)
-    if low > 0.0:
-        return
-    before, after = gap_of(evidence.windows, evidence.nominal), gap_of(evidence.windows, fit)
-    found = f"{fit.name} closing {100 * closure:.0f} % of the gap ({before:.3f} before, {after:.3f} after, noise is 1)"
-    raise BadTwin(where, found, "an effect that makes the gap smaller for certain; `heft diagnose` names those that do")
-
-
-def _entries(evidence: Evidence, fit: EffectFit, source: dict[str, Any], where: str) -> Iterator[Entry]:
-    """One entry for each effect of the fit.
-
-    Raises:
-        BadTwin: an effect that the fit did not determine.
-    """
-    windows, begin = evidence.windows, 0
-    for effect in fit.effects:
-        rows = slice(begin, begin + len(effect.parameters(windows.basis.scene)))
-        begin = rows.stop
-        away = np.abs(fit.theta[rows] - [p.absent for p in fit.parameters[rows]]) / fit.theta_std[rows]
-        if away.max() < SEEN_SIGMA:
-            found = f"{effect.id} not determined: no parameter is more than {away.max():.1f} standard deviations from its absence"
-            raise BadTwin(where, found, f"at least {SEEN_SIGMA:g}; a longer or livelier run shows more")
+def _entries(evidence: Evidence, fit: EffectFit, source: dict[str, Any]) -> Iterator[Entry]:
+    """One entry for each effect of the fit."""
+    windows = evidence.windows
+    for effect, rows in parameter_rows(evidence, fit):
         values = zip(fit.parameters[rows], fit.theta[rows], fit.theta_std[rows], strict=True)
         covariance = fit.uncertainty[len(fit.beta) :, len(fit.beta) :][rows, rows]
         yield Entry(

@@ -29,6 +29,7 @@ class OpenedTrial(Answer):
         sealed: the text whose SHA-256 is the seal: cell, payload, faults and their parameters.
         planted: the faults in words, `size` in plausible sizes of them.
         verdict, named: what the diagnosis said; `named` is its first effect, `effects` are all of them, the most probable first.
+        also: what it saw beside the verdict, elsewhere than in the wrench, and called material.
         gap_before, gap_after: root mean square of measured minus simulated, in multiples of the noise, on motions that no fit saw.
         mark: whether that was right, in words.
     """
@@ -40,6 +41,7 @@ class OpenedTrial(Answer):
     verdict: str
     named: str | None
     effects: list[NamedEffect]
+    also: tuple[str, ...] = ()
     none_probability: float
     unknown_probability: float
     gap_before: float | None

@@ -14,12 +14,16 @@ from numpy.typing import NDArray
 
 from core.effects.scene import Scene
 from core.recording import Recording
+from core.remark import Remark
 
 Array = NDArray[np.float64]
 
 Stage = Literal["sensor", "timing", "mounting", "kinematics", "payload", "environment", "actuation"]
 STAGES: tuple[Stage, ...] = ("mounting", "kinematics", "actuation", "payload", "environment", "timing", "sensor")
 """From the robot to the reading: the order in which effects act on the wrench."""
+
+Side = Literal["joints", "reading", "reference"]
+"""What a symptom is about, beside the wrench that the twin predicts."""
 
 
 @dataclass(frozen=True)
@@ -102,26 +106,28 @@ class Finding:
         theta, std: values of the parameters and their uncertainty.
         sigma: how many standard deviations it stands above what chance gives.
         material: whether it matters by the effect's own measure (its docstring says which).
-        sentence: what was seen, with numbers and units.
+        times_expected: how many times what is stated or tolerated it is, by that measure; None where nothing is.
+        remark: what was seen, with numbers and units.
     """
 
     theta: Array
     std: Array
     sigma: float
     material: bool
-    sentence: str
+    times_expected: float | None
+    remark: Remark
 
 
 class Symptom(ABC):
-    """An effect that does not change the wrench which the twin predicts, and is read off the recording directly. Stateless."""
+    """An effect that does not change the wrench which the twin predicts, and is read off the recording directly: it explains no gap
+    and stands beside the verdict. Stateless."""
 
     id: ClassVar[str]
     title: ClassVar[str]
     stage: ClassVar[Stage]
+    side: ClassVar[Side]
     explains: ClassVar[tuple[str, ...]] = ()
     """Symptoms that come along with this one, and are not named beside it."""
-    disturbs: ClassVar[bool] = False
-    """Whether by itself it makes the wrench disagree with the twin."""
     resembled_by: ClassVar[tuple[str, ...]] = ()
     """Effects whose trace in the recording looks like this symptom: beside them it is not named."""
 

@@ -6,26 +6,25 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
-from scipy.signal import savgol_filter
 
 from core.effects.effect import Finding, Parameter, Symptom, View
+from core.effects.friction_fit import Fit, Run, fit_joint, noise_of, sigma_of, tracking_error
 from core.recording import Recording
-from core.robot import RobotModel
+from core.remark import Remark
 
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 
-SMOOTHING = 0.1
-"""s, window of the Savitzky-Golay filter that every signal goes through alike."""
-SPACING = 0.02
-"""s, between the rows that are fitted."""
-BLOCK = 1.0
-"""s, within which residuals may hang together."""
-MOVING = 0.02
-"""rad/s, above which a joint slides."""
-RIDGE = 1e-3
-"""Pull of the rigid body's parameters towards the URDF's, as a share of the rows."""
+LOUD, LEAST = 3.0, 0.02
+"""Times the noise of one motionless sample, and share of the signal's spread, above which a torque stands out."""
+CERTAIN, BELOW = 5.0, 3.0
+"""Standard deviations by which friction is there, or differs, and by which it may seem to give energy."""
+HALF = 0.5
+"""Share of the stated friction by which it may differ."""
+TRACKING = float(np.radians(0.5))
+"""rad, tracking error above which friction matters whatever is stated."""
+TINY = 1e-12
 
 
 class JointFriction(Symptom):
@@ -38,14 +37,19 @@ class JointFriction(Symptom):
     Without torques the tracking error `q_cmd - q` stands in their place, which a joint controller makes
     proportional to the torque; only its Coulomb part can be told from a lag then.
 
-    Material when in some joint the friction part (r.m.s. over its moving samples) is above three times the noise of one motionless
-    sample and above 2 % of the signal's spread, one of its coefficients stands five standard deviations above zero, and none three
-    below it: friction takes energy away.
+    Friction is there when in some joint its part (r.m.s. over the joint's moving samples) is above three times the noise of one
+    motionless sample and above 2 % of the signal's spread, one of its coefficients stands five standard deviations above zero, and none
+    three below it: friction takes energy away.
+
+    Material where it differs, by the same measures, from what the cell states by more than half of that, or where the tracking error of
+    such a joint exceeds 0.5 deg (r.m.s. while it moves). Where nobody states friction, or torques were not recorded, there is nothing
+    that it could differ from.
     """
 
     id = "joint_friction"
     title = "friction in the joints"
     stage = "actuation"
+    side = "joints"
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""
@@ -57,162 +61,141 @@ class JointFriction(Symptom):
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
         """See `Symptom.observe`."""
-        run = _Run.of(recording)
+        run = Run.of(recording)
         if run is None:
             return None
-        fits = [_fit(run, j) for j in range(run.q.shape[1])]
+        fits = [fit_joint(run, j) for j in range(run.q.shape[1])]
         if all(fit is None for fit in fits):
             return None
-        noise = _noise(run.raw, view.holds)
         count = 1 if recording.tau is None else 2
         unknown = np.full(count, np.nan)
         theta = np.concatenate([unknown if fit is None else fit.friction[:count] for fit in fits])
         std = np.concatenate([unknown if fit is None else np.sqrt(np.diag(fit.covariance))[:count] for fit in fits])
-        sigmas = np.array([0.0 if fit is None else _sigma(fit, count) for fit in fits])
-        sizes = np.array([0.0 if fit is None else _size(fit, count) for fit in fits])
-        z = np.nan_to_num((theta / std).reshape(-1, count))
-        material = (sizes > 3.0 * noise) & (sizes > 0.02 * run.spread) & (z.max(axis=1) > 5.0) & (z.min(axis=1) > -3.0)
-        worst = int(np.argmax(np.where(material, sizes / np.maximum(noise, 1e-12), 0.0) if material.any() else sigmas))
-        return Finding(theta, std, float(sigmas.max()), bool(material.any()), _sentence(recording, worst, theta, std, count))
+        seen = _Seen(run, fits, theta.reshape(-1, count), std.reshape(-1, count), noise_of(run.raw, view.holds), tracking_error(recording))
+        stated = None if recording.tau is None else recording.friction
+        verdict = seen.alone() if stated is None else seen.against(np.column_stack([stated.coulomb, stated.viscous]))
+        if verdict is None:
+            return None
+        sigma = max(0.0 if fit is None else sigma_of(fit.friction[:count], fit.covariance[:count, :count]) for fit in fits)
+        return Finding(theta, std, sigma, verdict.material, verdict.times, verdict.remark)
 
     def advice(self, finding: Finding) -> str:
         """See `Symptom.advice`."""
         return (
-            "Enter the joints' friction in the cell's twin or compensate it in the controller; "
-            "warm the joints up by a few minutes of motion before measuring."
+            "Warm the joints up by a few minutes of motion, have those looked at that rub more than they did, and state the friction that "
+            "is left in cell.toml (robot.friction)."
         )
+
+
+class _Verdict(NamedTuple):
+    """Whether it matters, how many times what is expected it is, and what there is to say."""
+
+    material: bool
+    times: float | None
+    remark: Remark
 
 
 @dataclass(frozen=True)
-class _Run:
-    """Smoothed, thinned signals (M, n), the rest of the model's columns Y (M, n, ...), and `raw` (N, n) as recorded.
+class _Seen:
+    """What was found in the joints.
 
-    `signal` is what is left to explain: torque less the URDF's, or tracking error; `spread` (n,) that of the whole.
+    Args:
+        fits: of each joint, None where it hardly moves.
+        theta, std: (n, 1) or (n, 2), Coulomb and, where torques were recorded, viscous.
+        noise: (n,), of one motionless sample.
+        tracking: (n,), r.m.s. error, rad; None without commands.
     """
 
-    period: float
-    spread: Array
-    raw: Array
-    q: Array
-    dq: Array
-    ddq: Array
-    signal: Array
-    sign: Array
-    Y: Array
+    run: Run
+    fits: list[Fit | None]
+    theta: Array
+    std: Array
+    noise: Array
+    tracking: Array | None
 
-    @classmethod
-    def of(cls, recording: Recording) -> _Run | None:
-        """None where joints, their kinematics, or both torques and commands are missing, or where there is too little."""
-        q, robot = recording.q, recording.robot
-        raw = recording.tau
-        if raw is None and q is not None and recording.q_cmd is not None:
-            raw = recording.q_cmd - q
-        if q is None or robot is None or raw is None or len(q) < 50:
+    @property
+    def sizes(self) -> Array:
+        """(n,), r.m.s. of the friction part over the moving samples; 0 where nothing was fitted."""
+        return self._sizes(self.theta)
+
+    @property
+    def rubs(self) -> Flags:
+        """(n,), where friction is found."""
+        z = np.nan_to_num(self.theta / self.std)
+        return np.asarray(self._stands_out(self.sizes) & (z.max(axis=1) > CERTAIN) & self._takes_energy)
+
+    @property
+    def drags(self) -> Flags:
+        """(n,), where it comes with a large tracking error."""
+        return self.rubs & (False if self.tracking is None else self.tracking > TRACKING)
+
+    def alone(self) -> _Verdict | None:
+        """Nothing is stated to compare with; None where no joint rubs."""
+        if not self.rubs.any():
             return None
-        t = np.linspace(recording.t[0], recording.t[-1], len(q))
-        period = float(t[1] - t[0])
-        q, signal = _at(t, recording.t, q), _at(t, recording.t, raw)
-        window = min(max(5, 2 * round(0.5 * SMOOTHING / period) + 1), len(q) // 2 * 2 - 1)
-        rows = slice(0, None, max(1, round(SPACING / period)))
-        dq_full = savgol_filter(q, window, 3, deriv=1, delta=period, axis=0)
-        smooth, dq, ddq, sign, signal = (
-            x[rows]
-            for x in (
-                savgol_filter(q, window, 3, axis=0),
-                dq_full,
-                savgol_filter(q, window, 3, deriv=2, delta=period, axis=0),
-                savgol_filter(np.tanh(dq_full / (0.5 * MOVING)), window, 3, axis=0),
-                savgol_filter(signal, window, 3, axis=0),
+        joint = self._worst(self.drags if self.drags.any() else self.rubs, self.sizes / np.maximum(self.noise, TINY))
+        if self.theta.shape[1] == 1:
+            lag, lag_std = 1e3 * self.theta[joint, 0], 1e3 * self.std[joint, 0]
+            text = (
+                f"Joint {joint + 1} lags its command by {lag:.3f} +- {lag_std:.3f} mrad in the direction of motion: Coulomb friction in "
+                "the tracking error; without joint torques there is nothing to compare with the cell."
             )
-        )
-        robot_model = RobotModel(robot)
-        model = robot_model.model
-        spread = np.asarray(signal.std(axis=0))
-        model.gravity.linear = np.asarray(recording.gravity)
-        Y = _regressors(model, smooth, dq, ddq)
-        if recording.tau is not None:
-            signal = signal - Y @ np.concatenate([body.toDynamicParameters() for body in list(model.inertias)[1:]])
-        if recording.wrench is not None:
-            J = np.stack([robot_model.sensor_jacobian(row) for row in smooth]).transpose(0, 2, 1)
-            W = savgol_filter(_at(t, recording.t, recording.wrench), window, 3, axis=0)[rows]
-            Y = np.concatenate([Y, J @ W[:, :, None], J], axis=2)
-        return cls(period * (rows.step or 1), spread, raw, smooth, dq, ddq, signal, sign, Y)
+            return self._told(None, "friction_in_tracking", text, {"joint": str(joint + 1), "lag_rad": float(self.theta[joint, 0])})
+        text = f"Joint {joint + 1} rubs with {self._found(joint)}; the cell states no friction to compare it with."
+        return self._told(None, "friction_not_stated", text, self._values(joint))
 
+    def against(self, stated: Array) -> _Verdict | None:
+        """Compared with (n, 2) what is stated; None where none is found and none is missed."""
+        expected, apart = self._sizes(stated), self._sizes(self.theta - stated)
+        missed = self._stands_out(expected) & self._takes_energy & (self.sizes < expected)
+        certain = [fit is not None and sigma_of(fit.friction - row, fit.covariance) > CERTAIN for fit, row in self._by_joint(stated)]
+        differs = (self.rubs | missed) & self._stands_out(apart) & np.array(certain) & (apart > HALF * expected)
+        chosen = differs if differs.any() else self.rubs
+        if not chosen.any():
+            return None
+        joint = self._worst(chosen, apart / np.maximum(expected, TINY))
+        coulomb, viscous = (float(value) for value in stated[joint])
+        values = {**self._values(joint), "stated_coulomb_nm": coulomb, "stated_viscous_nms": viscous}
+        times = float(self.sizes[joint] / expected[joint]) if expected[joint] > 0.0 else None
+        beside = f"the cell states {coulomb:.2f} and {viscous:.2f}"
+        if differs.any():
+            text = f"Joint {joint + 1} rubs with {self._found(joint)}; {beside}."
+            return self._told(times, "friction_differs", text, values)
+        text = f"Friction in the joints is as the cell states it: joint {joint + 1} differs most, {self._found(joint)}; {beside}."
+        return self._told(times, "friction_as_stated", text, values)
 
-class _Fit(NamedTuple):
-    """Coulomb and viscous coefficient of one joint, their covariance, and their columns (M, 2)."""
+    @property
+    def _takes_energy(self) -> Flags:
+        return np.asarray(np.nan_to_num(self.theta / self.std).min(axis=1) > -BELOW)
 
-    friction: Array
-    covariance: Array
-    columns: Array
+    def _sizes(self, friction: Array) -> Array:
+        """(n,), r.m.s. of what coefficients (n, 1 or 2) make over the moving samples."""
+        made = [None if fit is None else fit.columns[:, : len(row)] @ row for fit, row in self._by_joint(friction)]
+        return np.array([0.0 if torque is None else np.sqrt(np.mean(torque**2)) for torque in made])
 
+    def _by_joint(self, friction: Array) -> zip[tuple[Fit | None, Array]]:
+        return zip(self.fits, friction, strict=True)
 
-def _at(t: Array, recorded: Array, x: Array) -> Array:
-    return np.column_stack([np.interp(t, recorded, column) for column in x.T])
+    def _stands_out(self, sizes: Array) -> Flags:
+        return np.asarray((sizes > LOUD * self.noise) & (sizes > LEAST * self.run.spread))
 
+    def _worst(self, among: Flags, measure: Array) -> int:
+        return int(np.argmax(np.where(among, measure, -1.0)))
 
-def _regressors(model: pin.Model, q: Array, dq: Array, ddq: Array) -> Array:
-    """(M, n, 10 n)."""
-    data = model.createData()
-    return np.stack([pin.computeJointTorqueRegressor(model, data, *row).copy() for row in zip(q, dq, ddq, strict=True)])
+    def _found(self, joint: int) -> str:
+        (coulomb, viscous), (coulomb_std, viscous_std) = self.theta[joint], self.std[joint]
+        return f"{coulomb:.2f} +- {coulomb_std:.2f} N m (Coulomb) and {viscous:.2f} +- {viscous_std:.2f} N m s/rad (viscous)"
 
+    def _values(self, joint: int) -> dict[str, float | str]:
+        return {"joint": str(joint + 1), "coulomb_nm": float(self.theta[joint, 0]), "viscous_nms": float(self.theta[joint, 1])}
 
-def _fit(run: _Run, j: int) -> _Fit | None:
-    """Least squares over the rows in which joint j moves; None where they are too few or the joint goes one way only."""
-    rows = np.abs(run.dq[:, j]) > MOVING
-    both = min(np.count_nonzero(run.dq[rows, j] > 0), np.count_nonzero(run.dq[rows, j] < 0))
-    if np.count_nonzero(rows) < 60 or both < 20:
-        return None
-    y = run.signal[rows, j]
-    friction = np.column_stack([run.sign[rows, j], run.dq[rows, j]])
-    X = np.column_stack([friction, run.ddq[rows, j], np.ones(len(y)), run.Y[rows, j]])
-    size = np.sqrt(np.mean(X**2, axis=0))
-    X = X[:, size > 1e-9] / size[size > 1e-9]
-    ridge = np.full(X.shape[1], RIDGE**2 * len(y))
-    ridge[:2] = 1e-12
-    bread = np.linalg.inv(X.T @ X + np.diag(ridge))
-    beta = bread @ (X.T @ y)
-    covariance = _clustered(X, y - X @ beta, bread, np.asarray(np.flatnonzero(rows) * run.period // BLOCK, dtype=np.float64))
-    scale = 1.0 / size[:2]
-    return _Fit(beta[:2] * scale, covariance[:2, :2] * np.outer(scale, scale), friction)
-
-
-def _clustered(X: Array, e: Array, bread: Array, block: Array) -> Array:
-    """Covariance of a least-squares estimate whose residuals hang together within blocks (sandwich), at least that of independent ones."""
-    _, index = np.unique(block, return_inverse=True)
-    scores = np.zeros((index.max() + 1, X.shape[1]))
-    np.add.at(scores, index, X * e[:, None])
-    freedom = len(e) / max(len(e) - X.shape[1], 1)
-    groups = len(scores) / max(len(scores) - 1, 1)
-    return np.asarray(freedom * (groups * bread @ (scores.T @ scores) @ bread + bread * np.mean(e**2)))
-
-
-def _noise(raw: Array, holds: tuple[slice, ...]) -> Array:
-    """(n,), of one motionless sample, from the differences of neighbours; of all samples where nothing is at rest."""
-    steps = [np.diff(raw[hold], axis=0) for hold in holds if len(raw[hold]) > 2] or [np.diff(raw, axis=0)]
-    return np.asarray(1.4826 / np.sqrt(2.0) * np.median(np.abs(np.concatenate(steps)), axis=0))
-
-
-def _sigma(fit: _Fit, count: int) -> float:
-    """How far the coefficients stand from zero, as standard deviations above chance (Fisher's approximation)."""
-    part = fit.covariance[:count, :count]
-    wald = float(fit.friction[:count] @ np.linalg.solve(part + 1e-15 * np.trace(part) * np.eye(count), fit.friction[:count]))
-    return float(np.sqrt(2.0 * wald) - np.sqrt(2.0 * count - 1.0))
-
-
-def _size(fit: _Fit, count: int) -> float:
-    """r.m.s. of the friction part."""
-    return float(np.sqrt(np.mean((fit.columns[:, :count] @ fit.friction[:count]) ** 2)))
-
-
-def _sentence(recording: Recording, joint: int, theta: Array, std: Array, count: int) -> str:
-    k = count * joint
-    if recording.tau is None:
-        return (
-            f"Joint {joint + 1} lags its command by {1e3 * theta[k]:.2f} +- {1e3 * std[k]:.2f} mrad in the direction of motion: "
-            "Coulomb friction in the tracking error."
-        )
-    return (
-        f"Joint {joint + 1} rubs with {theta[k]:.2f} +- {std[k]:.2f} N m (Coulomb) and "
-        f"{theta[k + 1]:.2f} +- {std[k + 1]:.2f} N m s/rad (viscous)."
-    )
+    def _told(self, times: float | None, name: str, sentence: str, values: dict[str, float | str]) -> _Verdict:
+        """With the tracking error, where that matters."""
+        differs, drags = name == "friction_differs", self.drags
+        if self.tracking is None or not drags.any():
+            return _Verdict(differs, times, Remark(name, sentence, values))
+        late = self._worst(drags, self.tracking)
+        error = float(self.tracking[late])
+        sentence += f" Joint {late + 1} follows its command with an error of {np.degrees(error):.2f} deg, r.m.s. while it moves."
+        values = {**values, "late_joint": str(late + 1), "tracking_rad": error}
+        return _Verdict(True, times if differs else error / TRACKING, Remark(name, sentence, values))

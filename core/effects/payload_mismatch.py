@@ -9,6 +9,7 @@ from scipy.stats import chi2
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.inertia import PHI_NAMES, PHI_UNITS
 from core.recording import Recording
+from core.remark import Remark
 
 Array = NDArray[np.float64]
 
@@ -33,6 +34,7 @@ class PayloadMismatch(Symptom):
     id = "payload_mismatch"
     title = "a payload that is not the reference"
     stage = "payload"
+    side = "reference"
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""
@@ -50,18 +52,15 @@ class PayloadMismatch(Symptom):
         difference = np.where(known, view.phi - reference, np.nan)
         z = np.where(known, difference / np.where(known, view.phi_std, 1.0), 0.0)
         shares = _shares(difference, reference)
-        material = [
-            part
-            for part, (rows, limit) in _PARTS.items()
-            if shares[part] > limit and np.sum(z[rows] ** 2) > chi2.isf(CHANCE, max(int(known[rows].sum()), 1))
-        ]
-        words = ", ".join(f"{part} by {100 * shares[part]:.1f} %" for part in (material or _PARTS) if np.isfinite(shares[part]))
+        times = {part: _times(shares[part] / limit, z[rows], known[rows]) for part, (rows, limit) in _PARTS.items()}
+        material = [part for part, so_many in times.items() if so_many > 1.0]
         return Finding(
             theta=difference,
             std=np.where(known, view.phi_std, np.nan),
             sigma=_sigma(float(z @ z), int(known.sum())),
             material=bool(material),
-            sentence=f"The payload differs from the reference ({recording.reference_source or 'source not given'}): {words}.",
+            times_expected=max(times.values()),
+            remark=_remark(difference, shares, tuple(material), recording.reference_source),
         )
 
     def advice(self, finding: Finding) -> str:
@@ -69,6 +68,31 @@ class PayloadMismatch(Symptom):
         grams = 1e3 * finding.theta[0]
         mass = f" (mass {grams:+.0f} g)" if np.isfinite(grams) else ""
         return f"Check that the right payload is mounted and replace the reference by the identified parameters{mass}."
+
+
+def _times(share: float, z: Array, known: NDArray[np.bool_]) -> float:
+    """How many times the larger of tolerance and uncertainty a part is off; 0 where it was not determined.
+
+    Args:
+        share: times the tolerance.
+        z: of its parameters, standard deviations; `known`: those that were determined.
+    """
+    beyond = float(np.sqrt(np.sum(z**2) / chi2.isf(CHANCE, max(int(known.sum()), 1))))
+    return min(share, beyond) if np.isfinite(share) else 0.0
+
+
+def _remark(difference: Array, shares: dict[str, float], material: tuple[str, ...], source: str | None) -> Remark:
+    """What is off, or by how little. The mass has a direction: more than the reference says, or less."""
+    more = difference[0] > 0
+    told = [part for part in material or _PARTS if np.isfinite(shares[part])]
+    percent = {part: f"{100 * shares[part]:.1f} %" for part in told}
+    parts = [f"{percent[part]} {'heavier' if more else 'lighter'}" if part == "mass" else f"{part} off by {percent[part]}" for part in told]
+    words, of = ", ".join(parts), f" ({source})" if source else ""
+    signs = {part: -1.0 if part == "mass" and not more else 1.0 for part in told}
+    values: dict[str, float | str] = {f"{part.replace(' ', '_')}_share": signs[part] * shares[part] for part in told}
+    if material:
+        return Remark("other_payload", f"The payload is not the reference{of}: {words}.", values)
+    return Remark("as_referred", f"The payload is the reference{of} as far as it matters: {words}.", values)
 
 
 def _shares(difference: Array, reference: Array) -> dict[str, float]:

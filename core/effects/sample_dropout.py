@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.recording import PAUSE_S, Recording
+from core.remark import Remark
 
 Array = NDArray[np.float64]
 
-MATERIAL = 0.05
+MATERIAL = 0.01
 """Share of the samples that are held or lost."""
 LEAST = 0.005
 """Share below which nothing is said: an arm that starts and stops makes channels repeat together as well."""
@@ -30,14 +31,15 @@ class SampleDropout(Symptom):
     """Share of rows whose six channels repeat the row before beyond what rounding alone explains, and share of rows missing from the clock.
 
     Rounded noise repeats a value by chance, each channel on its own: with share `p` held, a channel repeats with `e_i = p + (1 - p) c_i`
-    and all six with `p + (1 - p) c_1 ... c_6`; both are counted, `p` is solved for. Material from 5 % of the samples.
+    and all six with `p + (1 - p) c_1 ... c_6`; both are counted, `p` is solved for. Material from 1 % of
+    the samples; a pause of the recorder loses none.
     """
 
     id = "sample_dropout"
     title = "samples that are held or lost"
     stage = "sensor"
+    side = "reading"
     explains = ("sensor_noise", "sensor_quantization")
-    disturbs = True
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""
@@ -56,16 +58,18 @@ class SampleDropout(Symptom):
             return None
         period = float(np.median(np.diff(recording.t)))
         sentence = (
-            f"{100 * held:.0f} % of the wrench samples repeat the one before, for up to {1e3 * longest * period:.0f} ms, "
-            f"and {100 * lost:.0f} % of the samples are missing"
+            f"{100 * held:.1f} % of the wrench samples repeat the one before, for up to {1e3 * longest * period:.0f} ms, "
+            f"and {100 * lost:.1f} % of the samples are missing."
         )
-        return Finding(np.array([held, lost]), std, sigma, bool(held + lost > MATERIAL), sentence)
+        remark = Remark("held_or_lost", sentence, {"held_share": held, "lost_share": lost, "longest_s": longest * period})
+        times = (held + lost) / MATERIAL
+        return Finding(np.array([held, lost]), std, sigma, times > 1.0, times, remark)
 
     def advice(self, finding: Finding) -> str:
         """See `Symptom.advice`."""
         return (
-            f"Match the recorder's rate to the sensor's or relieve its bus: {100 * finding.theta[0]:.0f} % of the samples are held "
-            f"and {100 * finding.theta[1]:.0f} % are lost."
+            f"Match the recorder's rate to the sensor's or relieve its bus: {100 * finding.theta[0]:.1f} % of the samples are held "
+            f"and {100 * finding.theta[1]:.1f} % are lost."
         )
 
 

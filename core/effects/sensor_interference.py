@@ -8,23 +8,27 @@ from core.effects.channels import CHANNELS, SUFFIXES, UNITS, in_words, six
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.hold_noise import hold_noise, line_in, rate, steady
 from core.recording import Recording
+from core.remark import Remark
 
 SOURCES_HZ = (50.0, 60.0, 100.0, 120.0, 150.0, 180.0, 300.0)
 """Mains of both kinds with their strongest harmonics."""
 SIGNIFICANT = 5.0
 """Standard deviations."""
+MATERIAL = 3.0
+"""Amplitude, in standard deviations of a sample's noise."""
 
 
 class SensorInterference(Symptom):
     """`A sin(2 pi f t + phase)` in each channel, found in the raw wrench of the holds, where no motion hides it.
 
-    Material where the line's power exceeds that of the noise of a sample in some channel. What rings down within the holds is no
-    interference.
+    Material where the amplitude is more than three times the stated noise of a sample in some channel; where none is stated, the noise
+    beside the line. What rings down within the holds is no interference.
     """
 
     id = "sensor_interference"
     title = "electrical interference in the sensor's signal"
     stage = "sensor"
+    side = "reading"
     explains = ("sensor_noise",)
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
@@ -45,16 +49,22 @@ class SensorInterference(Symptom):
         line = line_in(noise, samples_per_second)
         if line is None or line.sigma < SIGNIFICANT:
             return None
-        relative = line.amplitude / np.sqrt(2) / line.floor
+        relative = line.amplitude / line.floor
         if not steady(noise, line.frequency, samples_per_second, int(relative.argmax())):
             return None
+        stated = recording.sensor.noise_std
+        times = relative if stated is None else line.amplitude / stated
+        worst = int(times.argmax())
+        source, as_alias = _source(line.frequency, samples_per_second)
         sentence = (
-            f"a line at {line.frequency:.2f} Hz{_source(line.frequency, samples_per_second)} "
-            f"with amplitudes up to {in_words(line.amplitude).replace('+', '')}, {relative.max():.1f} times the noise beside it"
+            f"There is a line at {line.frequency:.2f} Hz{as_alias} with amplitudes up to "
+            f"{in_words(line.amplitude).replace('+', '')}, {times[worst]:.1f} times the noise in {CHANNELS[worst]}."
         )
+        values: dict[str, float | str] = {"frequency_hz": line.frequency, "times": float(times[worst]), "channel": CHANNELS[worst]}
+        remark = Remark("line", sentence, values) if source is None else Remark("mains_line", sentence, {**values, "source_hz": source})
         theta = np.append(line.frequency, line.amplitude)
         std = np.append(line.frequency_std, line.amplitude_std)
-        return Finding(theta, std, line.sigma, bool(relative.max() > 1.0), sentence)
+        return Finding(theta, std, line.sigma, bool(times[worst] > MATERIAL), float(times[worst]), remark)
 
     def advice(self, finding: Finding) -> str:
         """See `Symptom.advice`."""
@@ -64,11 +74,11 @@ class SensorInterference(Symptom):
         )
 
 
-def _source(frequency: float, samples_per_second: float) -> str:
-    """The mains line that appears at this frequency once sampled, in words; empty where there is none."""
+def _source(frequency: float, samples_per_second: float) -> tuple[float | None, str]:
+    """The mains line that appears at this frequency once sampled, Hz, and the same in words; None and nothing where there is none."""
     for source in SOURCES_HZ:
         alias = abs(source - samples_per_second * round(source / samples_per_second))
         if abs(alias - frequency) < 0.01 * source:
             seen = "" if source < 0.5 * samples_per_second else f", seen as its alias at {samples_per_second:.0f} samples per second"
-            return f" (mains, {source:.0f} Hz{seen})"
-    return ""
+            return source, f" (mains, {source:.0f} Hz{seen})"
+    return None, ""

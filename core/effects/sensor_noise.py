@@ -12,6 +12,7 @@ from core.effects.sample_dropout import held_share
 from core.effects.sensor_interference import SIGNIFICANT
 from core.effects.sensor_quantization import step_of
 from core.recording import Recording
+from core.remark import Remark
 
 Array = NDArray[np.float64]
 
@@ -21,7 +22,7 @@ TOLERANCE = 0.1
 """Stated noise figures are not better than this."""
 HIDDEN = 2.0
 """Steps of so many standard deviations hide the noise."""
-MATERIAL = 1.3
+MATERIAL = 1.5
 """Times the stated noise, over all frequencies."""
 MATERIAL_SLOW = 1.7
 """Times the stated noise, slow part: what averaging leaves."""
@@ -30,13 +31,14 @@ MATERIAL_SLOW = 1.7
 class SensorNoise(Symptom):
     """Noise `v_k = rho v_(k-1) + e_k` (AR(1)) of `factor` times the stated standard deviation, in the later part of the holds.
 
-    Trend, mains line, repeated samples and what the visible resolution adds are taken out first. Material where it is more than 1.3 times
+    Trend, mains line, repeated samples and what the visible resolution adds are taken out first. Material where it is more than 1.5 times
     the stated noise, or, correlated, 1.7 times of it in what is slow against the samples, `factor sqrt((1 + rho)/(1 - rho))`.
     """
 
     id = "sensor_noise"
     title = "noise of the sensor above what is stated"
     stage = "sensor"
+    side = "reading"
     resembled_by = ("payload_loose", "joint_elasticity", "tool_flexibility")  # what swings after a motion, swings in the hold
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
@@ -65,10 +67,12 @@ class SensorNoise(Symptom):
             return None
         k, channel = largest(factor)
         sentence = (
-            f"the noise of {channel} in the holds is {factor[k]:.2f} times the stated one, its correlation between samples {common:.2f}"
+            f"The noise of {channel} in the holds is {factor[k]:.2f} times the stated one, its correlation between samples {common:.2f}."
         )
+        remark = Remark("noisier", sentence, {"channel": channel, "times": float(factor[k]), "correlation": common})
         material = bool(factor.max() > MATERIAL or slow.max() > MATERIAL_SLOW)
-        return Finding(np.append(factor, common), np.append(std, rho_std), sigma, material, sentence)
+        times = float(slow.max() if slow.max() / MATERIAL_SLOW > factor.max() / MATERIAL else factor.max())
+        return Finding(np.append(factor, common), np.append(std, rho_std), sigma, material, times, remark)
 
     def advice(self, finding: Finding) -> str:
         """See `Symptom.advice`."""

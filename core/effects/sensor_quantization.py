@@ -8,13 +8,14 @@ from numpy.typing import NDArray
 from core.effects.channels import CHANNELS, SUFFIXES, UNITS, six
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.recording import Recording
+from core.remark import Remark
 
 Array = NDArray[np.float64]
 
 COARSER = 1.4
 """Times the stated resolution; less is a question of rounding."""
-VISIBLE = 0.5
-"""Standard deviation of the rounding, `d / sqrt(12)`, against that of the noise."""
+MATERIAL = 1.0
+"""Steps, in standard deviations of a sample's noise."""
 RESTING = 0.5
 """Share of rows that repeat the one before; noise on a grid as fine as half of its usual step repeats itself less often."""
 JUMPS = 20
@@ -25,15 +26,14 @@ class SensorQuantization(Symptom):
     """`round(W / d) d`: the step `d` read off the distinct values of each channel, over the run or in the hold in which they are coarsest
     (a number with few digits is coarse where it is large). A channel that rests until it has moved by `d` (a dead band) has steps as well.
 
-    Material where `d` is coarser than stated and its rounding is more than half of the noise: finer steps are dithered away by the noise
-    itself.
+    Material where `d` is coarser than stated and larger than the noise of a sample: finer steps are dithered away by the noise itself.
     """
 
     id = "sensor_quantization"
     title = "coarse steps of the sensor's signal"
     stage = "sensor"
+    side = "reading"
     explains = ("sensor_noise",)
-    disturbs = True
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
         """See `Symptom.parameters`."""
@@ -57,13 +57,15 @@ class SensorQuantization(Symptom):
         k = int((coarse * rounding / noise).argmax())
         levels = np.array([len(np.unique(channel)) for channel in recording.wrench.T])
         std = np.maximum(stated, 1e-9) / np.sqrt(levels)
+        times = float(step[k] / noise[k])
         sentence = (
             f"{CHANNELS[k]} comes in steps of {step[k]:.3g} {UNITS[k]}"
             + (f", stated are {stated[k]:.3g}" if stated[k] else "")
-            + f"; rounding adds {rounding[k] / noise[k]:.1f} times its noise"
+            + f": {times:.1f} times its noise."
         )
+        remark = Remark("coarse_steps", sentence, {"channel": CHANNELS[k], f"step_{SUFFIXES[k]}": float(step[k]), "times": times})
         sigma = float(rounding[k] / noise[k] * np.sqrt(len(recording)))
-        return Finding(step, std, sigma, bool((coarse & (rounding > VISIBLE * noise)).any()), sentence)
+        return Finding(step, std, sigma, bool((coarse & (step > MATERIAL * noise)).any()), times, remark)
 
     def advice(self, finding: Finding) -> str:
         """See `Symptom.advice`."""

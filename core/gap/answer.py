@@ -6,10 +6,19 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
+from core.effects.effect import Side
 from core.gap.experiment import Stop
 from core.remark import Remark
 
 Verdict = Literal["no_gap", "explained", "ambiguous", "unknown", "not_enough"]
+
+
+SIDES: dict[Side, str] = {
+    "joints": "at the joints",
+    "reading": "in the sensor's readings",
+    "reference": "against the reference payload",
+}
+"""Where something is seen, in words."""
 
 
 class Part(BaseModel):
@@ -28,7 +37,11 @@ class Value(Part):
 
 
 class Explanation(Part):
-    """One effect, or two at once, with what it would do to the gap."""
+    """One effect with what it would do to the gap.
+
+    Args:
+        addable: whether the cell's twin would take it, as this recording shows it; `why_not` says what stands against it.
+    """
 
     id: str
     title: str
@@ -39,20 +52,46 @@ class Explanation(Part):
     closure: float
     closure_interval: tuple[float, float]
     advice: str
+    addable: bool = False
+    why_not: str | None = None
 
 
 class Pair(Part):
-    """Two effects at once."""
+    """Two effects at once; `addable` and `why_not` as of one."""
 
     ids: tuple[str, str]
     probability: float
     gap_after: float
     closure: float
     parameters: dict[str, dict[str, Value]] = {}
+    addable: bool = False
+    why_not: str | None = None
+
+
+class Also(Part):
+    """What is seen elsewhere than in the wrench that the twin predicts: it explains no gap there, and is judged by a measure of its own.
+
+    Args:
+        side: where it is seen: at the joints, in the sensor's readings, against the reference payload.
+        times_expected: how many times what is stated or tolerated; null where nothing is.
+        sentence: what was seen; `remark` names it and `values` are its figures, SI, for other languages.
+        advice: what a person should do where it is material.
+    """
+
+    id: str
+    title: str
+    side: Side
+    parameters: dict[str, Value]
+    times_expected: float | None
+    material: bool
+    sentence: str
+    advice: str
+    remark: str
+    values: dict[str, float | str]
 
 
 class Minor(Part):
-    """Detected, but not material."""
+    """An effect on the wrench that was detected, but is not material."""
 
     id: str
     parameters: dict[str, Value]
@@ -160,7 +199,7 @@ class Experiment(Part):
 
 
 class Diagnosis(Part):
-    """The whole answer."""
+    """The whole answer; all of it but `also` is about the wrench that the twin predicts."""
 
     verdict: Verdict
     summary: str
@@ -169,6 +208,7 @@ class Diagnosis(Part):
     unknown_probability: float
     pairs: list[Pair]
     minor: list[Minor]
+    also: list[Also] = []
     indistinguishable: list[Tied]
     where: Where | None
     gap: GapPart | None

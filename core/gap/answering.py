@@ -1,7 +1,8 @@
-"""The evidence put into the form that leaves the engine, together with what is read off the recording directly."""
+"""The evidence put into the form that leaves the engine, and beside it what is read off the recording directly."""
 
 from __future__ import annotations
 
+from core.gap.addable import why_not_addable
 from core.gap.answer import Cell, Change, Diagnosis, Explanation, GapPart, Minor, Pair, Payload, PayloadPart, Tied, Value, Verdict, Where
 from core.gap.attribution import LAPSE, Tie
 from core.gap.closure import closure_of, gap_of
@@ -11,45 +12,19 @@ from core.gap.joint_side import joint_side
 from core.gap.materiality import payload_shift
 from core.gap.proposal import Proposal
 from core.gap.residual import CHANNELS, Residual
-from core.gap.symptoms import Observed, observed
-from core.gap.windows import OFFSET, Windows
+from core.gap.symptoms import leading, observed
+from core.gap.windows import OFFSET
 from core.recording import Recording
 from core.remark import Remark
 
-SEEN = 1.0 - LAPSE
-"""Probability of what is plain in the recording itself."""
 UNKNOWN_CONSEQUENCE = "What it does to the payload cannot be told as long as its cause is not known: use these numbers with care."
-READ_OFF_CONSEQUENCE = "It is read off the recording itself; the wrench that the payload asks of the sensor is not changed by it."
 
 
 def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
-    """The evidence, and what is plain in the recording itself."""
-    seen = observed(recording, evidence.windows, evidence.nominal, evidence.best)
-    told = [it for it in seen if it.finding.material and concerns(it, evidence)]
+    """What the wrench says, and beside it what is plain in the recording itself; that explains no gap, and changes no verdict."""
     fitted = _fitted(recording, evidence)
-    if evidence.verdict in ("no_gap", "unknown"):
-        answered = _read_off(fitted, told) if told else fitted
-    else:
-        answered = _beside(fitted, evidence, told[0]) if told and len(evidence.best.effects) == 1 else fitted
-    return answered.model_copy(update={"minor": [*answered.minor, *(_noted(it) for it in seen if it.symptom.id not in _names(answered))]})
-
-
-def concerns(it: Observed, evidence: Evidence) -> bool:
-    """Whether a symptom is an answer, or stands among the minor findings.
-
-    A gap in the wrench that nothing explains may come from samples that were lost, but not from the joints' friction, a wrong reference
-    or noise, which is its consequence. Where an effect explains it, the estimated payload hangs on that effect, and is no proof against
-    the reference; nor is what looks like the effect itself.
-    """
-    if evidence.verdict == "unknown":
-        return it.symptom.disturbs
-    if evidence.verdict == "no_gap":
-        return True
-    return it.symptom.stage != "payload" and not set(it.symptom.resembled_by) & {effect.id for effect in evidence.best.effects}
-
-
-def _names(diagnosis: Diagnosis) -> set[str]:
-    return {effect.id for effect in diagnosis.effects}
+    also = observed(recording, evidence.windows, evidence.nominal, evidence.best)
+    return fitted.model_copy(update={"also": also, "summary": " ".join([fitted.summary, *leading(also)])})
 
 
 def _fitted(recording: Recording, evidence: Evidence) -> Diagnosis:
@@ -60,10 +35,10 @@ def _fitted(recording: Recording, evidence: Evidence) -> Diagnosis:
     return Diagnosis(
         verdict=verdict,
         summary=_summary(verdict, evidence),
-        effects=[_explanation(windows, nominal, fit, p) for fit, p in explained if len(fit.effects) == 1],
+        effects=[_explanation(evidence, fit, p) for fit, p in explained if len(fit.effects) == 1],
         none_probability=attribution.none if material else 1.0 - LAPSE,
         unknown_probability=attribution.unknown if material else LAPSE,
-        pairs=[_pair(windows, nominal, fit, p) for fit, p in explained if len(fit.effects) == 2],
+        pairs=[_pair(evidence, fit, p) for fit, p in explained if len(fit.effects) == 2],
         minor=[] if material else _minor(evidence),
         indistinguishable=[_tied(tie, evidence.proposals) for tie in attribution.ties] if material else [],
         where=_where(recording, Residual(windows, nominal), best),
@@ -74,70 +49,6 @@ def _fitted(recording: Recording, evidence: Evidence) -> Diagnosis:
         limits=list(evidence.limits),
         seconds=0.0,
     )
-
-
-def _read_off(fitted: Diagnosis, told: list[Observed]) -> Diagnosis:
-    """The answer where no effect on the wrench is the cause, but something is plain in the recording itself."""
-    before = 1.0 if fitted.gap is None else fitted.gap.before
-    names = [it.symptom.id for it in told]
-    alone = len(told) == 1
-    single, rest = (SEEN, 1.0 - SEEN) if alone else ((1.0 - SEEN) / len(told), 0.0)
-    return fitted.model_copy(
-        update={
-            "verdict": "explained",
-            "summary": " ".join(it.finding.sentence for it in told),
-            "effects": [_told(it, single, before) for it in told],
-            "pairs": [] if alone else [Pair(ids=(names[0], names[1]), probability=SEEN, gap_after=before, closure=0.0)],
-            "none_probability": 0.5 * rest,
-            "unknown_probability": 0.5 * rest,
-            "indistinguishable": [],
-            "gap": None if fitted.gap is None else _as_before(fitted.gap),
-            "where": None if fitted.where is None else fitted.where.model_copy(update={"stage": told[0].symptom.stage}),
-            "payload": None if fitted.payload is None else fitted.payload.model_copy(update={"after": fitted.payload.before}),
-            "consequence": READ_OFF_CONSEQUENCE,
-        }
-    )
-
-
-def _as_before(gap: GapPart) -> GapPart:
-    """The wrench's gap is not what the symptom is about: it stays."""
-    channels = {name: Change(before=change.before, after=change.before) for name, change in gap.by_channel.items()}
-    return gap.model_copy(update={"after": gap.before, "by_channel": channels})
-
-
-def _beside(fitted: Diagnosis, evidence: Evidence, it: Observed) -> Diagnosis:
-    """An effect on the wrench explains the gap, and something else is plain in the recording: most probably both at once."""
-    first = fitted.effects[0]
-    both = Pair(
-        ids=(first.id, it.symptom.id), probability=SEEN * first.probability, gap_after=first.gap_after, closure=first.closure,
-        parameters={first.id: first.parameters, it.symptom.id: it.parameters},
-    )  # fmt: skip
-    alone = first.model_copy(update={"probability": (1.0 - SEEN) * first.probability})
-    return fitted.model_copy(
-        update={
-            "summary": f"{_summary(evidence.verdict, evidence)} Besides: {it.finding.sentence}",
-            "effects": [alone, *fitted.effects[1:], _told(it, 0.0, first.gap_after)],
-            "pairs": [both, *fitted.pairs],
-        }
-    )
-
-
-def _told(it: Observed, probability: float, gap: float) -> Explanation:
-    return Explanation(
-        id=it.symptom.id,
-        title=it.symptom.title,
-        stage=it.symptom.stage,
-        probability=probability,
-        parameters=it.parameters,
-        gap_after=gap,
-        closure=0.0,
-        closure_interval=(0.0, 0.0),
-        advice=it.symptom.advice(it.finding),
-    )
-
-
-def _noted(it: Observed) -> Minor:
-    return Minor(id=it.symptom.id, parameters=it.parameters, sentence=it.finding.sentence)
 
 
 def _gap(evidence: Evidence) -> GapPart:
@@ -168,8 +79,9 @@ def _values(fit: EffectFit) -> dict[str, Value]:
     }
 
 
-def _explanation(windows: Windows, nominal: EffectFit, fit: EffectFit, probability: float) -> Explanation:
-    effect = fit.effects[0]
+def _explanation(evidence: Evidence, fit: EffectFit, probability: float) -> Explanation:
+    windows, nominal, effect = evidence.windows, evidence.nominal, fit.effects[0]
+    against = why_not_addable(evidence, fit)
     closure, interval = closure_of(windows, nominal, fit)
     return Explanation(
         id=effect.id,
@@ -181,19 +93,24 @@ def _explanation(windows: Windows, nominal: EffectFit, fit: EffectFit, probabili
         closure=closure,
         closure_interval=interval,
         advice=effect.advice(windows.basis.scene.carrying(fit.phi), fit.theta),
+        addable=against is None,
+        why_not=against,
     )
 
 
-def _pair(windows: Windows, nominal: EffectFit, fit: EffectFit, probability: float) -> Pair:
-    a, b = fit.effects
+def _pair(evidence: Evidence, fit: EffectFit, probability: float) -> Pair:
+    windows, (a, b) = evidence.windows, fit.effects
+    against = why_not_addable(evidence, fit)
     values = list(_values(fit).items())
     count = len(a.parameters(windows.basis.scene))
     return Pair(
         ids=(a.id, b.id),
         probability=probability,
         gap_after=gap_of(windows, fit),
-        closure=closure_of(windows, nominal, fit)[0],
+        closure=closure_of(windows, evidence.nominal, fit)[0],
         parameters={a.id: dict(values[:count]), b.id: dict(values[count:])},
+        addable=against is None,
+        why_not=against,
     )
 
 

@@ -33,10 +33,15 @@ def _led_astray(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
     reference = windows.basis.reference
     if reference is None or not best.effects:
         return False
-    off = nominal.phi - reference
-    signature = float(np.square(windows.X[:, :, PHI] @ off).mean())
-    excess = float(nominal.held_out.mean()) - 1.0
-    return bool(_apart(off, reference, nominal.phi_std).any()) and signature < DOUBT**2 * excess
+    return bool(_apart(nominal.phi - reference, reference, nominal.phi_std).any()) and is_doubtful(windows, nominal)
+
+
+def is_doubtful(windows: Windows, fit: EffectFit) -> bool:
+    """Whether the payload's difference from the reference moves the wrench by so little that the gap that a fit leaves may be why."""
+    if windows.basis.reference is None:
+        return False
+    signature = float(np.square(windows.X[:, :, PHI] @ (fit.phi - windows.basis.reference)).mean())
+    return signature < DOUBT**2 * (float(fit.held_out.mean()) - 1.0)
 
 
 def _apart(difference: Array, phi: Array, std: Array) -> NDArray[np.bool_]:

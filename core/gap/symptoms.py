@@ -1,47 +1,81 @@
-"""Effects that do not change the predicted wrench, read off the recording directly."""
+"""What stands beside the verdict: effects that do not change the predicted wrench, read off the recording directly."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 
-from core.effects.effect import Finding, Symptom, View
+from core.effects.effect import Finding, Parameter, Side, Symptom, View
 from core.effects.library import symptoms
-from core.gap.answer import Value
+from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
+from core.gap.materiality import is_doubtful
 from core.gap.windows import Windows
 from core.recording import Recording
+from core.remark import Remark
 
 SEEN_SIGMA = 5.0
 
 
-@dataclass(frozen=True)
-class Observed:
-    """A symptom with what it found."""
-
-    symptom: Symptom
-    finding: Finding
-    parameters: dict[str, Value]
+LEADING: tuple[Side, ...] = ("reference", "reading")
+"""What the summary goes on with where it is material, in this order."""
 
 
-def observed(recording: Recording, windows: Windows, nominal: EffectFit, fit: EffectFit) -> list[Observed]:
-    """Symptoms that stand clearly above chance, the clearest first.
+def observed(recording: Recording, windows: Windows, nominal: EffectFit, fit: EffectFit) -> list[Also]:
+    """Symptoms that stand clearly above chance: the material ones first, the clearest first.
+
+    What comes along with another symptom, or looks like one of the effects that explain the wrench, is not named beside it.
 
     Args:
         nominal, fit: without and with what explains the wrench best; what that changes in the payload counts as its uncertainty.
     """
     holds = tuple(part.rows for part in windows.basis.segments if part.is_hold)
     view = View(holds, windows.basis.noise.std, fit.phi, np.hypot(fit.phi_std, fit.phi - nominal.phi))
-    found = []
+    acting = {effect.id for effect in fit.effects}
+    found: list[tuple[Symptom, Finding]] = []
     for symptom in symptoms():
         finding = symptom.observe(recording, view)
-        if finding is None or finding.sigma < SEEN_SIGMA:
+        if finding is None or finding.sigma < SEEN_SIGMA or acting & set(symptom.resembled_by):
             continue
-        values = {
-            p.name: Value(value=float(v), std=float(s) if np.isfinite(s) else None, unit=p.unit)
-            for p, v, s in zip(symptom.parameters(recording), finding.theta, finding.std, strict=True)
-        }
-        found.append(Observed(symptom, finding, values))
-    behind = {name for seen in found for name in seen.symptom.explains}
-    return sorted((seen for seen in found if seen.symptom.id not in behind), key=lambda seen: -seen.finding.sigma)
+        doubtful = symptom.side == "reference" and finding.material and is_doubtful(windows, fit)
+        found.append((symptom, _doubted(finding) if doubtful else finding))
+    behind = {name for symptom, _ in found for name in symptom.explains}
+    own = [(symptom, finding) for symptom, finding in found if symptom.id not in behind]
+    return [_also(recording, *seen) for seen in sorted(own, key=lambda seen: (not seen[1].material, -seen[1].sigma))]
+
+
+def leading(also: list[Also]) -> list[str]:
+    """The sentences of what is material about the reference and the readings."""
+    return [it.sentence for side in LEADING for it in also if it.side == side and it.material]
+
+
+def _doubted(finding: Finding) -> Finding:
+    """The payload seems to be another one, but so it may because of what is wrong with the wrench."""
+    remark = finding.remark
+    sentence = f"{remark.sentence} But the gap in the wrench may be why."
+    return replace(finding, material=False, remark=Remark("payload_or_gap", sentence, remark.values))
+
+
+def _also(recording: Recording, symptom: Symptom, finding: Finding) -> Also:
+    return Also(
+        id=symptom.id,
+        title=symptom.title,
+        side=symptom.side,
+        parameters=_values(symptom.parameters(recording), finding),
+        times_expected=finding.times_expected,
+        material=finding.material,
+        sentence=finding.remark.sentence,
+        advice=symptom.advice(finding),
+        remark=finding.remark.id,
+        values=finding.remark.values,
+    )
+
+
+def _values(parameters: tuple[Parameter, ...], finding: Finding) -> dict[str, Value]:
+    """Those that were determined."""
+    return {
+        p.name: Value(value=float(value), std=float(std) if np.isfinite(std) else None, unit=p.unit)
+        for p, value, std in zip(parameters, finding.theta, finding.std, strict=True)
+        if np.isfinite(value)
+    }

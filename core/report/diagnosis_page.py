@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.gap.answer import Diagnosis, GapPart, JointGap, Minor, Tied, Where
+from core.gap.answer import SIDES, Also, Diagnosis, GapPart, JointGap, Minor, Tied, Where
 from core.gap.limits import GAP
 from core.report.charts import CHANNELS, gap_chart, overlay_chart
 from core.report.diagnosis_rows import explanation_rows, heat_map, leading, parameter_texts, payload_rows, percent, rest_sentences, title_of
@@ -77,6 +77,7 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
         "explanations": [] if diagnosis.verdict == "not_enough" else explanation_rows(diagnosis, titles),
         "rest": rest_sentences(diagnosis, titles),
         "ties": [_tie(tie, titles) for tie in diagnosis.indistinguishable],
+        "also": [_also(also) for also in diagnosis.also],
         "minor": [_minor(minor, titles) for minor in diagnosis.minor],
         "gap": None if diagnosis.gap is None else _gap(diagnosis.gap),
         "overlay": None if overlay is None else _overlay(overlay),
@@ -111,7 +112,11 @@ def _facts(diagnosis: Diagnosis) -> list[Fact]:
 
 
 def _to_do(diagnosis: Diagnosis) -> list[str]:
-    """What a person should do, most urgent first."""
+    """What a person should do, most urgent first; about the wrench, then about what is seen elsewhere and matters."""
+    return [*_to_do_about_the_wrench(diagnosis), *(sentence(also.advice) for also in diagnosis.also if also.material)]
+
+
+def _to_do_about_the_wrench(diagnosis: Diagnosis) -> list[str]:
     if diagnosis.verdict == "no_gap":
         return ["Nothing needs to be added to the simulation."]
     if diagnosis.verdict == "not_enough":
@@ -186,6 +191,17 @@ def _minor(minor: Minor, titles: dict[str, str]) -> dict[str, Any]:
         "title": sentence(title_of(minor.id, titles)).rstrip("."),
         "sentence": sentence(minor.sentence),
         "parameters": parameter_texts(minor.parameters),
+    }
+
+
+def _also(also: Also) -> dict[str, Any]:
+    return {
+        "title": sentence(also.title).rstrip("."),
+        "where": SIDES[also.side],
+        "material": also.material,
+        "times": "" if also.times_expected is None else f"{also.times_expected:.1f} times what is stated or tolerated",
+        "sentence": sentence(also.sentence),
+        "parameters": parameter_texts(also.parameters),
     }
 
 

@@ -11,7 +11,7 @@ from scipy.optimize import minimize
 from scipy.special import expit, ndtr
 
 from core.gap.limits import sizes
-from core.trial.judgement import CLEAR_SIGMA, SIZED_SIGMA, TIE_SIGMA, counts, forecast, right, truth_class
+from core.trial.judgement import CLEAR_SIGMA, SIZED_SIGMA, TIE_SIGMA, counts, forecast, is_beside, right, truth_class
 from core.trial.outcome import Outcome
 
 Array = NDArray[np.float64]
@@ -85,14 +85,19 @@ def tie_honesty(outcomes: Sequence[Outcome]) -> tuple[Share, Share]:
 
 def first_answers(outcomes: Sequence[Outcome]) -> tuple[Array, NDArray[np.bool_]]:
     """Probability of the most probable class of each answer, and whether it was that."""
-    answers = [(max(forecast(o).items(), key=lambda item: item[1]), truth_class(o)) for o in outcomes if o.stopped is None]
+    answers = [(max(forecast(o).items(), key=lambda item: item[1]), truth_class(o)) for o in _in_the_wrench(outcomes)]
     return np.array([p for (_, p), _ in answers]), np.array([name == truth for (name, _), truth in answers], dtype=bool)
 
 
 def all_answers(outcomes: Sequence[Outcome], least: float) -> tuple[Array, NDArray[np.bool_]]:
     """The same for every class that was given at least this probability."""
-    told = [(p, name == truth_class(o)) for o in outcomes if o.stopped is None for name, p in forecast(o).items() if p >= least]
+    told = [(p, name == truth_class(o)) for o in _in_the_wrench(outcomes) for name, p in forecast(o).items() if p >= least]
     return np.array([p for p, _ in told]), np.array([hit for _, hit in told], dtype=bool)
+
+
+def _in_the_wrench(outcomes: Sequence[Outcome]) -> list[Outcome]:
+    """Answers whose probabilities have a truth: what is planted in the readings is none of the effects, and may be more than nothing."""
+    return [o for o in outcomes if o.stopped is None and not is_beside(o)]
 
 
 def reliability(probability: Array, hit: NDArray[np.bool_], bins: int = 10) -> list[Bin]:
@@ -124,9 +129,10 @@ def parameter_errors(outcomes: Sequence[Outcome]) -> tuple[list[float], Share]:
     for o in outcomes:
         if o.stopped is not None or (o.bound.fault_sigma or np.inf) < SIZED_SIGMA or len(o.sealed.ids) != 1:
             continue
-        for effect in o.effects:
-            for name, true in o.truth.get(effect.id, {}).items():
-                found = effect.parameters.get(name)
+        found_of = {effect.id: effect.parameters for effect in o.effects} | o.also
+        for identifier, parameters in found_of.items():
+            for name, true in o.truth.get(identifier, {}).items():
+                found = parameters.get(name)
                 if found is None or not found.std:
                     continue
                 inside.append(abs(found.value - true) <= Z95 * found.std)

@@ -13,6 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from core.effects.library import symptoms
 from core.gap.limits import SHARES, sizes
 from core.trial.outcome import Outcome
 from core.trial.truth import Parameters
@@ -27,6 +28,8 @@ TIE_SIGMA, CLEAR_SIGMA = 3.0, 6.0
 """Distance to the nearest rival below which the tie is to be declared, and above which there is to be one name."""
 NAMED = ("explained", "ambiguous")
 NO_GAP, UNKNOWN = "no_gap", "unknown"
+SEEN_BESIDE = frozenset(symptom.id for symptom in symptoms())
+"""Faults that are read off the recording directly."""
 
 
 def material(outcome: Outcome) -> bool:
@@ -51,12 +54,12 @@ def _mismatch(truth: Parameters, outcome: Outcome) -> float:
 
 
 _MEASURES: dict[str, Callable[[Parameters, Outcome], float]] = {
-    "sensor_noise": lambda truth, _: max(truth.values()) / 1.3,
-    "sample_dropout": lambda truth, _: truth["held_share"] / 0.05,
+    "sensor_noise": lambda truth, _: max(truth.values()) / 1.5,
+    "sample_dropout": lambda truth, _: truth["held_share"] / 0.01,
     "payload_mismatch": _mismatch,
 }
 """As the effects' docstrings say."""
-_LIMITS = {"sensor_interference": 1.0, "sensor_quantization": 0.5, "sensor_noise": float(np.sqrt(1.3**2 - 1.0))}
+_LIMITS = {"sensor_interference": 3.0 / 2**0.5, "sensor_quantization": 12**-0.5, "sensor_noise": (1.5**2 - 1.0) ** 0.5}
 """The same for what is added to the readings, in standard deviations of their noise."""
 
 
@@ -86,29 +89,44 @@ def named(outcome: Outcome) -> frozenset[str]:
 def right(outcome: Outcome) -> bool:
     """Whether the answer is right, counted or not.
 
-    None: no gap. One fault: its name first, or a declared tie that holds it; "no gap" where it is immaterial. Unknown: "unknown"; "no gap"
-    where it is immaterial. Two: exactly those, one of which may stand among what was read off beside the verdict; where the weaker one does
-    not count, either of them.
+    None: no gap, and nothing that matters beside. One fault: its name first, or a declared tie that holds it; one that is read off the
+    recording stands beside the verdict, which names nothing; where it is immaterial, the same as none. Unknown: "unknown"; where it is
+    immaterial, the same as none. Two: exactly those; where the weaker one does not count, either of them.
     """
     kind, ids = outcome.sealed.kind, set(outcome.sealed.ids)
-    silent = outcome.verdict == NO_GAP
     if outcome.stopped is not None:
         return False
-    if kind == "none":
-        return silent
-    if silent and not material(outcome):
+    if outcome.verdict == NO_GAP and not outcome.also and not material(outcome):
         return True
+    if is_beside(outcome):
+        return stands_beside(outcome) and set(outcome.also) == ids
     if kind == "unknown":
         return outcome.verdict == UNKNOWN
     if kind == "double" and counts(outcome):
         return exact_pair(outcome)
-    return bool(named(outcome) & ids) or (outcome.verdict in NAMED and bool(outcome.tied & ids))
+    tied = outcome.tied if outcome.verdict in NAMED else frozenset()
+    return bool((named(outcome) | tied | set(outcome.also)) & ids)
+
+
+def named_first(outcome: Outcome) -> bool:
+    """Whether the truth is the first name, ties or not."""
+    return right(outcome) if is_beside(outcome) else outcome.first in outcome.sealed.ids
+
+
+def is_beside(outcome: Outcome) -> bool:
+    """Whether all that was planted is read off the recording directly: then the verdict, which is about the wrench, is to name nothing."""
+    return bool(outcome.sealed.ids) and set(outcome.sealed.ids) <= SEEN_BESIDE
+
+
+def stands_beside(outcome: Outcome) -> bool:
+    """What was planted stands beside the verdict with its parameters, and the verdict names nothing."""
+    return not named(outcome) and all(outcome.also.get(name) for name in outcome.sealed.ids)
 
 
 def exact_pair(outcome: Outcome) -> bool:
-    """Both names and no other; what was read off the recording beside the verdict is named as well."""
-    ids, names = set(outcome.sealed.ids), named(outcome)
-    return bool(names) and names <= ids <= names | set(outcome.minor)
+    """Both names and no other, each where it belongs: in the verdict, or beside it."""
+    ids = set(outcome.sealed.ids)
+    return named(outcome) == ids - SEEN_BESIDE and ids & SEEN_BESIDE <= set(outcome.also)
 
 
 def mark(outcome: Outcome) -> str:
@@ -118,9 +136,10 @@ def mark(outcome: Outcome) -> str:
 
 
 def truth_class(outcome: Outcome) -> str:
-    """What the probabilities are about: none, unknown, an effect, or two joined by a plus sign; the verdict is about what matters."""
-    kind, ids = outcome.sealed.kind, outcome.sealed.ids
-    if kind == "none" or not material(outcome):
+    """What the probabilities are about, which is the wrench: none, unknown, an effect, or two joined by a plus sign; the verdict is about
+    what matters."""
+    kind, ids = outcome.sealed.kind, [name for name in outcome.sealed.ids if name not in SEEN_BESIDE]
+    if kind == "none" or not ids or not material(outcome):
         return "none"
     if kind != "double" or outcome.bound.second_material is None or outcome.bound.second_material:
         return "+".join(sorted(ids))

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
-from core.gap.answer import Diagnosis, Explanation, PayloadPart
+from core.gap.answer import Diagnosis, Explanation, PayloadPart, Value
 from core.trial.bound import Bound
 from core.trial.draw import Sealed
 from core.trial.truth import Parameters
@@ -59,7 +59,8 @@ class Outcome(Part):
         verdict: of the diagnosis; "stopped" where there is none.
         effects: most probable first; none where the verdict is `no_gap`.
         pairs: two effects at once with their probability.
-        minor: identifiers that were detected and called immaterial, or read off beside the verdict.
+        minor: identifiers that were detected in the wrench and called immaterial.
+        also: what was seen elsewhere than in the wrench and called material, with its parameters.
         ties: pairs of identifiers with their distance in sigma.
         truth: parameters of what was planted by effect, in the effect's own words; where the shapes agree.
         payload: None where no payload was estimated.
@@ -76,6 +77,7 @@ class Outcome(Part):
     none_probability: float = 0.0
     unknown_probability: float = 0.0
     minor: tuple[str, ...] = ()
+    also: dict[str, dict[str, Estimate]] = {}
     ties: tuple[tuple[tuple[str, ...], float], ...] = ()
     gap_before: float | None = None
     gap_after: float | None = None
@@ -114,6 +116,7 @@ def answered(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Parameters],
         none_probability=diagnosis.none_probability,
         unknown_probability=diagnosis.unknown_probability,
         minor=tuple(sorted({name for minor in diagnosis.minor for name in minor.id.split("+")})),
+        also={also.id: _estimates(also.parameters) for also in diagnosis.also if also.material},
         ties=tuple((tie.ids, tie.distance_sigma) for tie in diagnosis.indistinguishable),
         gap_before=None if diagnosis.gap is None else diagnosis.gap.before,
         gap_after=None if diagnosis.gap is None else diagnosis.gap.after,
@@ -131,9 +134,12 @@ def unanswered(sealed: Sealed, reason: str) -> Outcome:
 
 
 def _named(effect: Explanation, kept: set[str]) -> Named:
-    parameters = effect.parameters if effect.id in kept else {}
-    estimates = {name: Estimate(value=v.value, std=None if v.at_bound else v.std) for name, v in parameters.items()}
-    return Named(id=effect.id, probability=effect.probability, closure=effect.closure, parameters=estimates)
+    parameters = _estimates(effect.parameters) if effect.id in kept else {}
+    return Named(id=effect.id, probability=effect.probability, closure=effect.closure, parameters=parameters)
+
+
+def _estimates(parameters: dict[str, Value]) -> dict[str, Estimate]:
+    return {name: Estimate(value=v.value, std=None if v.at_bound else v.std) for name, v in parameters.items()}
 
 
 def _payload(found: PayloadPart, true: Array) -> PayloadTruth:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from core.cell import Cell, Friction
 from core.errors import Stopped
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
@@ -57,7 +58,7 @@ def recorded(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
     Raises:
         Stopped: the guard has given up.
     """
-    cell, name = drawn.cell, drawn.sealed.payload
+    cell, name = without_friction(drawn.cell), drawn.sealed.payload
     carried = cell.payloads[name]
     session = SimulatedSession(cell, carried.parameters, seed=drawn.sealed.seed, faults=faults, drives=SMOOTH)
     run = _Recorder(cell, session, carried.box, Procedure(drawn.plan.timing), "rrt_connect", 0)
@@ -65,6 +66,13 @@ def recorded(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
     with session:
         returned(run.moved(drawn.plan, log))
     return log.recording()
+
+
+def without_friction(cell: Cell) -> Cell:
+    """The cell as it is with `SMOOTH` drives: it states that there is none."""
+    none = (0.0,) * len(cell.robot.home_rad)
+    robot = cell.robot.model_copy(update={"friction": Friction(coulomb_n_m=none, viscous_n_m_s=none)})
+    return cell.model_copy(update={"robot": robot})
 
 
 class _Recorder(Run):

@@ -24,7 +24,7 @@ from core.trial.figures import (
     share_right,
     tie_honesty,
 )
-from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, counts, material, named, right
+from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, counts, material, named, named_first, right
 from core.trial.outcome import Outcome
 from core.whole_file import write_whole
 
@@ -80,12 +80,12 @@ def detections(outcomes: Sequence[Outcome]) -> dict[str, list[tuple[float, bool]
 
 
 def _said(outcome: Outcome) -> str:
-    return "+".join(sorted(named(outcome))) or outcome.verdict
+    return "+".join(sorted(named(outcome) or outcome.also)) or outcome.verdict
 
 
 def _names(outcome: Outcome) -> frozenset[str]:
-    """Whatever was named, material or not, alone or in a declared tie."""
-    return named(outcome) | outcome.tied | set(outcome.minor)
+    """Whatever was named, material or not, alone or in a declared tie, in the verdict or beside it."""
+    return named(outcome) | outcome.tied | set(outcome.minor) | set(outcome.also)
 
 
 def _head(outcomes: Sequence[Outcome]) -> list[str]:
@@ -123,7 +123,7 @@ def _figures(outcomes: Sequence[Outcome]) -> list[str]:
     rivals = [o.bound.nearest_rival_sigma for o in counted["single"]]
     clear = [distance for distance in rivals if distance is not None and distance > CLEAR_SIGMA]
     unknown, second = [o.bound.undescribed_sigma for o in counted["unknown"]], [o.bound.second_sigma for o in counted["double"]]
-    single = Share.among(o.first in o.sealed.ids for o in counted["single"])
+    single = Share.among(named_first(o) for o in counted["single"])
     seconds = [o.seconds for o in outcomes if o.stopped is None]
     rows = [
         ("false alarms on runs without effect", "<= 0.5 %", str(alarms), "-"),
@@ -189,7 +189,8 @@ def _failures(outcomes: Sequence[Outcome]) -> list[str]:
 def _failure(o: Outcome) -> str:
     sigma = "" if o.bound.fault_sigma is None else f", {o.bound.fault_sigma:.0f} sigma (material from {o.bound.material_sigma:.0f})"
     gap = "" if o.gap_before is None or o.gap_after is None else f", gap {o.gap_before:.2f} to {o.gap_after:.2f}"
-    answer = o.stopped or (o.verdict if not named(o) else f"{o.verdict} {_said(o)}")
+    answer = o.stopped or " ".join(part for part in (o.verdict, "+".join(sorted(named(o)))) if part)
+    answer += f", beside it {', '.join(sorted(o.also))}" if o.also else ""
     where = f"{o.sealed.cell}, {o.sealed.payload}"
     asked = "" if counts(o) else " (does not count)"
     return f"- `heft trial --seed {o.sealed.seed}`: {o.sealed.in_words}, size {o.sealed.size:.2f}{sigma}, {where}: {answer}{gap}{asked}"

@@ -42,7 +42,8 @@ class DiagnosisAnswer(JobAnswer):
     Args:
         cell: where the recording was made, null where that is none of ours.
         verdict, named: the answer, and the effect that is most probable, or two joined by a plus sign; null where it names none.
-        summary: the same in a sentence; `result` is what `heft diagnose --json` writes. Null until it is done.
+        also: what is material beside the verdict, elsewhere than in the wrench.
+        summary: the same in sentences; `result` is what `heft diagnose --json` writes. Null until it is done.
     """
 
     diagnosis: str
@@ -50,6 +51,7 @@ class DiagnosisAnswer(JobAnswer):
     cell: str | None
     verdict: Verdict | None
     named: str | None
+    also: list[str]
     summary: str | None
     result: Diagnosis | None
 
@@ -152,6 +154,7 @@ def _answer(here: Service, row: JobRow, *, whole: bool = True) -> DiagnosisAnswe
         cell=DiagnosisOrder.model_validate_json(row.order).cell,
         verdict=None if result is None else result.verdict,
         named=None if result is None else _named(result),
+        also=[] if result is None else [each.id for each in result.also if each.material],
         summary=None if result is None else result.summary,
         result=result if whole else None,
     )

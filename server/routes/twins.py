@@ -174,13 +174,16 @@ def _removed(cell: Cell, effect: str) -> str:
 
 
 def _check_named(diagnosed: JobRow, effect: str) -> None:
-    """The diagnosis is done and names the effect."""
+    """The diagnosis is done, names the effect, and has found that a twin can take it."""
     if diagnosed.result is None:
         raise Conflict(f"diagnosis {diagnosed.id}: is {diagnosed.state}; an effect can be taken from one that is done")
     found = Diagnosis.model_validate_json(diagnosed.result)
-    named = [each.id for each in found.effects] + ["+".join(pair.ids) for pair in found.pairs]
+    named = {each.id: each for each in found.effects} | {"+".join(pair.ids): pair for pair in found.pairs}
     if effect not in named:
         raise Unprocessable(f"effect: found {effect!r}, expected one that the diagnosis names: {', '.join(named) or 'it names none'}")
+    if not named[effect].addable:
+        against = named[effect].why_not or "a diagnosis that does not say whether a twin can take it"
+        raise Unprocessable(f"effect: found {against}, expected an effect that a twin can take")
 
 
 def _check_nothing_under_way(db: Session, cell: str) -> None:

@@ -18,7 +18,9 @@ from core.gap.fit_all import FitAll, Task, one_by_one
 from core.gap.windows import Windows
 from core.recording_folder import read_recording
 from core.report.diagnosis_page import write_diagnosis
+from core.stated_friction import knowing_friction
 from core.twin import NOMINAL
+from core.twin_addition import addable_to
 from core.twin_file import read_twin
 from core.whole_file import write_whole
 from server.runner.messages import Advanced, Answered, Failed
@@ -36,10 +38,11 @@ def main(folder: Path, cell: Cell | None, report: Path, overlay: Path, connectio
     give_way()
     with suppress(BrokenPipeError):  # nobody waits any more
         try:
-            recording = read_recording(folder)
+            recording = read_recording(folder) if cell is None else knowing_friction(read_recording(folder), cell)
             twin = NOMINAL if cell is None else read_twin(cell)
             diagnosis, evidence = examine(recording, twin=twin, fit_all=told_as_it_goes(connection))
             if cell is not None:
+                diagnosis = addable_to(diagnosis, cell, recording, folder)
                 diagnosis = plan_next(diagnosis, evidence, recording, folder, cell, None, Console(quiet=True))
             compared = None if evidence is None else overlay_of(evidence)
             write_diagnosis(report, diagnosis=diagnosis, overlay=compared)

@@ -67,6 +67,7 @@ def _opened(found: list[Outcome]) -> str:
             verdict=outcome.verdict,
             named=outcome.first,
             effects=[NamedEffect(id=each.id, probability=each.probability, closure=each.closure) for each in outcome.effects],
+            also=tuple(sorted(outcome.also)),
             none_probability=outcome.none_probability,
             unknown_probability=outcome.unknown_probability,
             gap_before=outcome.gap_before,

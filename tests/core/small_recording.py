@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from core.inertia import InertialParameters
-from core.recording import Recording, RobotDescription, SensorDescription
+from core.recording import FrictionDescription, Recording, RobotDescription, SensorDescription
 
 URDF = """<robot name="two"><link name="base"/><link name="a"/><link name="ft"/>
 <joint name="j1" type="revolute"><parent link="base"/><child link="a"/><axis xyz="0 0 1"/>
@@ -29,6 +29,7 @@ def recording() -> Recording:
         temperature=random.uniform(20, 30, N),
         phase=np.array(["transfer"] * 10 + ["hold:x+"] * 10 + ["rotate:x"] * 10 + ["hold:free"] * 10),
         robot=RobotDescription(URDF, ("j1", "j2"), "base", "ft"),
+        friction=FrictionDescription(np.array([3.5, 0.0]), np.array([8.0, 1.2])),
         sensor=SensorDescription(np.full(6, 0.05), np.full(6, 100.0), np.full(6, 0.01)),
         reference=InertialParameters.from_com(1.2, [0.01, 0.02, 0.03], np.diag([0.002, 0.002, 0.003])),
         reference_source="CAD",

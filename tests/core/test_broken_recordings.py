@@ -65,6 +65,18 @@ BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
         lambda f: change_manifest(f, lambda c: c["sensor"].update(noise_std=[-1] * 6)),
         "noise_std.0: found -1",
     ),
+    "friction of one joint": (
+        lambda f: change_manifest(f, lambda c: c["robot"]["friction"]["coulomb_n_m"].pop()),
+        "robot.friction.coulomb_n_m: found 1 values, expected 2, one for each joint",
+    ),
+    "friction that drives": (
+        lambda f: change_manifest(f, lambda c: c["robot"]["friction"].update(viscous_n_m_s=[-1, 0])),
+        "robot.friction.viscous_n_m_s.0: found -1",
+    ),
+    "friction misspelt": (
+        lambda f: change_manifest(f, lambda c: c["robot"]["friction"].update(coulomb_nm=c["robot"]["friction"].pop("coulomb_n_m"))),
+        "coulomb_nm.*'coulomb_n_m'",
+    ),
     "negative reference": (
         lambda f: change_manifest(f, lambda c: c["payload_reference"].update(mass=-1)),
         "payload_reference.mass: found -1",

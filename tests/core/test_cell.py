@@ -120,6 +120,8 @@ BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
     "home in degrees": (swap("home_rad = [0.0, -0.35", "home_rad = [0.0, -20"), "robot.home_rad.1: found -20"),
     "accelerations of six": (swap("acceleration_rad_s2 = [15.0, ", "acceleration_rad_s2 = ["), "acceleration_rad_s2: found 6 values"),
     "acceleration zero": (swap("acceleration_rad_s2 = [15.0, ", "acceleration_rad_s2 = [0.0, "), "acceleration_rad_s2.0: found 0.0"),
+    "friction of six": (swap("coulomb_n_m = [3.52, ", "coulomb_n_m = ["), r"robot.friction.coulomb_n_m: found 6 values, expected 7"),
+    "friction that drives": (swap("viscous_n_m_s = [8.8, ", "viscous_n_m_s = [-8.8, "), "friction.viscous_n_m_s.0: found -8.8"),
     "faster than the URDF": (swap("base_frame", "velocity_rad_s = [9,9,9,9,9,9,9]\nbase_frame"), "velocity_rad_s: found 9.0 for 'joint1'"),
     "unknown base frame": (swap('base_frame = "base"', 'base_frame = "world"'), "robot.base_frame: found 'world'"),
     "unknown sensor frame": (swap('sensor_frame = "ft_sensor"', 'sensor_frame = "tip"'), "robot.sensor_frame: found 'tip'"),

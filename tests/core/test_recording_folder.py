@@ -44,6 +44,10 @@ def assert_same(first: Recording, second: Recording) -> None:
     assert (first.reference is None) == (second.reference is None)
     if first.reference is not None and second.reference is not None:
         np.testing.assert_array_equal(first.reference.phi, second.reference.phi)
+    assert (first.friction is None) == (second.friction is None)
+    if first.friction is not None and second.friction is not None:
+        np.testing.assert_array_equal(first.friction.coulomb, second.friction.coulomb)
+        np.testing.assert_array_equal(first.friction.viscous, second.friction.viscous)
     for name in ("reference_source", "source", "cell", "payload"):
         assert getattr(first, name) == getattr(second, name)
 
@@ -53,12 +57,19 @@ def test_everything_that_is_written_is_read_back(tmp_path: Path) -> None:
     assert_same(read_recording(tmp_path / "run"), recording())
 
 
+def test_an_older_recording_states_no_friction(tmp_path: Path) -> None:
+    write_recording(recording(), tmp_path / "run")
+    change_manifest(tmp_path / "run", lambda content: content["robot"].pop("friction"))
+    assert_same(read_recording(tmp_path / "run"), replace(recording(), friction=None))
+
+
 def test_poses_come_back_as_rotations_whatever_the_sign_of_the_quaternion(tmp_path: Path) -> None:
     random = np.random.default_rng(2)
     turns = Rotation.random(N, random_state=3).as_matrix()
     poses = replace(
         recording(),
         robot=None,
+        friction=None,
         q=None,
         dq=None,
         q_cmd=None,

@@ -36,7 +36,7 @@ def explanation(effect: str, probability: float) -> dict[str, Any]:
     """An effect as an answer names it."""
     return {
         "id": effect, "title": effect, "stage": "timing", "probability": probability, "gap_after": 1.0, "closure": 0.9,
-        "closure_interval": [0.8, 1.0], "parameters": {}, "advice": "Measure again.",
+        "closure_interval": [0.8, 1.0], "parameters": {}, "advice": "Measure again.", "addable": True,
     }  # fmt: skip
 
 

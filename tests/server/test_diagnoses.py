@@ -20,7 +20,7 @@ from server.overlay_schemas import OverlayAnswer
 from server.recording_archive import unpack
 from server.roles import Role
 from server.service import Service
-from tests.server.finished_diagnosis import standing_recording
+from tests.server.finished_diagnosis import finished_diagnosis, standing_recording
 from tests.server.people import As
 
 ZIP = {"Content-Type": "application/zip"}
@@ -77,6 +77,16 @@ def test_a_diagnosis_knows_the_cell_of_its_recording_and_starts_from_its_twin(si
     _, cell, *_ = diagnoses(service.settings, service.cells).arguments(row)
     assert cell == service.cells.load("lwr4_bench")
     assert client.post("/api/diagnoses/uploads?cell=none", content=zipped(files_of(standing)), headers=ZIP).status_code == 404
+
+
+def test_a_list_names_what_stands_beside_the_verdict_and_matters(signed_in: As, service: Service, tmp_path) -> None:
+    said = dict.fromkeys(("title", "sentence", "advice", "remark"), "text")
+    seen = said | {"side": "reading", "parameters": {}, "times_expected": 2.0, "values": {}}
+    also = [seen | {"id": "sensor_noise", "material": True}, seen | {"id": "joint_friction", "material": False}]
+    diagnosis = finished_diagnosis(service.store, service.now(), DiagnosisOrder(recording=tmp_path), verdict="no_gap", also=also)
+    older = finished_diagnosis(service.store, service.now(), DiagnosisOrder(recording=tmp_path), verdict="no_gap")
+    listed = {each["diagnosis"]: each["also"] for each in signed_in(Role.viewer).get("/api/diagnoses").json()}
+    assert (listed[diagnosis], listed[older]) == (["sensor_noise"], [])
 
 
 def test_measured_and_simulated_are_there_to_plot_where_there_was_enough_to_compare(signed_in: As, service: Service, standing) -> None:

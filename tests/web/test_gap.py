@@ -15,6 +15,7 @@ from core.effects.library import library, symptoms
 from core.gap.answer import Diagnosis, Experiment, Tied
 from core.gap.experiment import Stop, Swings
 from tests.server.real_service import ROOT, Console, RealService
+from tests.web.finished_answers import NOISY, OTHER_PAYLOAD, RUBBING
 from tests.web.judgement import check_looks, check_nothing_is_cut_off
 from tests.web.looks import glimpse, look
 from tests.web.screens import show, signed_in
@@ -208,6 +209,37 @@ def test_a_verdict_that_names_no_effect_offers_none_for_the_twin(
     page = show_instead(engineer, person, diagnosed, verdict=verdict, **nothing)
     expect(page.get_by_role("heading", level=1)).to_contain_text(said)
     expect(page.get_by_role("button", name="Add to the twin")).to_have_count(0)
+    assert engineer.complaints == []
+
+
+def test_an_effect_that_the_twin_does_not_take_is_not_offered_and_the_reason_is_said(
+    engineer: Tablet, person: Console, diagnosed: str
+) -> None:
+    best, *others = answer_of(person, diagnosed).effects
+    assert best.addable
+    why = "base_tilt closing 1 % of the gap (3.000 before, 2.990 after, noise is 1)"
+    refused = [best.model_copy(update={"addable": False, "why_not": why}), *others]
+    page = show_instead(engineer, person, diagnosed, effects=[effect.model_dump() for effect in refused])
+    expect(page.get_by_role("heading", level=1)).to_contain_text("Base not level explains the gap")
+    expect(page.get_by_role("button", name="Add to the twin")).to_have_count(0)
+    expect(page.locator(".gap-verdict")).to_contain_text(why)
+    expect(page.locator("body")).not_to_contain_text("or add the effect to the twin")
+    check_looks(look(page, "an effect that the twin does not take"))
+
+
+def test_what_is_seen_elsewhere_stands_beside_the_verdict_with_its_measure_and_what_to_do(
+    engineer: Tablet, person: Console, diagnosed: str
+) -> None:
+    page = show_instead(engineer, person, diagnosed, verdict="no_gap", effects=[], also=[OTHER_PAYLOAD, NOISY, RUBBING])
+    expect(page.get_by_role("heading", level=1)).to_contain_text("Simulation and recording agree")
+    also = page.locator(".also")
+    expect(also.get_by_role("heading", level=3)).to_have_text(["Payload that is not the reference", "More sensor noise than stated"])
+    expect(also).to_contain_text(OTHER_PAYLOAD["sentence"])
+    expect(also).to_contain_text("Against the reference payload; 4.0 times what is stated or tolerated")
+    expect(also).to_contain_text(NOISY["advice"])
+    expect(page.locator(".minor")).to_contain_text(RUBBING["sentence"])
+    expect(page.locator("body")).to_contain_text("Do what is advised.")
+    check_looks(look(page, "seen elsewhere"))
     assert engineer.complaints == []
 
 

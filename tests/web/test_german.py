@@ -56,6 +56,7 @@ def german(service: RealService, browser: Browser) -> Iterator[Tablet]:
 def sentences(answer: Diagnosis) -> set[str]:
     """Whatever the engine says in words of its own."""
     said = {answer.summary, answer.consequence, *(effect.advice for effect in answer.effects), *(each.sentence for each in answer.minor)}
+    said |= {text for each in answer.also for text in (each.sentence, each.advice)}
     said |= {text for tie in answer.indistinguishable for text in (tie.why, tie.splits)}
     return (said | ({answer.next_experiment.motion} if answer.next_experiment else set())) - {""}
 
@@ -127,6 +128,26 @@ def test_every_remedy_and_every_motion_that_can_be_proposed_has_german_words() -
     proposed = {motion.id for motion in (*candidates(recording, (), np.tile([0.0, 0.0, -9.81], (len(recording), 1))), second_payload(1.0))}
     assert remedies == {effect.id for effect in (*library(), *symptoms())}
     assert motions == proposed
+
+
+def test_whatever_may_stand_beside_a_verdict_has_german_words() -> None:
+    text = (WORDS / "de-effects.ts").read_text()
+    seen = text[text.index("  seen: {") : text.index("  pieces: {")]
+    engine = "".join(path.read_text() for path in (*(ROOT / "core" / "effects").glob("*.py"), ROOT / "core" / "gap" / "symptoms.py"))
+    told = set(re.findall(r'(?:Remark\(|_told\(\w+, )"(\w+)"', engine))
+    assert len(told) > 10
+    assert set(re.findall(r"^    (\w+): ", seen, re.MULTILINE)) == told
+
+
+def test_what_stands_beside_a_verdict_is_german_with_its_figures(german: Tablet, service: RealService) -> None:
+    page = show(german, "gap", diagnosed(service, "no_gap"))
+    also = page.locator(".also")
+    expect(also).to_contain_text("Last, die nicht die Referenz ist")
+    expect(also).to_contain_text("Die Last ist nicht die Referenz: 4,0\u202f% leichter, Trägheit um 3,5\u202f% anders.")
+    expect(also).to_contain_text("Gegen die Referenzlast; das 4,0-fache des Angegebenen oder Geduldeten")
+    expect(also).to_contain_text("Prüfen Sie, ob die richtige Last montiert ist")
+    expect(page.locator(".minor")).to_contain_text("Gelenk 5 reibt mit 2,03\u202fN m (Coulomb) und 4,86\u202fN m s/rad (viskos)")
+    expect(also).not_to_contain_text("Reibung")
 
 
 def test_whatever_can_go_wrong_has_german_words() -> None:

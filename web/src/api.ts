@@ -1103,6 +1103,45 @@ export interface components {
             effect: string;
         };
         /**
+         * Also
+         * @description What is seen elsewhere than in the wrench that the twin predicts: it explains no gap there, and is judged by a measure of its own.
+         *
+         *     Args:
+         *         side: where it is seen: at the joints, in the sensor's readings, against the reference payload.
+         *         times_expected: how many times what is stated or tolerated; null where nothing is.
+         *         sentence: what was seen; `remark` names it and `values` are its figures, SI, for other languages.
+         *         advice: what a person should do where it is material.
+         */
+        Also: {
+            /** Id */
+            id: string;
+            /** Title */
+            title: string;
+            /**
+             * Side
+             * @enum {string}
+             */
+            side: "joints" | "reading" | "reference";
+            /** Parameters */
+            parameters: {
+                [key: string]: components["schemas"]["Value"];
+            };
+            /** Times Expected */
+            times_expected: number | null;
+            /** Material */
+            material: boolean;
+            /** Sentence */
+            sentence: string;
+            /** Advice */
+            advice: string;
+            /** Remark */
+            remark: string;
+            /** Values */
+            values: {
+                [key: string]: number | string;
+            };
+        };
+        /**
          * AuditEntryShown
          * @description One thing that was done or refused; `hash` covers it and, by `previous_hash`, all before it.
          */
@@ -1462,7 +1501,7 @@ export interface components {
         };
         /**
          * Diagnosis
-         * @description The whole answer.
+         * @description The whole answer; all of it but `also` is about the wrench that the twin predicts.
          */
         Diagnosis: {
             /**
@@ -1482,6 +1521,11 @@ export interface components {
             pairs: components["schemas"]["Pair"][];
             /** Minor */
             minor: components["schemas"]["Minor"][];
+            /**
+             * Also
+             * @default []
+             */
+            also?: components["schemas"]["Also"][];
             /** Indistinguishable */
             indistinguishable: components["schemas"]["Tied"][];
             where: components["schemas"]["Where"] | null;
@@ -1508,7 +1552,8 @@ export interface components {
          *     Args:
          *         cell: where the recording was made, null where that is none of ours.
          *         verdict, named: the answer, and the effect that is most probable, or two joined by a plus sign; null where it names none.
-         *         summary: the same in a sentence; `result` is what `heft diagnose --json` writes. Null until it is done.
+         *         also: what is material beside the verdict, elsewhere than in the wrench.
+         *         summary: the same in sentences; `result` is what `heft diagnose --json` writes. Null until it is done.
          */
         DiagnosisAnswer: {
             state: components["schemas"]["server__jobs__State"];
@@ -1537,6 +1582,8 @@ export interface components {
             verdict: ("no_gap" | "explained" | "ambiguous" | "unknown" | "not_enough") | null;
             /** Named */
             named: string | null;
+            /** Also */
+            also: string[];
             /** Summary */
             summary: string | null;
             result: components["schemas"]["Diagnosis"] | null;
@@ -1633,7 +1680,10 @@ export interface components {
         };
         /**
          * Explanation
-         * @description One effect, or two at once, with what it would do to the gap.
+         * @description One effect with what it would do to the gap.
+         *
+         *     Args:
+         *         addable: whether the cell's twin would take it, as this recording shows it; `why_not` says what stands against it.
          */
         Explanation: {
             /** Id */
@@ -1659,6 +1709,13 @@ export interface components {
             ];
             /** Advice */
             advice: string;
+            /**
+             * Addable
+             * @default false
+             */
+            addable?: boolean;
+            /** Why Not */
+            why_not?: string | null;
         };
         /**
          * ExportListed
@@ -1717,6 +1774,16 @@ export interface components {
             found: string;
             /** Expected */
             expected: string;
+        };
+        /**
+         * Friction
+         * @description Friction that the drives are known to have, one value for each joint: no news where a diagnosis finds it.
+         */
+        Friction: {
+            /** Coulomb N M */
+            coulomb_n_m: number[];
+            /** Viscous N M S */
+            viscous_n_m_s: number[];
         };
         /**
          * GapPart
@@ -1944,7 +2011,7 @@ export interface components {
         };
         /**
          * Minor
-         * @description Detected, but not material.
+         * @description An effect on the wrench that was detected, but is not material.
          */
         Minor: {
             /** Id */
@@ -2056,6 +2123,7 @@ export interface components {
          *         sealed: the text whose SHA-256 is the seal: cell, payload, faults and their parameters.
          *         planted: the faults in words, `size` in plausible sizes of them.
          *         verdict, named: what the diagnosis said; `named` is its first effect, `effects` are all of them, the most probable first.
+         *         also: what it saw beside the verdict, elsewhere than in the wrench, and called material.
          *         gap_before, gap_after: root mean square of measured minus simulated, in multiples of the noise, on motions that no fit saw.
          *         mark: whether that was right, in words.
          */
@@ -2074,6 +2142,11 @@ export interface components {
             named: string | null;
             /** Effects */
             effects: components["schemas"]["NamedEffect"][];
+            /**
+             * Also
+             * @default []
+             */
+            also?: string[];
             /** None Probability */
             none_probability: number;
             /** Unknown Probability */
@@ -2102,7 +2175,7 @@ export interface components {
         };
         /**
          * Pair
-         * @description Two effects at once.
+         * @description Two effects at once; `addable` and `why_not` as of one.
          */
         Pair: {
             /** Ids */
@@ -2125,6 +2198,13 @@ export interface components {
                     [key: string]: components["schemas"]["Value"];
                 };
             };
+            /**
+             * Addable
+             * @default false
+             */
+            addable?: boolean;
+            /** Why Not */
+            why_not?: string | null;
         };
         /**
          * PaperPart
@@ -2497,6 +2577,7 @@ export interface components {
             acceleration_rad_s2: number[];
             /** Velocity Rad S */
             velocity_rad_s?: number[] | null;
+            friction?: components["schemas"]["Friction"] | null;
             /**
              * @default {
              *       "xyz_m": [
@@ -3576,6 +3657,7 @@ export type AccountChange = components['schemas']['AccountChange'];
 export type AccountShown = components['schemas']['AccountShown'];
 export type AdditionAnswer = components['schemas']['AdditionAnswer'];
 export type AdditionBody = components['schemas']['AdditionBody'];
+export type Also = components['schemas']['Also'];
 export type AuditEntryShown = components['schemas']['AuditEntryShown'];
 export type Box = components['schemas']['Box'];
 export type Capsule = components['schemas']['Capsule'];
@@ -3606,6 +3688,7 @@ export type ExportListed = components['schemas']['ExportListed'];
 export type ExportsAnswer = components['schemas']['ExportsAnswer'];
 export type Finished = components['schemas']['Finished'];
 export type Flaw = components['schemas']['Flaw'];
+export type Friction = components['schemas']['Friction'];
 export type GapPart = components['schemas']['GapPart'];
 export type Health = components['schemas']['Health'];
 export type JobState = components['schemas']['JobState'];

@@ -17,6 +17,9 @@ export interface Candidate {
   id: string;
   probability: number;
   closure: number;
+  /** Whether the twin would take it, and what stands against it where not. */
+  addable: boolean;
+  whyNot: string | null;
   interval: readonly [number, number] | null;
   stages: string[];
   /** What to do about each of its effects, as the engine says it. */
@@ -38,19 +41,26 @@ export function candidatesOf(diagnosis: Diagnosis): Candidate[] {
   const { effects, pairs } = diagnosis;
   const singles = effects.map(({ id, stage, advice, parameters, closure_interval, ...rest }) => ({
     ...rest,
+    ...takenBy(rest),
     id,
     stages: [stage],
     advice: [[id, advice] as [string, string]],
     interval: closure_interval,
     parameters: { [id]: parameters },
   }));
-  const both = pairs.map(({ ids, probability, closure, parameters = {} }) => {
+  const both = pairs.map(({ ids, probability, closure, parameters = {}, ...rest }) => {
     const parts = effects.filter(({ id }) => ids.includes(id));
     const stages = parts.map(({ stage }) => stage);
     const advice = parts.map((each): [string, string] => [each.id, each.advice]);
-    return { id: ids.join('+'), probability, closure, interval: null, stages, advice, parameters };
+    const said = { id: ids.join('+'), probability, closure, interval: null, stages, advice, parameters };
+    return { ...said, ...takenBy(rest) };
   });
   return [...singles, ...both].sort((one, other) => other.probability - one.probability);
+}
+
+/** Older diagnoses do not say whether the twin takes what they name: it is not offered. */
+function takenBy({ addable = false, why_not = null }: { addable?: boolean; why_not?: string | null }) {
+  return { addable, whyNot: why_not };
 }
 
 /** The most probable explanation, and whatever else is probable or cannot be told from it. */

@@ -30,7 +30,13 @@ export function gapSentence(diagnosis: Diagnosis): string {
 }
 
 /** The same in a list, where only the verdict and what is most probable are known; empty before it is done. */
-export function listedSentence({ verdict, named }: DiagnosisAnswer): string {
+export function listedSentence(listed: DiagnosisAnswer): string {
+  const { also } = listed;
+  if (also.length === 0) return listedVerdict(listed);
+  return `${listedVerdict(listed)} ${words.value.gap.listed.also(also.map(effectName).join(', '))}`;
+}
+
+function listedVerdict({ verdict, named }: DiagnosisAnswer): string {
   const said = words.value.gap;
   if (verdict === null) return '';
   const effect = named === null ? '' : effectName(named);

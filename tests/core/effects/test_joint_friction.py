@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from core.cell import load_cell
 from core.effects.effect import Finding, View
 from core.effects.joint_friction import JointFriction
-from core.recording import Recording, RobotDescription
+from core.recording import FrictionDescription, Recording, RobotDescription
 from core.robot import RobotModel
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
@@ -67,20 +67,66 @@ def friction() -> np.ndarray:
 def test_coulomb_and_viscous_friction_are_found_in_the_torques_of_every_joint() -> None:
     finding = observe(recording(friction()))
     assert finding is not None
-    assert finding.material
     assert finding.sigma > 20
     coulomb, viscous = finding.theta.reshape(7, 2).T
     std = finding.std.reshape(7, 2).T
     assert (np.abs(coulomb - COULOMB) < 4 * std[0] + 0.05 * COULOMB).all()
     assert (np.abs(viscous - VISCOUS) < 4 * std[1] + 0.05 * VISCOUS).all()
     assert (std[0] < 0.2 * COULOMB).all()
-    assert "N m (Coulomb)" in finding.sentence
+    assert "N m (Coulomb)" in finding.remark.sentence
+
+
+@pytest.mark.parametrize(("stated", "matters"), [(0.0, True), (0.55, True), (0.75, False), (1.0, False), (1.8, False), (2.5, True)])
+def test_friction_matters_where_it_differs_by_more_than_half_from_what_is_stated(stated: float, matters: bool) -> None:
+    finding = observe(recording(friction(), friction=FrictionDescription(stated * COULOMB, stated * VISCOUS)))
+    assert finding is not None
+    assert finding.material is matters
+    assert finding.remark.id == ("friction_differs" if matters else "friction_as_stated")
+    if stated:
+        assert finding.times_expected == pytest.approx(1.0 / stated, rel=0.1)
+    else:
+        assert finding.times_expected is None
+
+
+def test_one_joint_that_rubs_twice_as_much_is_named() -> None:
+    less = np.array([1.0, 1.0, 1.0, 0.5, 1.0, 1.0, 1.0])
+    finding = observe(recording(friction(), friction=FrictionDescription(less * COULOMB, less * VISCOUS)))
+    assert finding is not None
+    assert finding.material
+    assert finding.remark.values["joint"] == "4"
+    assert finding.remark.values["stated_coulomb_nm"] == 0.5 * COULOMB[3]
+
+
+def test_friction_that_is_stated_and_is_not_there_differs() -> None:
+    finding = observe(recording(0.0, friction=FrictionDescription(COULOMB, VISCOUS)))
+    assert finding is not None
+    assert finding.material
+    assert finding.times_expected == pytest.approx(0.0, abs=0.2)
+
+
+def test_friction_that_nobody_states_matters_only_by_a_large_tracking_error() -> None:
+    _, q, _, _ = motion()
+    small, large = (observe(recording(friction(), q_cmd=q + np.radians(error))) for error in (0.4, 0.6))
+    assert small is not None
+    assert large is not None
+    assert not small.material
+    assert large.material
+    assert "the cell states no friction" in small.remark.sentence
+    assert "0.60 deg" in large.remark.sentence
+    assert (small.times_expected, large.times_expected) == (None, pytest.approx(1.2))
+
+
+def test_a_large_tracking_error_matters_though_the_friction_is_as_stated() -> None:
+    _, q, _, _ = motion()
+    stated = FrictionDescription(COULOMB, VISCOUS)
+    finding = observe(recording(friction(), q_cmd=q + np.radians(0.8), friction=stated))
+    assert finding is not None
+    assert finding.material
+    assert finding.remark.id == "friction_as_stated"
 
 
 def test_an_arm_heavier_than_its_urdf_is_no_friction() -> None:
-    finding = observe(recording(0.0))
-    assert finding is not None
-    assert not finding.material
+    assert observe(recording(0.0)) is None
 
 
 def test_a_cable_that_rubs_on_the_payload_is_no_friction_of_the_joints() -> None:
@@ -92,9 +138,7 @@ def test_a_cable_that_rubs_on_the_payload_is_no_friction_of_the_joints() -> None
     pulled = np.einsum("nij,ni->nj", J, w)
     blind, seeing = observe(recording(pulled)), observe(recording(pulled, wrench=w + OFFSET))
     assert blind is not None
-    assert seeing is not None
-    assert blind.material
-    assert not seeing.material
+    assert seeing is None
 
 
 def test_without_torques_the_tracking_error_shows_the_coulomb_part() -> None:
@@ -104,10 +148,10 @@ def test_without_torques_the_tracking_error_shows_the_coulomb_part() -> None:
     run = recording(0.0, tau=None, q_cmd=q + error)
     finding = observe(run)
     assert finding is not None
-    assert finding.material
+    assert not finding.material
     assert finding.theta.shape == (7,) == (len(JointFriction().parameters(run)),)
     np.testing.assert_allclose(finding.theta, COULOMB / stiffness, rtol=0.15)
-    assert "mrad" in finding.sentence
+    assert "mrad" in finding.remark.sentence
 
 
 @pytest.mark.parametrize(

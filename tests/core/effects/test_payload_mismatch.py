@@ -65,8 +65,8 @@ def test_what_was_not_determined_does_not_count() -> None:
     assert finding is not None
     assert finding.material
     assert np.isnan(finding.theta[4:]).all()
-    assert "mass by 2.0 %" in finding.sentence
-    assert "inertia" not in finding.sentence
+    assert "2.0 % heavier" in finding.remark.sentence
+    assert "inertia" not in finding.remark.sentence
     assert "+48 g" in PayloadMismatch().advice(finding)
 
 

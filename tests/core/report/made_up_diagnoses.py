@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from core.effects.effect import Side
 from core.gap.answer import (
+    Also,
     Cell,
     Change,
     Diagnosis,
@@ -37,6 +39,14 @@ def effect(name: str, title: str, probability: float, closure: float, **paramete
     )  # fmt: skip
 
 
+def seen(name: str, title: str, side: Side, *, material: bool = False) -> Also:
+    """Something beside the verdict."""
+    return Also(
+        id=name, title=title, side=side, parameters={}, times_expected=2.03, material=material, sentence=f"there is {title}",
+        advice=f"do without {title}", remark=name, values={},
+    )  # fmt: skip
+
+
 @cache
 def explained() -> Diagnosis:
     """A delay, clearly; two rivals that are not."""
@@ -55,6 +65,7 @@ def explained() -> Diagnosis:
         minor=[
             Minor(id="joint_friction", parameters={"joint_1_coulomb_nm": Value(value=3.0, std=0.1, unit="N m")}, sentence="joint 1 rubs")
         ],
+        also=[seen("sensor_noise", "noise above what is stated", "reading", material=True), seen("joint_friction", "friction", "joints")],
         indistinguishable=[],
         where=Where(
             cells=[Cell(channel=c, phase=p, band_hz=b, times_noise=n, share=s) for c, p, b, n, s in cells],
@@ -111,7 +122,7 @@ AMBIGUOUS = {
     ),
 }
 NOTHING: dict[str, Any] = {
-    "effects": [], "pairs": [], "minor": [], "where": None, "gap": None, "payload": None, "consequence": "",
+    "effects": [], "pairs": [], "minor": [], "also": [], "where": None, "gap": None, "payload": None, "consequence": "",
     "none_probability": 0.0, "unknown_probability": 0.0, "limits": ["no wrench was recorded"],
 }  # fmt: skip
 AGREES: dict[str, Any] = {

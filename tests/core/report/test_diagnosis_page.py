@@ -90,12 +90,16 @@ def test_an_explained_gap_is_told_in_words_and_numbers(tmp_path: Path) -> None:
         "From 9.80 to 1.25 times the noise",
         "predicted from the others: hold:x+, rotate:y.",
         "The worst motion: fz and tx during rotate:y",
+        "Noise above what is stated (in the sensor's readings; 2.0 times what is stated or tolerated): There is noise above",
+        "Friction (at the joints; 2.0 times what is stated or tolerated): There is friction. It does not matter.",
+        "Do without noise above what is stated.",
         "Joint friction: Joint 1 rubs. joint 1 coulomb 3.00 ± 0.10 N m",
         "Sensor drift: no temperature was recorded.",
         "Worked out in 6.1 s",
     ):
         assert said in text, said
     assert "Fix a lag of the motion" not in text
+    assert "Do without friction" not in text
     assert "Next experiment" not in text
 
 

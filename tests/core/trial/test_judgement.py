@@ -6,10 +6,11 @@ import pytest
 from synthetic_outcomes import double, estimates, none, payload, sealed, single, unknown
 
 from core.trial.bound import Bound
-from core.trial.judgement import counts, exact_pair, forecast, mark, material, named, right, truth_class
-from core.trial.outcome import Named, Outcome
+from core.trial.judgement import counts, exact_pair, forecast, mark, material, named, named_first, right, truth_class
+from core.trial.outcome import Estimate, Named, Outcome
 
 SMALL = Bound(fault_sigma=20.0, material_sigma=50.0)
+NOISY = {"sensor_noise": {"fx_noise_factor": Estimate(value=2.0, std=0.02)}}
 FAINT = Bound(fault_sigma=5.0, material_sigma=2.0)
 
 
@@ -60,10 +61,43 @@ def test_two_faults_are_named_by_exactly_the_pair():
     assert named(double(0, ("time_delay", "base_tilt"))) == {"base_tilt", "time_delay"}
 
 
-def test_of_two_faults_one_may_stand_among_what_was_read_off():
+def test_of_two_faults_one_that_is_read_off_is_to_stand_beside_the_verdict():
     one = {"pairs": (), "effects": (Named(id="base_tilt", probability=0.9, closure=1.0),)}
-    assert not exact_pair(double(0, ("base_tilt", "time_delay"), **one))
-    assert exact_pair(double(0, ("base_tilt", "time_delay"), **one, minor=("time_delay",)))
+    tilted_and_noisy = {"sealed": sealed(0, "base_tilt", "sensor_noise", kind="double")}
+    assert not exact_pair(double(0, ("base_tilt", "time_delay"), **one).model_copy(update=tilted_and_noisy))
+    assert exact_pair(double(0, ("base_tilt", "time_delay"), **one, also=NOISY).model_copy(update=tilted_and_noisy))
+    assert not exact_pair(double(0, ("base_tilt", "time_delay"), **one, minor=("time_delay",)))
+
+
+def beside(**more: object) -> Outcome:
+    """Of noise alone, which the verdict does not name."""
+    return single(0, "sensor_noise", "sensor_noise", bound=Bound(), **{"verdict": "no_gap", "effects": (), "also": NOISY} | more)
+
+
+@pytest.mark.parametrize("verdict", ["no_gap", "unknown"])
+def test_what_is_read_off_is_right_where_it_stands_beside_with_its_parameters_and_no_other_name_does(verdict: str):
+    assert right(beside(verdict=verdict))
+    assert truth_class(beside(verdict=verdict)) == "none"
+    assert not right(beside(verdict=verdict, also={}))
+    assert not right(beside(verdict=verdict, also={"sensor_noise": {}}))
+    assert not right(beside(verdict=verdict, also={**NOISY, "payload_mismatch": NOISY["sensor_noise"]}))
+
+
+def test_another_name_in_the_verdict_is_not_right_for_what_is_read_off():
+    creep = (Named(id="sensor_creep", probability=0.9, closure=1.0),)
+    assert not right(beside(verdict="explained", effects=creep))
+    assert not named_first(beside(verdict="explained", effects=creep))
+    assert named_first(beside())
+
+
+def test_noise_that_does_not_matter_is_rightly_passed_over():
+    faint = {"sensor_noise": {"fx_noise_factor": 1.2}}
+    assert right(beside(also={}, truth=faint))
+    assert not right(beside(also={}, truth={"sensor_noise": {"fx_noise_factor": 2.0}}))
+
+
+def test_something_material_beside_a_run_without_a_fault_is_a_false_alarm():
+    assert not right(none(0, also=NOISY))
 
 
 def test_a_second_fault_that_does_not_show_is_not_asked_for():
@@ -86,7 +120,7 @@ def test_noise_is_material_by_its_own_measure(factor: float, matters: bool):
     assert material(single(0, "sensor_noise", "sensor_noise", bound=Bound(), truth=truth)) is matters
 
 
-@pytest.mark.parametrize(("added", "matters"), [(0.3, False), (0.7, True)])
+@pytest.mark.parametrize(("added", "matters"), [(0.2, False), (0.4, True)])
 def test_coarse_steps_are_material_by_what_they_add_to_the_readings(added: float, matters: bool):
     outcome = single(0, "sensor_quantization", "sensor_quantization", bound=Bound(added_noise=added))
     assert material(outcome) is matters

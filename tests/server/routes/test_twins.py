@@ -105,6 +105,18 @@ def test_an_effect_that_the_diagnosis_does_not_name_is_refused_at_once(service: 
     assert client.post(TWIN, json={"diagnosis": "none", "effect": "base_tilt"}).status_code == 404
 
 
+def test_an_effect_that_no_twin_takes_is_refused_at_once_with_the_reason(service: Service, signed_in: As, tmp_path: Path) -> None:
+    client = signed_in(Role.engineer)
+    refused = explanation("time_delay", 0.9) | {"addable": False, "why_not": "time_delay closing 1 % of the gap"}
+    older = {key: value for key, value in explanation("base_tilt", 0.1).items() if key != "addable"}
+    order = DiagnosisOrder(recording=tmp_path)
+    diagnosis = finished_diagnosis(service.store, service.now(), order, effects=[refused, older])
+    for effect, why in (("time_delay", "time_delay closing 1 % of the gap"), ("base_tilt", "does not say")):
+        answer = client.post(TWIN, json={"diagnosis": diagnosis, "effect": effect})
+        assert answer.status_code == 422
+        assert why in answer.json()["detail"]
+
+
 def test_nothing_is_taken_out_while_something_is_being_added(service: Service, signed_in: As, late: Path, tmp_path: Path) -> None:
     order = AdditionOrder(cell=CELL, effect="base_tilt", diagnosis="x", recording=tmp_path)
     with service.store.write() as db:

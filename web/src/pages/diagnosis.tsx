@@ -1,6 +1,7 @@
 import type { DiagnosisAnswer } from '../api';
 import { addressOf } from '../client';
-import { candidatesOf, effectName } from '../effect-values';
+import { type Candidate, candidatesOf, effectName } from '../effect-values';
+import { Also } from '../parts/also';
 import { Findings } from '../parts/findings';
 import { HowFar } from '../parts/how-far';
 import { JobProgress } from '../parts/job-progress';
@@ -22,6 +23,8 @@ import { queueMotion } from '../stores/runs';
 import { addEffect, addition } from '../stores/twin';
 import { words } from '../words';
 
+type Result = NonNullable<DiagnosisAnswer['result']>;
+
 function Diagnosis() {
   const shown = diagnosis.value;
   if (shown === null) return <Reading />;
@@ -30,6 +33,7 @@ function Diagnosis() {
   return (
     <div class="page diagnosis">
       <Verdict diagnosis={result} />
+      <Also also={result.also ?? []} />
       {result.where && <Where where={result.where} />}
       <Which diagnosis={result} />
       <Findings diagnosis={result} />
@@ -94,14 +98,13 @@ function Actions() {
   );
 }
 
-/** The most probable effect goes into the twin, where the verdict names one. */
+/** The most probable effect goes into the twin, where the verdict names one that the twin takes. */
 function AddToTwin({ shown, kind }: { shown: DiagnosisAnswer; kind: 'plain' | 'primary' }) {
   const said = words.value.gap;
   const { result, cell } = shown;
   if (result === null || cell === null) return null;
-  const named = result.verdict === 'explained' || result.verdict === 'ambiguous';
-  const [best] = candidatesOf(result);
-  if (!named || best === undefined) return null;
+  const best = addableOf(result);
+  if (best === undefined) return null;
   const asked = addition.value;
   const settled = asked?.state === 'done' && asked.diagnosis === shown.diagnosis;
   const busy = asked !== null && isUnderWay(asked);
@@ -118,14 +121,24 @@ function AddToTwin({ shown, kind }: { shown: DiagnosisAnswer; kind: 'plain' | 'p
   );
 }
 
+/** The most probable explanation, where the verdict names it and the twin takes it. */
+function addableOf(result: Result): Candidate | undefined {
+  const [best] = candidatesOf(result);
+  return isNamed(result) && best?.addable ? best : undefined;
+}
+
+const isNamed = ({ verdict }: Result) => verdict === 'explained' || verdict === 'ambiguous';
+
 function next(): string {
   const said = words.value.gap;
   const shown = diagnosis.value;
   if (shown === null || isUnderWay(shown)) return said.jobNext;
   if (shown.result === null) return said.failedNext;
-  const { verdict } = shown.result;
-  const named = verdict === 'explained' || verdict === 'ambiguous';
-  return named && shown.cell === null ? said.noCell : said.verdictNext[verdict];
+  const { verdict, also = [] } = shown.result;
+  if (isNamed(shown.result) && shown.cell === null) return said.noCell;
+  if (verdict === 'explained' && addableOf(shown.result) === undefined) return said.adviceNext;
+  if (verdict === 'no_gap' && also.some(({ material }) => material)) return said.adviceNext;
+  return said.verdictNext[verdict];
 }
 
 export const diagnosisScreen: Screen = { Page: Diagnosis, Actions, next };

@@ -3,6 +3,7 @@ import { effectName } from '../effect-values';
 import { motionSaid } from '../gap-sentences';
 import { number } from '../units';
 import { words } from '../words';
+import { Unimportant } from './also';
 import { EffectParameters } from './effect-parameters';
 import { EngineSentence } from './engine-sentence';
 
@@ -12,6 +13,7 @@ type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
 export function Findings({ diagnosis }: { diagnosis: Diagnosis }) {
   const said = words.value.gap;
   const { indistinguishable, minor, limits } = diagnosis;
+  const beside = (diagnosis.also ?? []).filter(({ material }) => !material);
   return (
     <>
       {indistinguishable.length > 0 && (
@@ -31,7 +33,7 @@ export function Findings({ diagnosis }: { diagnosis: Diagnosis }) {
           </ul>
         </section>
       )}
-      {minor.length > 0 && (
+      {minor.length + beside.length > 0 && (
         <section class="minor">
           <h2>{said.minor}</h2>
           <ul>
@@ -40,6 +42,9 @@ export function Findings({ diagnosis }: { diagnosis: Diagnosis }) {
                 <b>{effectName(id)}</b>
                 <EffectParameters parameters={parameters} />
               </li>
+            ))}
+            {beside.map((each) => (
+              <Unimportant key={each.id} seen={each} />
             ))}
           </ul>
         </section>

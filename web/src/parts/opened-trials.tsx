@@ -38,7 +38,7 @@ export function OpenedTrials({ trials, seals, opened }: Props) {
 
 function Said({ trial }: { trial: OpenedTrial }) {
   const said = words.value.gap;
-  const { effects, none_probability, unknown_probability, gap_before, gap_after } = trial;
+  const { effects, also = [], none_probability, unknown_probability, gap_before, gap_after } = trial;
   const [best] = effects;
   const most = [
     ...(best ? [{ name: effectName(best.id), probability: best.probability }] : []),
@@ -54,6 +54,11 @@ function Said({ trial }: { trial: OpenedTrial }) {
           </li>
         ))}
       </ul>
+      {also.length > 0 && (
+        <p>
+          {said.also}: <b>{also.map(effectName).join(', ')}</b>
+        </p>
+      )}
       {gap_before !== null && gap_after !== null && (
         <p>
           {said.gap}: {number(gap_before, 2)} → {number(gap_after, 2)}

@@ -1,5 +1,6 @@
 import type { DiagnosisAnswer } from '../api';
 import { effectName, openOf } from '../effect-values';
+import { engineSaid } from '../engine-words';
 import { consequence, gapSentence } from '../gap-sentences';
 import { remarkSaid } from '../remarks';
 import { words } from '../words';
@@ -33,6 +34,14 @@ export function Verdict({ diagnosis }: { diagnosis: Diagnosis }) {
                   </dd>
                 ),
             )}
+          </>
+        )}
+        {advised && best?.whyNot && (
+          <>
+            <dt>{said.notForTwin}</dt>
+            <dd>
+              <EngineSentence said={engineSaid(best.whyNot)} english={best.whyNot} />
+            </dd>
           </>
         )}
         {atStake && (

@@ -1,8 +1,33 @@
 import type { enEffects } from './en-effects';
+import type { Named } from './en-remarks';
 
 /** Gravity sweeps through the sensor. */
 function turning(about: string, down: string): string {
   return `Drehung um die ${about}-Achse des Sensors, waagrecht gehalten, ${down} nach unten: die Schwerkraft wandert durch den Sensor.`;
+}
+
+/** Was von der Last abweicht, soweit es bestimmt ist. */
+function differences({ mass_share, first_moment_share, inertia_share }: Named): string {
+  const lighter = mass_share?.startsWith('−') || mass_share?.startsWith('-');
+  const mass = mass_share?.replace(/^[−-]/, '');
+  return [
+    mass && `${mass} ${lighter ? 'leichter' : 'schwerer'}`,
+    first_moment_share && `statisches Moment um ${first_moment_share} anders`,
+    inertia_share && `Trägheit um ${inertia_share} anders`,
+  ]
+    .filter(Boolean)
+    .join(', ');
+}
+
+/** Wie ein Gelenk reibt. */
+function rubs({ joint, coulomb_nm, viscous_nms }: Named): string {
+  return `Gelenk ${joint} reibt mit ${coulomb_nm} (Coulomb) und ${viscous_nms} (viskos)`;
+}
+
+/** Welches Gelenk seinem Befehl zu weit nachläuft. */
+function late({ late_joint, tracking_rad }: Named): string {
+  if (late_joint === undefined) return '';
+  return ` Gelenk ${late_joint} weicht in Bewegung um ${tracking_rad} (quadratisches Mittel) von seinem Befehl ab.`;
 }
 
 export const deEffects: typeof enEffects = {
@@ -58,7 +83,7 @@ export const deEffects: typeof enEffects = {
     joint_elasticity:
       'Nehmen Sie die Steifigkeit der Gelenke in den Zwilling auf, oder verwenden Sie Geber auf der Abtriebsseite.',
     joint_friction:
-      'Nehmen Sie die Reibung in den Zwilling auf, oder gleichen Sie sie in der Steuerung aus; fahren Sie die Gelenke vor dem Messen einige Minuten warm.',
+      'Fahren Sie die Gelenke einige Minuten warm, lassen Sie nachsehen, welche mehr reiben als früher, und geben Sie die bleibende Reibung in cell.toml an (robot.friction).',
     joint_offset: 'Justieren Sie den Nullpunkt des genannten Gelenkgebers, oder zentrieren Sie ihn.',
     kinematic_lag:
       'Zeichnen Sie ungefilterte Gelenkstellungen auf, oder verschieben Sie ihre Zeitstempel um den Nachlauf.',
@@ -104,6 +129,30 @@ export const deEffects: typeof enEffects = {
     other_posture: 'Der erste Halt in einer anderen Stellung des Arms.',
     second_payload:
       'Derselbe Lauf mit einer zweiten Last, deren Masse und Schwerpunkt bekannt sind: keine Bewegung mit dieser trennt genug.',
+  },
+  seen: {
+    noisier: ({ channel, times, correlation }) =>
+      `In den Halten rauscht ${channel} ${times}-mal so stark wie angegeben; Korrelation zwischen den Werten: ${correlation}.`,
+    line: ({ frequency_hz, times, channel }) =>
+      `Eine Linie bei ${frequency_hz}, in ${channel} mit dem ${times}-fachen des Rauschens.`,
+    mains_line: ({ frequency_hz, source_hz, times, channel }) =>
+      `Eine Linie bei ${frequency_hz} (Netz, ${source_hz}), in ${channel} mit dem ${times}-fachen des Rauschens.`,
+    coarse_steps: ({ channel, step_n, step_nm, times }) =>
+      `${channel} kommt in Stufen von ${step_n ?? step_nm}: dem ${times}-fachen des Rauschens.`,
+    held_or_lost: ({ held_share, lost_share, longest_s }) =>
+      `${held_share} der Messwerte wiederholen den vorigen, bis zu ${longest_s} lang; ${lost_share} fehlen.`,
+    other_payload: (named) => `Die Last ist nicht die Referenz: ${differences(named)}.`,
+    as_referred: (named) => `Die Last ist die Referenz, soweit es von Belang ist: ${differences(named)}.`,
+    payload_or_gap: (named) =>
+      `Die Last ist nicht die Referenz: ${differences(named)}. Der Grund kann aber die Abweichung selbst sein.`,
+    friction_differs: (named) =>
+      `${rubs(named)}; angegeben sind ${named.stated_coulomb_nm} und ${named.stated_viscous_nms}.${late(named)}`,
+    friction_as_stated: (named) =>
+      `Die Reibung ist, wie die Zelle sie angibt. Am weitesten entfernt: ${rubs(named)}; angegeben sind ${named.stated_coulomb_nm} und ${named.stated_viscous_nms}.${late(named)}`,
+    friction_not_stated: (named) =>
+      `${rubs(named)}; die Zelle gibt keine Reibung an, mit der das zu vergleichen wäre.${late(named)}`,
+    friction_in_tracking: (named) =>
+      `Gelenk ${named.joint} bleibt um ${named.lag_rad} hinter seinem Befehl zurück: Reibung im Schleppfehler; ohne Gelenkmomente lässt sie sich nicht mit der Zelle vergleichen.${late(named)}`,
   },
   pieces: {
     about: 'um',

@@ -24,6 +24,7 @@ export const flaws: Record<string, string> = {
   'at least {}': 'mindestens {}',
   'at most {}': 'höchstens {}',
   '{} values': '{} Werte',
+  '{}, one for each joint': '{}, einer für jedes Gelenk',
   '{}, for {}': '{}, für {}',
   '{} for {}': '{} für {}',
   '{} {} times': '{} {}-mal',
@@ -222,7 +223,8 @@ export const flaws: Record<string, string> = {
   'one, or two joined by a plus sign; add the others afterwards':
     'einer, oder zwei mit einem Pluszeichen dazwischen; fügen Sie die anderen danach hinzu',
   '{}, whose twin it is to change': '{}, deren Zwilling geändert werden soll',
-  '{} joints': '{} Gelenke',
+  'a recording of the cell {}': 'eine Aufzeichnung der Zelle {}',
+  'a recording of {} joints': 'eine Aufzeichnung von {} Gelenken',
   '{}, as in the cell {}': '{}, wie in der Zelle {}',
   'a recording that says nothing about a gap{}': 'eine Aufzeichnung, die nichts über eine Abweichung sagt{}',
   'one of a whole run': 'eine von einem ganzen Lauf',

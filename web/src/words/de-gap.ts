@@ -58,7 +58,19 @@ export const deGap: GapWords = {
     explained: (effect) => `Erklärt: ${effect}`,
     ambiguous: (effect) => `Nicht entschieden; am wahrscheinlichsten: ${effect}`,
     unknown: 'Kein bekannter Effekt erklärt die Abweichung.',
+    also: (effects) => `Daneben gesehen: ${effects}.`,
   },
+  adviceNext: 'Folgen Sie dem Rat.',
+  notForTwin: 'Warum der Zwilling ihn nicht aufnimmt',
+  also: 'Anderswo gesehen als in Kraft und Moment',
+  alsoHint:
+    'Es erklärt keine Abweichung zwischen Simulation und Aufzeichnung und wird mit eigenem Maß beurteilt.',
+  sides: {
+    joints: 'An den Gelenken',
+    reading: 'In den Messwerten des Sensors',
+    reference: 'Gegen die Referenzlast',
+  },
+  timesExpected: (times) => `das ${times}-fache des Angegebenen oder Geduldeten`,
   todo: 'Was zu tun ist',
   payloadEffect: 'Für die Last',
   payloadSaid: {

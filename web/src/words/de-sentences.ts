@@ -211,6 +211,10 @@ export const sentences: Record<string, string> = {
     '{}: sie hat einen anderen Roboter; machen Sie dort einen neuen Lauf',
   '{}: gravity at the base is {} m/s2, it was {}; make a new run there':
     '{}: die Schwerkraft an der Basis ist {} m/s², sie war {}; machen Sie dort einen neuen Lauf',
+  'effect: found {}, expected an effect that a twin can take':
+    'Effekt: gefunden: {}, erwartet: ein Effekt, den ein Zwilling aufnehmen kann',
+  'a diagnosis that does not say whether a twin can take it':
+    'eine Diagnose, die nicht sagt, ob ein Zwilling ihn aufnehmen kann',
   'effect: found {}, expected one that the diagnosis names: {}':
     'Effekt: gefunden: {}, erwartet: einer, den die Diagnose nennt: {}',
   'it names none': 'sie nennt keinen',

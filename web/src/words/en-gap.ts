@@ -58,7 +58,18 @@ export const enGap = {
     explained: (effect: string) => `Explained: ${effect}`,
     ambiguous: (effect: string) => `Not settled; most probable: ${effect}`,
     unknown: 'No known effect explains the gap.',
+    also: (effects: string) => `Seen elsewhere: ${effects}.`,
   },
+  adviceNext: 'Do what is advised.',
+  notForTwin: 'Why the twin does not take it',
+  also: 'Seen elsewhere than in the wrench',
+  alsoHint: 'It explains no gap between simulation and recording, and is judged by a measure of its own.',
+  sides: {
+    joints: 'At the joints',
+    reading: 'In the sensor’s readings',
+    reference: 'Against the reference payload',
+  },
+  timesExpected: (times: string) => `${times} times what is stated or tolerated`,
   todo: 'What to do',
   payloadEffect: 'For the payload',
   payloadSaid: {

@@ -1,0 +1,63 @@
+"""`core.gap.addable`: what a diagnosis offers for the twin is what the twin takes."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from core.cell import TWIN_FILE, Cell, load_cell
+from core.effects.library import library
+from core.errors import BadTwin
+from core.gap.diagnosis import diagnose
+from core.plant.imperfections import Imperfections
+from core.procedure import carry_out
+from core.recording import Recording
+from core.recording_folder import write_recording
+from core.sessions.simulated import SimulatedSession
+from core.trial import planned, returned
+from core.twin import NOMINAL
+from core.twin_addition import addable_to, with_effect
+
+FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "payload_shift"))
+
+
+@pytest.fixture(scope="module")
+def late() -> Recording:
+    """A run in which the wrench was late."""
+    cell, plans = planned("lwr4_bench")
+    carried = cell.payloads["cylinder"]
+    session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=Imperfections(wrench_delay_s=0.02))
+    return returned(carry_out(cell, session, carried.box, plans["cylinder"])).recording
+
+
+@pytest.fixture(scope="module")
+def cell(tmp_path_factory: pytest.TempPathFactory) -> Cell:
+    folder = tmp_path_factory.mktemp("cell") / "lwr4_bench"
+    shutil.copytree(planned("lwr4_bench")[0].folder, folder, ignore=shutil.ignore_patterns(TWIN_FILE))
+    return load_cell(folder)
+
+
+def test_what_is_offered_is_added_and_what_is_not_is_refused_for_the_reason_that_was_given(
+    late: Recording, cell: Cell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("core.gap.diagnosis.library", lambda: FEW)
+    write_recording(late, tmp_path / "late")
+    named = {effect.id: effect for effect in diagnose(late, FEW).effects}
+    assert named["time_delay"].addable
+    assert named["time_delay"].why_not is None
+    assert with_effect(NOMINAL, cell, tmp_path / "late", "time_delay").ids == ("time_delay",)
+    refused = [effect for effect in named.values() if not effect.addable]
+    assert refused
+    with pytest.raises(BadTwin) as error:
+        with_effect(NOMINAL, cell, tmp_path / "late", refused[0].id)
+    assert error.value.found == refused[0].why_not
+
+
+def test_a_cell_is_offered_nothing_that_was_recorded_in_another(late: Recording, cell: Cell, tmp_path: Path) -> None:
+    elsewhere = addable_to(diagnose(late, FEW), planned("ur5e_line")[0], late, tmp_path)
+    assert not any(each.addable for each in (*elsewhere.effects, *elsewhere.pairs))
+    assert elsewhere.effects[0].why_not == "a recording of the cell 'lwr4_bench'"
+    own = diagnose(late, FEW)
+    assert addable_to(own, cell, late, tmp_path) == own

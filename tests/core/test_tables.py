@@ -1,0 +1,22 @@
+"""`core.tables`: what a diagnosis says on a terminal."""
+
+from __future__ import annotations
+
+from core.gap.answer import Also
+from core.gap.answering import not_enough
+from core.remark import Remark
+from core.tables import diagnosis_lines
+
+
+def seen(name: str, *, material: bool) -> Also:
+    return Also(
+        id=name, title=name, side="reading", parameters={}, times_expected=2.0, material=material,
+        sentence=f"There is {name}.", advice="Check the cable.", remark="noisier", values={},
+    )  # fmt: skip
+
+
+def test_what_stands_beside_the_verdict_is_told_with_what_to_do_where_it_matters() -> None:
+    also = [seen("sensor_noise", material=True), seen("sensor_interference", material=False)]
+    lines = diagnosis_lines(not_enough(Remark("too_short", "too short"), 0.1).model_copy(update={"also": also}))
+    assert "Also, in the sensor's readings: sensor_noise: There is sensor_noise. To do: Check the cable." in lines
+    assert "Also, in the sensor's readings: sensor_interference: There is sensor_interference. It does not matter." in lines
