@@ -123,7 +123,9 @@ class Watcher:
         self.told: list[dict[str, Any]] = []
         """Every event with its sequence number, in the order in which they came."""
         self._live = console.socket(f"/api/runs/{run}/live")
-        threading.Thread(target=self._watch, daemon=True).start()
+        self.thread = threading.Thread(target=self._watch, daemon=True)
+        """Ends when the service has told the end of the run."""
+        self.thread.start()
 
     def _watch(self) -> None:
         with suppress(ConnectionClosed, OSError):
