@@ -140,7 +140,10 @@ def weathered(service: RealService, database: Database, outage: Outage, phase: s
     assert console.release(run).status_code == 200
     part = np.random.default_rng((seed, PHASES.index(phase))).uniform(*PART)
     wait_for(lambda: (watcher.phase == phase and watcher.progress >= part) or watcher.state in STANDING, f"{part:.0%}, {phase}")
-    flaws = [f"was {watcher.state} before anything happened"] if watcher.state in STANDING else []
+    if watcher.state in STANDING:
+        flaw = f"was {watcher.state} before anything happened: {reason_of([message['event'] for message in watcher.told])}"
+        recover(service, run)
+        return Weathered((flaw,), None, 0)
     begun_s = time.monotonic()
     held_after_s: list[float] = []
     with outage.of(database):
@@ -149,7 +152,7 @@ def weathered(service: RealService, database: Database, outage: Outage, phase: s
                 held_after_s.append(time.monotonic() - begun_s)
             time.sleep(0.02)
     taps = resumed(console, watcher, run)
-    flaws += flaws_of(watcher, outage) + differences(database.url, watcher, run)
+    flaws = flaws_of(watcher, outage) + differences(database.url, watcher, run)
     console.leave()
     if watcher.state != "Complete":
         recover(service, run)
