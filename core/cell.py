@@ -26,7 +26,7 @@ from core.urdf import Urdf, check_urdf
 from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 
 __all__ = [
-    "Box", "Capsule", "Cell", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape", "Sphere", "Zone",
+    "Box", "Capsule", "Cell", "Control", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape", "Sphere", "Zone",
     "check_robot", "find_cell", "list_cells", "load_cell",
 ]  # fmt: skip
 
@@ -91,6 +91,19 @@ class Limits(Model):
     self_clearance_m: Positive = 0.01
 
 
+class Control(Model):
+    """How the robot depends on whoever is in control of it.
+
+    Args:
+        lease_s: how long the robot moves on without an answer from the console; then it brakes and keeps its place. Shorter than 0.3 s no
+            Wi-Fi lasts; longer than 5 s nobody would take it for supervision. It is no emergency stop.
+        hold_limit_s: how long a robot on hold waits for somebody to be in control again before its run ends.
+    """
+
+    lease_s: Annotated[float, Field(strict=True, ge=0.3, le=5.0)] = 1.0
+    hold_limit_s: Annotated[float, Field(strict=True, ge=10.0, le=3600.0)] = 120.0
+
+
 class Payload(Model):
     """A payload that the cell knows: what the simulated robot carries, and the reference to compare with."""
 
@@ -117,6 +130,7 @@ class Cell(Model):
     robot: Robot
     sensor: Sensor
     limits: Limits = Limits()
+    control: Control = Control()
     gravity_m_s2: Vector3 = (0.0, 0.0, -9.81)
     """In the world frame."""
     floor_z_m: Number = 0.0
@@ -228,7 +242,7 @@ def _sentence(error: ErrorDetails, where: str) -> BadCell:
 
 def _keys() -> list[str]:
     """Every key of the format."""
-    models = (Cell, Robot, Sensor, Limits, Payload, Obstacle, Zone, Box, Sphere, Capsule, Pose)
+    models = (Cell, Robot, Sensor, Limits, Control, Payload, Obstacle, Zone, Box, Sphere, Capsule, Pose)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})
 
 

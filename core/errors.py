@@ -16,9 +16,12 @@ HeftError                      exit code 1
 │   ├── OutOfLimits                joint position
 │   ├── OverLoad                   the wrist wrench
 │   ├── BadState                   stale, non-finite or inconsistent robot state
-│   ├── Held                       somebody asked to pause; goes on when they say so
-│   ├── Commanded                  somebody asked to stop; no way back into the same run
-│   └── ControlLost                nobody is in control of the robot any more
+│   │   ├── SensorFrozen           the wrench does not change any more
+│   │   └── RobotStateLate         the robot's state came too late
+│   ├── Held                       the robot keeps its place and goes on when it is told to
+│   │   └── ControlLost            nobody is in control of the robot any more
+│   └── Commanded                  somebody asked to stop; no way back into the same run
+│       └── HoldExpired            nobody came back in time to a robot that was on hold
 └── Interrupted                130 Ctrl-C or SIGTERM; the robot was stopped and the recording closed
 """
 
@@ -26,6 +29,8 @@ from __future__ import annotations
 
 import re
 from typing import TYPE_CHECKING, ClassVar
+
+from core.lateness import Cause, Lateness
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -159,6 +164,8 @@ class Stopped(HeftError):
     exit_code = 4
     may_go_on: ClassVar[bool] = True
     """Whether the procedure may go on by itself once the robot stands."""
+    lateness: Lateness | None = None
+    """What was late, where the robot was stopped because something was."""
 
     def __init__(self, message: str, *, value: float, limit: float, samples: Sequence[object] = ()) -> None:
         super().__init__(message)
@@ -189,8 +196,36 @@ class BadState(Stopped):
     may_go_on = False
 
 
+class SensorFrozen(BadState):
+    """The wrench has not changed for longer than a live sensor's noise allows."""
+
+    def __init__(self, message: str, *, value: float, limit: float, samples: Sequence[object] = ()) -> None:
+        super().__init__(message, value=value, limit=limit, samples=samples)
+        self.lateness = Lateness(cause=Cause.SENSOR, late_s=value, limit_s=limit)
+
+
+class RobotStateLate(BadState):
+    """The robot's state came later than the control loop may wait for it."""
+
+    def __init__(self, message: str, *, value: float, limit: float, samples: Sequence[object] = ()) -> None:
+        super().__init__(message, value=value, limit=limit, samples=samples)
+        self.lateness = Lateness(cause=Cause.ROBOT, late_s=value, limit_s=limit)
+
+
 class Held(Stopped):
-    """Somebody asked to pause; the rest is planned anew from where the robot stands."""
+    """The robot keeps its place and goes on from there when it is told to: somebody asked for it, or something was late."""
+
+
+class ControlLost(Held):
+    """Nobody is in control of the robot any more: the console, the server or the way between them was late.
+
+    Args:
+        lateness: which of them, by how much.
+    """
+
+    def __init__(self, message: str, lateness: Lateness) -> None:
+        super().__init__(message, value=lateness.late_s, limit=lateness.limit_s)
+        self.lateness = lateness
 
 
 class Commanded(Stopped):
@@ -199,10 +234,8 @@ class Commanded(Stopped):
     may_go_on = False
 
 
-class ControlLost(Stopped):
-    """The lease of control ran out: the person, their screen, the server or the way between them is gone."""
-
-    may_go_on = False
+class HoldExpired(Commanded):
+    """The robot was on hold and nobody was in control of it for longer than a hold may last."""
 
 
 class Interrupted(HeftError):

@@ -6,6 +6,8 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
+from core.lateness import Lateness
+
 
 class Event(BaseModel):
     """Something that happened; `kind` tells which."""
@@ -63,13 +65,29 @@ class Progress(Event):
 
 
 class RobotStopped(Event):
-    """The guard stopped the robot; the procedure goes on from a new start configuration unless `final`."""
+    """The robot was stopped.
+
+    Args:
+        held: it keeps its place until it is told to go on, and goes on along the same plan. Otherwise the procedure goes on from a new
+            start configuration unless `final`.
+        lateness: what was late, where that stopped it.
+    """
 
     kind: Literal["robot_stopped"] = "robot_stopped"
     error: str
     message: str
     restart: int
     final: bool
+    held: bool = False
+    lateness: Lateness | None = None
+
+
+class StepFinished(Event):
+    """A step of the plan is done: its hold and its rotation are recorded."""
+
+    kind: Literal["step_finished"] = "step_finished"
+    step: int
+    steps: int
 
 
 class RecordingWritten(Event):

@@ -22,7 +22,7 @@ from core.control.rotation import Rotation
 from core.errors import Held, Interrupted, Refused, Stopped
 from core.estimation.identification import identify_recording
 from core.estimation.online import OnlineEstimator
-from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped
+from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped, StepFinished
 from core.motion_sequence import MotionSequence, PlanRequest, Procedure
 from core.outcome import Outcome
 from core.plan import Leg, Plan
@@ -161,6 +161,8 @@ class Run:
         self.guard = Guard(cell, self.robot, self.collision, period=session.period)
         noise = np.array(cell.sensor.noise_std)
         self.online = OnlineEstimator(self.robot, cell.gravity, period=session.period, noise_std=noise)
+        self.done = 0
+        """Steps that are finished: of the plan, and of a run that this one goes on with."""
         self.restarts = 0
         self.plan_s = 0.0
 
@@ -183,24 +185,29 @@ class Run:
 
         Returns the last plan.
         """
-        done = 0
         while True:
             try:
                 for leg in plan.legs:
-                    yield from self.leg(leg, log, plan, step=done + 1)
-                    done += 1
+                    yield from self.leg(leg, log, plan, step=self.done + 1)
+                    self.done += 1
+                    yield StepFinished(step=self.done, steps=self.sequence.steps + 1)
                 yield from self.phase("transfer", "home", Playback(plan.home.trajectory), log, plan, step=self.sequence.steps + 1)
             except Stopped as error:
                 final = self.restarts >= MAX_RESTARTS or not error.may_go_on
                 here = self._braked(log)
-                yield RobotStopped(error=type(error).__name__, message=str(error), restart=self.restarts + 1, final=final)
+                yield self._told(error, final=final)
                 if final:
                     raise
-                self.restarts += not isinstance(error, Held)  # a pause costs no attempt
+                self.restarts += 1
+                plan = yield from self.planned(here, self.done)
                 self.session.release()
-                plan = yield from self.planned(here, done)
             else:
                 return plan
+
+    def _told(self, error: Stopped, *, final: bool, held: bool = False) -> RobotStopped:
+        restart = self.restarts + (not held)  # a pause costs no attempt
+        kind = type(error).__name__
+        return RobotStopped(error=kind, message=str(error), restart=restart, final=final, held=held, lateness=error.lateness)
 
     def _braked(self, log: SampleLog) -> Array:
         """Records the braking until the command stands still, and returns it."""
@@ -245,12 +252,25 @@ class Run:
             yield from self.phase(hold, "", StandStill(plan.timing.settle_s, period), log, plan, step=step)
 
     def phase(self, phase: str, toward: str, mover: Mover, log: SampleLog, plan: Plan, *, step: int) -> Generator[Event, None, None]:
-        """One motion: its samples into the log, its progress as events."""
-        yield PhaseStarted(phase=phase, toward=toward, step=step, steps=self.sequence.steps + 1)
+        """One motion: its samples into the log, its progress as events.
+
+        Where the robot is put on hold it brakes and keeps its place. Who drives this generator asks for the next event when it may go on;
+        it then goes on from where it stands, along the same motion.
+        """
         size = max(1, round(BATCH_S / self.session.period))
-        for batch in execute(self.session, self.guard, mover, phase, batch=size):
-            known = self.learned(log.extend(batch.states, batch.phase))
-            yield Progress(phase=phase, done_s=log.seconds, total_s=max(plan.robot_s, log.seconds), estimate_phi=known)
+        while True:
+            yield PhaseStarted(phase=phase, toward=toward, step=step, steps=self.sequence.steps + 1)
+            try:
+                for batch in execute(self.session, self.guard, mover, phase, batch=size):
+                    known = self.learned(log.extend(batch.states, batch.phase))
+                    yield Progress(phase=phase, done_s=log.seconds, total_s=max(plan.robot_s, log.seconds), estimate_phi=known)
+            except Held as held:
+                here = self._braked(log)
+                yield self._told(held, final=False, held=True)
+                mover.resume(here)
+                self.session.release()
+            else:
+                return
 
     def learned(self, states: Sequence[RobotState]) -> tuple[float | None, ...]:
         """The estimate along the way, after some more samples; None where a parameter is not yet known."""

@@ -56,6 +56,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
                 await each.close()
             if own:
                 service.checker.close()
+            service.later.shutdown(cancel_futures=True)
             service.store.close()
             log.info("stopped")
 

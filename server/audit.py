@@ -12,6 +12,7 @@ import logging
 from collections.abc import Iterable, Iterator, Mapping
 from datetime import UTC, datetime
 
+from pydantic import BaseModel, ConfigDict
 from sqlalchemy import BigInteger, String, Text, event, select, text
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
@@ -24,6 +25,23 @@ START = "0" * 64
 """What stands before the first entry."""
 
 Detail = Mapping[str, str | int | float | bool | None]
+
+
+class Deed(BaseModel):
+    """Something that was done, before it stands in the log."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    who: str
+    action: str
+    detail: dict[str, str | int | float | bool | None]
+    at: datetime
+    request: str
+
+
+def deed(who: str, action: str, detail: Detail, *, now: datetime) -> Deed:
+    """What the request at hand has done; arguments as for `record`."""
+    return Deed(who=who, action=action, detail=dict(detail), at=now, request=request_id.get())
 
 
 class AuditEntry(Table):
@@ -42,29 +60,33 @@ class AuditEntry(Table):
 
 
 def record(db: Session, who: str, action: str, detail: Detail | None = None, *, now: datetime | None = None) -> AuditEntry:
+    """Appends what the request at hand has done; arguments as for `record_deed`."""
+    return record_deed(db, deed(who, action, detail or {}, now=now or datetime.now(UTC)))
+
+
+def record_deed(db: Session, done: Deed) -> AuditEntry:
     """Appends to the log, in the transaction of what it records: both are kept or neither.
 
     Args:
-        who: account or key, for example "account:anna", "key:mes-line-3", "service".
-        action: noun and verb, for example "session.open", "run.release", "cell.replace".
-        detail: what else is worth knowing; no secrets.
+        done: `who` is an account or a key, for example "account:anna", "key:mes-line-3", "service"; `action` noun and verb, for example
+            "session.open", "run.release", "cell.replace"; `detail` what else is worth knowing, no secrets.
     """
     if db.get_bind().dialect.name == "postgresql":
         db.execute(text("LOCK TABLE audit IN EXCLUSIVE MODE"))  # one appends at a time; SQLite's writers do so anyway
     last = db.scalar(select(AuditEntry).order_by(AuditEntry.number.desc()).limit(1))
     entry = AuditEntry(
         number=1 if last is None else last.number + 1,
-        at=(now or datetime.now(UTC)).astimezone(UTC).isoformat(timespec="microseconds"),
-        who=who[:80],
-        action=action,
-        detail=json.dumps(dict(detail or {}), sort_keys=True, ensure_ascii=False, separators=(",", ":")),
-        request=request_id.get(),
+        at=done.at.astimezone(UTC).isoformat(timespec="microseconds"),
+        who=done.who[:80],
+        action=done.action,
+        detail=json.dumps(done.detail, sort_keys=True, ensure_ascii=False, separators=(",", ":")),
+        request=done.request,
         previous_hash=START if last is None else last.hash,
     )
     entry.hash = entry_hash(entry)
     db.add(entry)
     db.flush()
-    line = {"audit_number": entry.number, "audit_action": action, "audit_who": entry.who, "audit_hash": entry.hash}
+    line = {"audit_number": entry.number, "audit_action": done.action, "audit_who": entry.who, "audit_hash": entry.hash}
     event.listen(db, "after_commit", lambda _session: log.info("audit", extra=line), once=True)  # what was undone never was in the chain
     return entry
 

@@ -23,6 +23,7 @@ from server.settings import Settings
 COOKIE = "heft_session"
 CSRF_HEADER = "X-CSRF-Token"
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
+RECENT = timedelta(minutes=10)  # for which the database may be away before nobody is let in any more
 TOUCH = timedelta(minutes=1)  # how exactly the last use of a session is known
 
 
@@ -49,6 +50,39 @@ class Caller:
 
 
 NOBODY = Caller("nobody", frozenset())
+
+
+class RecentCallers:
+    """Who was let in lately, for as long as the database is away: whoever is at the cell must be able to act then, too.
+
+    What ends a sign-in while the database is there ends it here as well.
+    """
+
+    def __init__(self) -> None:
+        self._known: dict[str, tuple[Caller, datetime]] = {}
+
+    def remember(self, connection: HTTPConnection, caller: Caller, now: datetime) -> None:
+        """The database has just said who it is."""
+        shown = _shown(connection)
+        if shown is not None:
+            self._known[shown] = (caller, now)
+            for old in [each for each, (_, at) in self._known.items() if now - at > RECENT]:
+                del self._known[old]
+
+    def recall(self, connection: HTTPConnection, now: datetime) -> Caller | None:
+        """Who it was, where that is not long ago."""
+        caller, at = self._known.get(_shown(connection) or "", (None, now))
+        return caller if now - at <= RECENT else None
+
+    def forget(self, who: str) -> None:
+        """Somebody has signed out, or may do less."""
+        self._known = {shown: known for shown, known in self._known.items() if known[0].who != who}
+
+
+def _shown(connection: HTTPConnection) -> str | None:
+    """Hash of the key or cookie that is shown."""
+    secret = connection.headers.get("authorization") or connection.cookies.get(COOKIE)
+    return None if secret is None else sha256(secret)
 
 
 def identify(db: Session, connection: HTTPConnection, settings: Settings, now: datetime) -> Caller:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import threading
+import time
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from datetime import datetime
@@ -17,15 +19,16 @@ from core.cell import Cell
 from core.errors import HeftError
 from core.sessions.leased import Renewal
 from core.shapes import Pose
-from server import run_ledger
+from server import audit, run_ledger
 from server.active_run import ActiveRun
+from server.audit import Deed
 from server.broadcast import Broadcast
 from server.cell_folder import CellFolder
-from server.crashed_runs import Left, close_crashed, recover
+from server.crashed_runs import Left, close_crashed, forget_journals, recover, take_from_journals, unrecovered
 from server.errors import Conflict
 from server.idle_runs import IdleRuns
 from server.packml import Command, IllegalCommandError, State
-from server.reason import NOT_KEPT, SHUT_DOWN, Reason, of_error
+from server.reason import SHUT_DOWN, Reason, of_error
 from server.request_context import run_id
 from server.run_metrics import RunMetrics
 from server.run_tables import RunRow
@@ -38,8 +41,10 @@ from server.zones import positions, with_zones_where_they_are
 log = logging.getLogger("heft.runs")
 
 RETRY_S = 1.0
+KEPT_S = 3.0
+BEAT_S = 0.05
+"""Of the signs of life that the robots' control processes get."""
 SHUT_DOWN_NOW = Reason(SHUT_DOWN, "the service was shut down; the robot was stopped.")
-STATE_NOT_KEPT = Reason(NOT_KEPT, "the run's state could not be written; the robot was stopped.")
 
 
 class Conductor:
@@ -61,16 +66,31 @@ class Conductor:
         self._taking = asyncio.Lock()  # a run that is changed in the store alone is not given its cell meanwhile
         self._loop: asyncio.AbstractEventLoop | None = None
         self._closing = False
+        self._closed = threading.Event()
 
     async def start(self) -> None:
-        """Closes what a crash left open, then carries the runs that wait."""
+        """Takes from the journals what the database lacks, closes what a crash left open, then carries the runs that wait."""
         self._loop = asyncio.get_running_loop()
         warm_up()
-        with self.store.write() as db:
-            crashed = close_crashed(db, self.now())
-        for run in crashed:
+        threading.Thread(target=self._beat, name="beat", daemon=True).start()
+        await asyncio.to_thread(self._catch_up)
+        for run in await asyncio.to_thread(unrecovered, self.folder):
             self._spawn(asyncio.to_thread(recover, self.folder / run, partial(self._left_of, run)))
         self._spawn(self._queue())
+
+    def _catch_up(self) -> None:
+        """What an earlier service left behind, in the database."""
+        with self.store.write() as db:
+            take_from_journals(db, self.folder)
+            close_crashed(db, self.now())
+        forget_journals(self.folder)
+
+    def _beat(self) -> None:
+        """A sign of life for every robot, from a thread of its own: an event loop that is busy is no reason to brake, a lease that is not
+        renewed is."""
+        while not self._closed.wait(BEAT_S):
+            for active in list(self.active.values()):
+                active.beat(time.monotonic())
 
     async def close(self) -> None:
         """Stops every robot and waits until it stands."""
@@ -78,8 +98,9 @@ class Conductor:
         self._wake.set()
         for active in list(self.active.values()):
             with suppress(IllegalCommandError):
-                await active.command(Command.ABORT, SHUT_DOWN_NOW, lambda _: None)
+                await active.command(Command.ABORT, SHUT_DOWN_NOW, audit.deed("service", "run.abort", {"run": active.id}, now=self.now()))
         await asyncio.gather(*self._tasks, return_exceptions=True)
+        self._closed.set()
 
     def wake(self) -> None:
         """There may be a run to begin. From any thread."""
@@ -101,6 +122,11 @@ class Conductor:
         if cell in self.active:
             self.active[cell].renew(renewal)
 
+    def note_late_page(self, cell: str, late_s: float) -> None:
+        """The page of who is in control of a cell does not respond."""
+        if cell in self.active:
+            self.active[cell].note_late_page(late_s)
+
     def broadcast(self, run: str) -> Broadcast:
         """To who watches a run that is not over."""
         return self._broadcasts.setdefault(run, Broadcast())
@@ -118,13 +144,37 @@ class Conductor:
         cell = self.cells.load(name)
         return with_zones_where_they_are(cell, positions(db, name))
 
+    def cell_as_it_is(self, name: str) -> Cell:
+        """The same for whoever has no session of the database at hand."""
+        with self.store.read() as db:
+            return self.cell_now(db, name)
+
     def _left_of(self, run: str) -> Left:
         with self.store.read() as db:
             row = run_ledger.load(db, run)
             motion = run_ledger.motion_of(row)
             return Left(self.cell_now(db, row.cell), None if motion is None else motion.recording)
 
-    async def command(self, run: str, command: Command, reason: Reason, also: Callable[[Session], object]) -> None:
+    def row_of(self, run: str) -> RunRow:
+        """A run as it is now: from memory where it has its cell, else from the database.
+
+        Raises:
+            NotFound: there is no such run.
+        """
+        active = self.of_run(run)
+        if active is not None:
+            return active.row
+        with self.store.read() as db:
+            return run_ledger.load(db, run)
+
+    def wait_until_kept(self, run: str) -> bool:
+        """Waits a moment until a run that is over is in the database alone; whether it is. Not from the event loop."""
+        until = time.monotonic() + KEPT_S
+        while self.of_run(run) is not None and time.monotonic() < until:
+            time.sleep(0.02)
+        return self.of_run(run) is None
+
+    async def command(self, run: str, command: Command, reason: Reason, done: Deed) -> None:
         """Passes a command on; a run that has no process is changed in the store alone.
 
         Raises:
@@ -136,19 +186,18 @@ class Conductor:
             raise Conflict(f"run {run}: its control process still closes the recording; ask again in some seconds", ["clear"])
         try:
             if active is None:
-                active = await self._changed(run, command, reason, also)
+                active = await self._changed(run, command, reason, done)
             if active is not None:
-                await active.command(command, reason, also)
+                await active.command(command, reason, done)
         except IllegalCommandError:
-            with self.store.read() as db:
-                raise run_ledger.refusal(run_ledger.load(db, run), run_ledger.OFFERED.get(command, command)) from None
+            raise run_ledger.refusal(await asyncio.to_thread(self.row_of, run), run_ledger.OFFERED.get(command, command)) from None
 
-    async def _changed(self, run: str, command: Command, reason: Reason, also: Callable[[Session], object]) -> ActiveRun | None:
+    async def _changed(self, run: str, command: Command, reason: Reason, done: Deed) -> ActiveRun | None:
         """Changes a run in the store, unless it has just got its cell: then it is returned."""
         async with self._taking:
             active = self.of_run(run)
             if active is None:
-                await asyncio.to_thread(self._idle.command, run, command, reason, also)
+                await asyncio.to_thread(self._idle.command, run, command, reason, done)
                 self._over(run)
             return active
 
@@ -170,9 +219,8 @@ class Conductor:
 
     async def _begin(self, row: RunRow) -> None:
         try:
-            with self.store.read() as db:
-                cell = self.cell_now(db, row.cell)
-            active = ActiveRun(self.store, row, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
+            cell, told = await asyncio.to_thread(self._known, row)
+            active = ActiveRun(self.store, row, told, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
         except (HeftError, OSError) as error:
             await asyncio.to_thread(self._idle.end, row.id, of_error(error))
             self._over(row.id)
@@ -180,26 +228,19 @@ class Conductor:
         self.active[row.cell] = active
         self._spawn(self._carry(active))
 
+    def _known(self, row: RunRow) -> tuple[Cell, list[tuple[int, str]]]:
+        """The run's cell, and what has happened to it."""
+        with self.store.read() as db:
+            return self.cell_now(db, row.cell), run_ledger.told(db, row.id, 0)
+
     async def _carry(self, active: ActiveRun) -> None:
         run_id.set(active.id)
         try:
             await active.carry()
-        except SQLAlchemyError:
-            log.exception("the state of run %s could not be written", active.id)
-            await self._bury(active.id)
+            await active.keep(lambda: self._closing)
         finally:
             del self.active[active.cell]
             self._over(active.id)
-
-    async def _bury(self, run: str) -> None:
-        """Tries to write the end of a run until the store can be written again."""
-        while not self._closing:
-            try:
-                await asyncio.to_thread(self._idle.end, run, STATE_NOT_KEPT)
-            except SQLAlchemyError:
-                await asyncio.sleep(RETRY_S)
-            else:
-                return
 
     def _spawn(self, work: Coroutine[None, None, None]) -> None:
         task = asyncio.create_task(work)

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from sqlalchemy.orm import Session
 
-from core.sessions.leased import FUTURE_S, LEASE_S, Renewal
+from core.sessions.leased import FUTURE_S, Renewal
 from server.errors import Conflict
+from server.link import Link
 from server.run_tables import ControlFence
 
 STAMP_PERIOD_S = 0.05
@@ -30,16 +31,19 @@ class Holder:
 
     Args:
         fence: counts the holders.
+        lease_s: of the cell.
         alive_s: when they last were.
         number: of the last renewal; `command`: of the last command.
     """
 
     who: str
     fence: int
+    lease_s: float
     alive_s: float
     number: int = -1
     command: int = -1
     confirmed: bool = False
+    link: Link = field(default_factory=Link)
 
 
 class Control:
@@ -58,11 +62,16 @@ class Control:
         holder = self._holders.get(cell)
         if holder is None:
             return None
-        patience = LEASE_S if holder.confirmed else SETTLE_S
+        patience = holder.lease_s if holder.confirmed else SETTLE_S
         return holder if self.clock() - holder.alive_s <= patience else None
 
-    def take(self, db: Session, cell: str, who: str) -> Holder:
-        """Takes control of a cell that nobody else holds; who holds it already gets a new fence, for a new screen.
+    def unattended_s(self, cell: str) -> float | None:
+        """For how long nobody has been in control; None where somebody is, or nobody ever was."""
+        last = self._holders.get(cell)
+        return None if last is None or self.holder(cell) is not None else self.clock() - last.alive_s - last.lease_s
+
+    def check_free(self, cell: str, who: str) -> None:
+        """Whether somebody may take control.
 
         Raises:
             Conflict: somebody else is in control.
@@ -70,26 +79,33 @@ class Control:
         present = self.holder(cell)
         if present is not None and present.who != who:
             raise Conflict(f"control of cell {cell!r}: {present.who} has it; ask them to let go of it")
-        row = db.get(ControlFence, cell)
-        if row is None:
-            row = ControlFence(cell=cell, fence=0)
-            db.add(row)
-        row.fence += 1
-        self._holders[cell] = Holder(who, row.fence, self.clock())
+
+    def take(self, cell: str, who: str, fence: int, lease_s: float) -> Holder:
+        """Gives control of a cell that nobody else holds, with a fence of `next_fence`; who holds it already has it on a new screen then.
+
+        Raises:
+            Conflict: somebody else is in control.
+        """
+        self.check_free(cell, who)
+        self._holders[cell] = Holder(who, fence, lease_s, self.clock())
         return self._holders[cell]
 
     def let_go(self, cell: str, who: str, fence: int) -> None:
-        """Whoever had this fence has left."""
-        holder = self._holders.get(cell)
-        if holder is not None and (holder.who, holder.fence) == (who, fence):
+        """Whoever had this fence has no more control, and does not get it back with it."""
+        if self.held_with(cell, who, fence) is not None:
             del self._holders[cell]
+
+    def held_with(self, cell: str, who: str, fence: int) -> Holder | None:
+        """The last holder where that is whoever has this fence; their connection may be lost meanwhile."""
+        holder = self._holders.get(cell)
+        return holder if holder is not None and (holder.who, holder.fence) == (who, fence) else None
 
     def renew(self, cell: str, who: str, renewal: Renewal) -> bool:
         """Takes an answered stamp; one that is old, repeated, reordered, from the future or not the holder's counts for nothing."""
-        holder, now = self._holders.get(cell), self.clock()
-        if holder is None or (holder.who, holder.fence) != (who, renewal.fence) or renewal.number <= holder.number:
+        holder, now = self.held_with(cell, who, renewal.fence), self.clock()
+        if holder is None or renewal.number <= holder.number:
             return False
-        if not max(now - LEASE_S, holder.alive_s if holder.confirmed else 0.0) < renewal.stamp_s <= now + FUTURE_S:
+        if not max(now - holder.lease_s, holder.alive_s if holder.confirmed else 0.0) < renewal.stamp_s <= now + FUTURE_S:
             return False
         holder.number, holder.alive_s, holder.confirmed = renewal.number, renewal.stamp_s, True
         return True
@@ -112,3 +128,13 @@ class Control:
                 f"command stamp: {now - renewal.stamp_s:.3f} s old (0 to {COMMAND_AGE_S:g} s allowed); send the newest stamp you got"
             )
         holder.command = renewal.number
+
+
+def next_fence(db: Session, cell: str) -> int:
+    """A fence that nobody has had; it never counts back, also not when the service starts anew."""
+    row = db.get(ControlFence, cell)
+    if row is None:
+        row = ControlFence(cell=cell, fence=0)
+        db.add(row)
+    row.fence += 1
+    return row.fence

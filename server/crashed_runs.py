@@ -15,10 +15,13 @@ from core.cell import Cell
 from core.errors import HeftError
 from server.packml import FINAL, Command, State
 from server.reason import SERVICE_ENDED, Reason, because
-from server.run_ledger import steps
+from server.run_journal import FILE, read_journal
+from server.run_ledger import keep_steps
 from server.run_tables import RunRow
 from server.runner.messages import Failed, Recovered
+from server.runner.run_folder import RECORDING, SAMPLES
 from server.runner.work import said
+from server.store_follower import keep_entry
 
 log = logging.getLogger("heft.runs")
 
@@ -30,20 +33,35 @@ class Left(NamedTuple):
     continues: Path | None
 
 
-def close_crashed(db: Session, now: datetime) -> list[str]:
-    """Aborts the runs that an earlier service left under way; those that only waited go on waiting. Returns which had begun to move."""
-    closed = []
+def take_from_journals(db: Session, folder: Path) -> None:
+    """What the journals of runs have and the database lacks."""
+    for journal in sorted(folder.glob(f"*/{FILE}")):
+        if db.get(RunRow, journal.parent.name) is not None:
+            for entry in read_journal(journal.parent):
+                keep_entry(db, journal.parent.name, entry)
+
+
+def forget_journals(folder: Path) -> None:
+    """The database has all that is in them."""
+    for journal in folder.glob(f"*/{FILE}"):
+        journal.unlink()
+
+
+def unrecovered(folder: Path) -> list[str]:
+    """Runs whose samples are there, but no recording: their control process died, or had no room to write it."""
+    found = (each for each in folder.glob(f"*/{SAMPLES}") if each.stat().st_size > 0)
+    return sorted(each.parent.name for each in found if not (each.parent / RECORDING).exists())
+
+
+def close_crashed(db: Session, now: datetime) -> None:
+    """Aborts the runs that an earlier service left under way; those that only waited go on waiting."""
     for row in db.scalars(select(RunRow).where(RunRow.state.not_in((*FINAL, State.ABORTED, State.RESETTING)))):
         ended = f"the service ended while the run was in {row.state}; the robot was stopped. Look at the cell, then clear the run."
         because(row, Reason(SERVICE_ENDED, ended))
-        moved = row.released
         if row.state == State.CLEARING:
-            steps(db, row, [None], now)
+            keep_steps(db, row, [None], now)
         else:
-            steps(db, row, [None] if row.state == State.ABORTING else [Command.ABORT, None], now)
-        if moved:
-            closed.append(row.id)
-    return closed
+            keep_steps(db, row, [None] if row.state == State.ABORTING else [Command.ABORT, None], now)
 
 
 def recover(folder: Path, left: Callable[[], Left]) -> None:

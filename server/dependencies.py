@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import logging
+from dataclasses import replace
 from datetime import datetime
 from typing import Annotated
 
 from fastapi import Depends
 from sqlalchemy import update
+from sqlalchemy.exc import SQLAlchemyError
 from starlette.requests import HTTPConnection
 
 from server import audit
@@ -17,6 +20,8 @@ from server.cell_folder import CellFolder
 from server.errors import NotAllowed
 from server.service import Service
 from server.store import Store
+
+log = logging.getLogger("heft.auth")
 
 
 def service(connection: HTTPConnection) -> Service:
@@ -37,8 +42,7 @@ def let_in(connection: HTTPConnection, here: Annotated[Service, Depends(service)
     caller = NOBODY
     try:
         if AUTHORITY.get(name, SIGNED_IN) is not ANYBODY:
-            with here.store.read() as db:
-                caller = identify(db, connection, here.settings, now)
+            caller = _identified(connection, here, now)
         check_origin(connection, here.settings, caller)
         check_authority(name, caller)
     except NotAllowed as refusal:
@@ -46,9 +50,31 @@ def let_in(connection: HTTPConnection, here: Annotated[Service, Depends(service)
             audit.record(db, caller.who, "authority.refuse", {"endpoint": name, "why": str(refusal)}, now=now)
         raise
     if caller.stale:
+        here.later.submit(_touch, here, caller, now)
+    connection.state.caller = caller
+
+
+def _identified(connection: HTTPConnection, here: Service, now: datetime) -> Caller:
+    """By the database; while that is away, as it said last."""
+    try:
+        with here.store.read() as db:
+            caller = identify(db, connection, here.settings, now)
+    except SQLAlchemyError:
+        recent = here.recent_callers.recall(connection, now)
+        if recent is None:
+            raise
+        return replace(recent, stale=False)
+    here.recent_callers.remember(connection, caller, now)
+    return caller
+
+
+def _touch(here: Service, caller: Caller, now: datetime) -> None:
+    """Writes down that the session was used; nobody waits for it."""
+    try:
         with here.store.write() as db:
             db.execute(update(SignIn).where(SignIn.token_hash == caller.session).values(used_at=now))
-    connection.state.caller = caller
+    except SQLAlchemyError:
+        log.warning("the last use of a session could not be written down")
 
 
 def _caller(connection: HTTPConnection) -> Caller:

@@ -7,7 +7,9 @@ ServiceError(HeftError)
 ├── Conflict           it does not go with the state that things are in
 ├── Unprocessable      well formed, but it cannot be done
 ├── TooLarge           the body exceeds its limit
-└── TooMany            asked too often; says when to ask again
+├── TooMany            asked too often; says when to ask again
+├── StoreUnavailable   the database cannot be written now
+└── NoRoom             the disk is full, or too full to begin
 """
 
 from __future__ import annotations
@@ -72,3 +74,11 @@ class TooMany(ServiceError):
     def __init__(self, message: str, retry_after_s: float) -> None:
         super().__init__(message)
         self.retry_after_s = retry_after_s
+
+
+class StoreUnavailable(ServiceError):
+    """The database is locked, full or away."""
+
+
+class NoRoom(ServiceError):
+    """The disk has too little room for what is to be written."""

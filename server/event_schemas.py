@@ -7,7 +7,17 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from core.events import Event, Finished, PhaseStarted, Planned, RecordingWritten, RobotStopped, StartConfigurationFound, TransferPlanned
+from core.events import (
+    Event,
+    Finished,
+    PhaseStarted,
+    Planned,
+    RecordingWritten,
+    RobotStopped,
+    StartConfigurationFound,
+    StepFinished,
+    TransferPlanned,
+)
 from core.result import Numbers
 from server.packml import JobState, State
 from server.schemas import Answer
@@ -56,6 +66,7 @@ class StateChanged(Event):
     job_state: JobState
     commands: list[str]
     reason: str | None = None
+    reason_kind: str | None = None
 
 
 class PlanShown(Event):
@@ -83,6 +94,7 @@ Happening = Annotated[
     | Planned
     | PhaseStarted
     | RobotStopped
+    | StepFinished
     | RecordingWritten
     | Finished,
     Field(discriminator="kind"),

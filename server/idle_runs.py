@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from datetime import datetime
 
-from sqlalchemy.orm import Session
-
-from server import run_ledger
+from server import audit, run_ledger
+from server.audit import Deed
 from server.packml import Command
 from server.reason import Reason, because
 from server.run_metrics import RunMetrics
@@ -30,8 +29,8 @@ class IdleRuns:
         with self._store.read() as db:
             return run_ledger.waiting(db)
 
-    def command(self, run: str, command: Command, reason: Reason, also: Callable[[Session], object]) -> None:
-        """A command and what follows from it; `also` is written in the same transaction.
+    def command(self, run: str, command: Command, reason: Reason, done: Deed) -> None:
+        """A command and what follows from it; that it was given goes into the audit log in the same transaction.
 
         Raises:
             NotFound: there is no such run.
@@ -41,8 +40,8 @@ class IdleRuns:
             row = run_ledger.load(db, run)
             if row.reason is None:
                 because(row, reason)
-            told = run_ledger.steps(db, row, [command, None], self._now())
-            also(db)
+            told = run_ledger.keep_steps(db, row, [command, None], self._now())
+            audit.record_deed(db, done)
         self._metrics.told(told, row)
 
     def end(self, run: str, reason: Reason) -> None:

@@ -17,6 +17,7 @@ from starlette.requests import HTTPConnection
 
 from core.errors import HeftError
 from core.schema_flaw import schema_flaw
+from server.errors import StoreUnavailable
 from server.problems import HTTP_KINDS, MEDIA_TYPE, Flaw, Problem, headers_of, kinds_by_name, problem, problem_of
 
 log = logging.getLogger("heft.problems")
@@ -26,7 +27,6 @@ NEXT_STEPS = {
     HTTPStatus.METHOD_NOT_ALLOWED: ("method-not-allowed", "this address does not know the method; see `allowed`"),
     HTTPStatus.REQUEST_ENTITY_TOO_LARGE: ("too-large", "the body is too large; send a smaller one"),
 }
-STORE_RETRY_S = 1.0
 
 
 def answer_with_problems(app: FastAPI) -> None:
@@ -69,7 +69,7 @@ async def _http_error(connection: HTTPConnection, error: Exception) -> JSONRespo
 async def _store_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     log.error("store", exc_info=error)
     detail = "the database is locked, full or away; nothing was changed. Try again; if it stays so, see the service's log"
-    return await _send(connection, problem("store-unavailable", HTTP_KINDS["store-unavailable"], detail, retry_after_s=STORE_RETRY_S))
+    return await _send(connection, problem_of(StoreUnavailable(detail)))
 
 
 async def _unexpected(connection: HTTPConnection, error: Exception) -> JSONResponse:

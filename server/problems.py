@@ -15,6 +15,7 @@ from server import errors
 from server.request_context import request_id
 
 MEDIA_TYPE = "application/problem+json"
+STORE_RETRY_S = 1.0
 
 
 class Flaw(BaseModel):
@@ -84,8 +85,11 @@ KINDS: dict[type[HeftError], Kind] = {
     core_errors.OutOfLimits: Kind(HTTPStatus.CONFLICT, "A joint left its limits"),
     core_errors.OverLoad: Kind(HTTPStatus.CONFLICT, "The wrist wrench exceeds its limit"),
     core_errors.BadState: Kind(HTTPStatus.CONFLICT, "The robot's state cannot be trusted"),
+    core_errors.SensorFrozen: Kind(HTTPStatus.CONFLICT, "The wrench does not change any more"),
+    core_errors.RobotStateLate: Kind(HTTPStatus.CONFLICT, "The robot's state came too late"),
     core_errors.Held: Kind(HTTPStatus.CONFLICT, "The run is on hold"),
     core_errors.Commanded: Kind(HTTPStatus.CONFLICT, "The run was stopped on request"),
+    core_errors.HoldExpired: Kind(HTTPStatus.CONFLICT, "Nobody came back to a run on hold"),
     core_errors.ControlLost: Kind(HTTPStatus.CONFLICT, "Nobody is in control of the robot"),
     core_errors.Interrupted: Kind(HTTPStatus.CONFLICT, "The run was interrupted"),
     errors.ServiceError: Kind(HTTPStatus.INTERNAL_SERVER_ERROR, "The service failed"),
@@ -96,12 +100,13 @@ KINDS: dict[type[HeftError], Kind] = {
     errors.Unprocessable: Kind(HTTPStatus.UNPROCESSABLE_ENTITY, "It cannot be done"),
     errors.TooLarge: Kind(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, "The body is too large"),
     errors.TooMany: Kind(HTTPStatus.TOO_MANY_REQUESTS, "Asked too often"),
+    errors.StoreUnavailable: Kind(HTTPStatus.SERVICE_UNAVAILABLE, "The store does not answer"),
+    errors.NoRoom: Kind(HTTPStatus.INSUFFICIENT_STORAGE, "There is no room on the disk"),
 }
 
 HTTP_KINDS: dict[str, Kind] = {
     "bad-request": Kind(HTTPStatus.UNPROCESSABLE_ENTITY, "The request cannot be used", "The body, path or query does not fit the schema."),
     "method-not-allowed": Kind(HTTPStatus.METHOD_NOT_ALLOWED, "Method not allowed", "The address is right, the method is not."),
-    "store-unavailable": Kind(HTTPStatus.SERVICE_UNAVAILABLE, "The store does not answer", "The database is locked, full or away."),
     "internal-error": Kind(HTTPStatus.INTERNAL_SERVER_ERROR, "The service failed", "An error that nobody foresaw; the log has it."),
     "http-error": Kind(HTTPStatus.BAD_REQUEST, "The request cannot be used", "Refused before it reached a route."),
 }
@@ -127,6 +132,8 @@ def problem_of(error: HeftError) -> Problem:
         more["flaws"] = [Flaw(where=each.where, found=each.found, expected=each.expected) for each in (error, *error.others)]
     if isinstance(error, Stopped):
         more |= {"value": error.value, "limit": error.limit}
+    if isinstance(error, errors.StoreUnavailable):
+        more["retry_after_s"] = STORE_RETRY_S
     if isinstance(error, errors.TooMany):
         more["retry_after_s"] = error.retry_after_s
     if isinstance(error, errors.Conflict) and error.allowed:

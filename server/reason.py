@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from core.errors import HeftError, slug
+from core.errors import ControlLost, HeftError, slug
+from core.lateness import Cause, Lateness
 from server.run_tables import JobRow, RunRow
 from server.runner.messages import Failed
 
@@ -21,10 +22,12 @@ class Reason(NamedTuple):
     sentence: str
 
 
-SHUT_DOWN, SERVICE_ENDED, NOT_KEPT = "shut-down", "service-ended", "state-not-kept"
+SHUT_DOWN, SERVICE_ENDED, NO_ROOM, NOT_KEPT = "shut-down", "service-ended", "no-room", "release-not-kept"
+LATE: dict[Cause, str] = {cause: f"{cause.replace('_', '-')}-late" for cause in Cause if cause not in (Cause.SENSOR, Cause.ROBOT)}
+"""What put a run on hold, by what was late; sensor and robot have errors of their own."""
 OWN = frozenset({
-    "stop-asked", "abort-asked", "hold-asked", "clear-asked", "cancelled", SHUT_DOWN, SERVICE_ENDED, NOT_KEPT,
-    "control-process-lost", "planner-lost", "work-lost", "no-room",
+    "stop-asked", "abort-asked", "hold-asked", "clear-asked", "cancelled", SHUT_DOWN, SERVICE_ENDED, NO_ROOM,
+    "control-process-lost", "planner-lost", "work-lost", NOT_KEPT, *LATE.values(),
 })  # fmt: skip
 """Kinds that are no problem of a request."""
 
@@ -41,7 +44,14 @@ def cancelled(who: str) -> Reason:
 
 def failed(told: Failed) -> Reason:
     """What a process says."""
-    return Reason(slug(told.error), told.message)
+    return Reason(kind_of(told.error, told.lateness), told.message)
+
+
+def kind_of(error: str, lateness: Lateness | None) -> str:
+    """The kind of an error of the engine, by its name; where control was lost, by what was late."""
+    if error == ControlLost.__name__ and lateness is not None:
+        return LATE[lateness.cause]
+    return slug(error)
 
 
 def of_error(error: HeftError | OSError) -> Reason:

@@ -7,10 +7,11 @@ from collections.abc import Iterable, Sequence
 from datetime import datetime
 
 from pydantic import TypeAdapter
-from sqlalchemy import select
+from sqlalchemy import inspect, select
 from sqlalchemy.orm import Session
 
 from core.events import Event
+from core.lateness import Lateness
 from core.result import Result
 from server import webhooks
 from server.errors import Conflict, NotFound
@@ -18,7 +19,7 @@ from server.event_schemas import EventMessage, Happening, StateChanged
 from server.packml import COMPLETED, FINAL, Command, IllegalCommandError, State, commanded, job_state, legal_commands
 from server.reason import Reason, because
 from server.result_summary import summary_of
-from server.run_schemas import ProposedMotion, RunAnswer, RunOrder
+from server.run_schemas import Motion, RunAnswer, RunOrder
 from server.run_tables import RunEventRow, RunRow
 
 Step = Command | None
@@ -29,6 +30,7 @@ OFFERED = {
 }  # fmt: skip
 """What a person may command, by the name that the API gives it. A run begins by its release and ends once, so neither start nor reset."""
 
+_motion: TypeAdapter[Motion] = TypeAdapter(Motion)
 _happening: TypeAdapter[Happening] = TypeAdapter(Happening)
 
 
@@ -42,17 +44,22 @@ def offered(state: State) -> list[str]:
     return [] if state in FINAL else [OFFERED[command] for command in legal_commands(state) if command in OFFERED]
 
 
-def queue(db: Session, order: RunOrder, who: str, now: datetime, motion: ProposedMotion | None = None) -> RunRow:
-    """A new run of the procedure, or of a motion that a diagnosis proposes; it waits for its cell."""
+def queue(db: Session, order: RunOrder, who: str, now: datetime, motion: Motion | None = None) -> RunRow:
+    """A new run of the procedure, or of something else; it waits for its cell."""
     row = RunRow(id=new_id(now), cell=order.cell, payload=order.payload, order=order.model_dump_json(), state=State.RESETTING)
     row.requested_by, row.requested_at = who, now
     row.released = row.aborted = False
     row.motion = None if motion is None else motion.model_dump_json()
-    row.sequence = 0
+    row.sequence = row.journaled = row.finished_steps = row.steps = 0
     db.add(row)
     db.flush()
-    tell(db, row, [_state_changed(row)], now)
+    keep(db, row, tell(row, [_state_changed(row)], now), ended=False)
     return row
+
+
+def copied(row: RunRow) -> RunRow:
+    """The run as an object of its own, which no session knows."""
+    return RunRow(**{column.key: getattr(row, column.key) for column in inspect(RunRow).column_attrs})
 
 
 def load(db: Session, run: str) -> RunRow:
@@ -67,9 +74,9 @@ def load(db: Session, run: str) -> RunRow:
     return row
 
 
-def motion_of(row: RunRow) -> ProposedMotion | None:
-    """What the run does instead of the procedure."""
-    return None if row.motion is None else ProposedMotion.model_validate_json(row.motion)
+def motion_of(row: RunRow) -> Motion | None:
+    """What the run does instead of the whole procedure."""
+    return None if row.motion is None else _motion.validate_json(row.motion)
 
 
 def result_of(row: RunRow) -> Result:
@@ -83,8 +90,8 @@ def result_of(row: RunRow) -> Result:
     return Result.model_validate_json(row.result)
 
 
-def steps(db: Session, row: RunRow, path: Iterable[Step], now: datetime) -> list[EventMessage]:
-    """Takes a run through states; each is an event.
+def advance(row: RunRow, path: Iterable[Step], now: datetime) -> list[EventMessage]:
+    """Takes a run through states; each is an event. Nothing is written.
 
     Raises:
         IllegalCommandError: a command is not legal where the run then is.
@@ -96,10 +103,26 @@ def steps(db: Session, row: RunRow, path: Iterable[Step], now: datetime) -> list
             raise IllegalCommandError(state, step, ())
         row.state = COMPLETED[state] if step is None else commanded(state, step)
         row.aborted = row.aborted or row.state == State.ABORTED
-        messages += tell(db, row, [_state_changed(row)], now)
+        row.held_since = now if row.state == State.HELD else row.held_since if row.state == State.UNHOLDING else None
+        messages += tell(row, [_state_changed(row)], now)
         if row.ended_at is None and row.state in (*FINAL, State.ABORTED):
             row.ended_at = now
-            webhooks.enqueue(db, answer(row), new_id, now)
+    return messages
+
+
+def keep(db: Session, row: RunRow, messages: Sequence[EventMessage], *, ended: bool) -> None:
+    """Writes what was told of a run; whoever wants to hear of its end is told of that."""
+    for message in messages:
+        db.add(RunEventRow(run=row.id, sequence=message.sequence, body=message.model_dump_json()))
+    if ended:
+        webhooks.enqueue(db, answer(row), new_id, row.ended_at or messages[-1].at)
+
+
+def keep_steps(db: Session, row: RunRow, path: Iterable[Step], now: datetime) -> list[EventMessage]:
+    """`advance` and `keep` for a run that no process has."""
+    over = row.ended_at is not None
+    messages = advance(row, path, now)
+    keep(db, row, messages, ended=not over and row.ended_at is not None)
     return messages
 
 
@@ -107,7 +130,7 @@ def end(db: Session, row: RunRow, reason: Reason, now: datetime) -> None:
     """Closes a run that no process carries: as it was told to end; Stopped before any motion; else Aborted."""
     row.aborted = True
     because(row, reason)
-    steps(db, row, ending(State(row.state)), now)
+    keep_steps(db, row, ending(State(row.state)), now)
 
 
 def ending(state: State) -> list[Step]:
@@ -117,21 +140,23 @@ def ending(state: State) -> list[Step]:
     return [Command.STOP if state in (State.RESETTING, State.IDLE) else Command.ABORT, None]
 
 
-def tell(db: Session, row: RunRow, events: Sequence[Event], now: datetime) -> list[EventMessage]:
-    """Appends to what happened to the run."""
+def tell(row: RunRow, events: Sequence[Event], now: datetime) -> list[EventMessage]:
+    """Numbers what happened to the run. Nothing is written."""
     messages = []
     for event in events:
         row.sequence += 1
-        message = EventMessage(sequence=row.sequence, at=now, event=_happening.validate_python(event))
-        db.add(RunEventRow(run=row.id, sequence=row.sequence, body=message.model_dump_json()))
-        messages.append(message)
+        messages.append(EventMessage(sequence=row.sequence, at=now, event=_happening.validate_python(event)))
     return messages
 
 
-def told(db: Session, run: str, after: int) -> list[str]:
-    """Bodies of the run's events behind a sequence number."""
-    query = select(RunEventRow.body).where(RunEventRow.run == run, RunEventRow.sequence > after).order_by(RunEventRow.sequence)
-    return list(db.scalars(query))
+def told(db: Session, run: str, after: int) -> list[tuple[int, str]]:
+    """The run's events behind a sequence number: theirs, and their bodies."""
+    query = (
+        select(RunEventRow.sequence, RunEventRow.body)
+        .where(RunEventRow.run == run, RunEventRow.sequence > after)
+        .order_by(RunEventRow.sequence)
+    )
+    return [(sequence, body) for sequence, body in db.execute(query)]
 
 
 def waiting(db: Session) -> list[RunRow]:
@@ -150,7 +175,12 @@ def in_the_way(db: Session, cell: str) -> str | None:
     return None if row is None else row.in_the_way
 
 
-def answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None) -> RunAnswer:
+def may_continue(row: RunRow) -> bool:
+    """Whether an ended run has finished steps that a new one need not make again."""
+    return row.state in (State.STOPPED, State.ABORTED) and row.result is None and row.finished_steps > 0
+
+
+def answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None, ends_at: datetime | None = None) -> RunAnswer:
     """The run as it leaves the service."""
     state, motion = State(row.state), motion_of(row)
     return RunAnswer(
@@ -164,6 +194,12 @@ def answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None) -> Ru
         released=row.released,
         reason=row.reason,
         reason_kind=row.reason_kind,
+        lateness=None if row.lateness is None else Lateness.model_validate_json(row.lateness),
+        held_since=row.held_since,
+        ends_at=ends_at,
+        steps=row.steps,
+        finished_steps=row.finished_steps,
+        may_continue=may_continue(row),
         in_the_way=row.in_the_way,
         progress=1.0 if state is State.COMPLETE else progress,
         eta_s=eta_s,
@@ -190,4 +226,4 @@ def refusal(row: RunRow, what: str) -> Conflict:
 def _state_changed(row: RunRow) -> StateChanged:
     state = State(row.state)
     job = job_state(state, released=row.released, aborted=row.aborted)
-    return StateChanged(state=state, job_state=job, commands=offered(state), reason=row.reason)
+    return StateChanged(state=state, job_state=job, commands=offered(state), reason=row.reason, reason_kind=row.reason_kind)

@@ -9,6 +9,7 @@ from prometheus_client import CollectorRegistry, Counter, Histogram
 from core.events import RobotStopped
 from server.event_schemas import EventMessage, StateChanged
 from server.packml import FINAL, State
+from server.reason import kind_of
 from server.run_tables import RunRow
 from server.runner.messages import Paced
 
@@ -27,6 +28,17 @@ class RunMetrics:
             "heft_run_motion_seconds", "Seconds from a run's release to its end.", ("job_state",), buckets=SECONDS, registry=registry
         )
         self._stops = Counter("heft_guard_stops_total", "Times that the robot was stopped, by the error.", ("error",), registry=registry)
+        self._holds = Counter("heft_holds_total", "Times that a run was put on hold, by the reason.", ("reason",), registry=registry)
+        self._lateness = Counter("heft_late_total", "Times that lateness stopped a robot, by what was late.", ("cause",), registry=registry)
+        self._late_s = Histogram(
+            "heft_late_seconds", "How late it was.", ("cause",), buckets=(0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120), registry=registry
+        )
+        self._round_trip = Histogram(
+            "heft_link_round_trip_seconds",
+            "Seconds from a stamp to the answer of the console that is in control.",
+            buckets=(0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5),
+            registry=registry,
+        )
         self._ticks = Counter("heft_control_ticks_total", "Ticks of control loops in real time.", registry=registry)
         self._late = Counter("heft_control_late_ticks_total", "Those that came more than 5 ms after their time.", registry=registry)
         self._latest = Histogram(
@@ -49,8 +61,17 @@ class RunMetrics:
                         self._ended.labels(job_state).inc()
                         if row.released_at is not None:
                             self._moved.labels(job_state).observe((message.at - row.released_at).total_seconds())
-                case RobotStopped(error=error):
+                case RobotStopped(error=error, held=held, lateness=lateness):
                     self._stops.labels(error).inc()
+                    if held:
+                        self._holds.labels(kind_of(error, lateness)).inc()
+                    if lateness is not None:
+                        self._lateness.labels(lateness.cause).inc()
+                        self._late_s.labels(lateness.cause).observe(lateness.late_s)
+
+    def answered(self, round_trip_s: float) -> None:
+        """A console has answered a stamp."""
+        self._round_trip.observe(round_trip_s)
 
     def paced(self, paced: Paced) -> None:
         """How a run's control loop has kept its time."""

@@ -7,7 +7,7 @@ from pathlib import Path
 from core.cell import Cell
 from core.plan_settings import Timing
 from server.run_ledger import motion_of
-from server.run_schemas import RunOrder
+from server.run_schemas import Motion, RestOfRun, RunOrder
 from server.run_tables import RunRow
 from server.runner.messages import Continuation, Order
 
@@ -28,5 +28,11 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
         mass_guess_kg=asked.mass_guess_kg,
         pace=asked.pace,
         folder=folder,
-        continues=None if motion is None else Continuation(motion.recording, motion.stops),
+        continues=None if motion is None else _continuation(motion),
     )
+
+
+def _continuation(motion: Motion) -> Continuation:
+    if isinstance(motion, RestOfRun):
+        return Continuation(motion.recording, motion.stops, motion.done)
+    return Continuation(motion.recording, motion.stops)

@@ -12,7 +12,7 @@ from sqlalchemy.orm import Session
 from server import audit, idempotency, run_ledger
 from server.errors import Conflict
 from server.job_answer import accepted
-from server.run_schemas import ProposedMotion, RunAnswer, RunOrder
+from server.run_schemas import Motion, RestOfRun, RunAnswer, RunOrder
 from server.run_tables import RunRow
 from server.service import Service
 
@@ -30,7 +30,7 @@ class Request(NamedTuple):
     body: bytes
 
 
-def queued(here: Service, response: Response, asked: Request, order: RunOrder, motion: ProposedMotion | None = None) -> RunAnswer:
+def queued(here: Service, response: Response, asked: Request, order: RunOrder, motion: Motion | None = None) -> RunAnswer:
     """The run that the request makes, or has made already.
 
     Raises:
@@ -49,10 +49,16 @@ def queued(here: Service, response: Response, asked: Request, order: RunOrder, m
     return found
 
 
-def _made(db: Session, asked: Request, order: RunOrder, motion: ProposedMotion | None) -> RunRow:
+def _made(db: Session, asked: Request, order: RunOrder, motion: Motion | None) -> RunRow:
     row = run_ledger.queue(db, order, asked.who, asked.now, motion)
     if asked.key is not None:
         idempotency.once(db, asked.who, asked.key, asked.body, row.id, asked.now)
-    proposed = {} if motion is None else {"diagnosis": motion.diagnosis}
-    audit.record(db, asked.who, "run.queue", {"run": row.id, "cell": order.cell, **proposed}, now=asked.now)
+    audit.record(db, asked.who, "run.queue", {"run": row.id, "cell": order.cell, **_origin(motion)}, now=asked.now)
     return row
+
+
+def _origin(motion: Motion | None) -> dict[str, str | None]:
+    """What the run goes back to."""
+    if motion is None:
+        return {}
+    return {"continues": motion.continues} if isinstance(motion, RestOfRun) else {"diagnosis": motion.diagnosis}

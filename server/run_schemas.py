@@ -9,6 +9,7 @@ from typing import Literal
 from pydantic import Field
 
 from core.gap.experiment import Stop
+from core.lateness import Lateness
 from core.plan_settings import Planner
 from core.shapes import Box
 from server.packml import JobState, State
@@ -56,6 +57,25 @@ class ProposedMotion(Body):
     stops: tuple[Stop, ...]
 
 
+class RestOfRun(Body):
+    """What a run does instead of the whole procedure: the steps that an ended run has not finished.
+
+    Args:
+        continues: that run; `recording` is the folder of its recording, to which this one's samples are appended.
+        done: steps that are finished already; the rest begins where the robot was when that run ended.
+        diagnosis, stops: of a proposed motion, null for the procedure.
+    """
+
+    continues: str
+    recording: Path
+    done: int
+    diagnosis: str | None = None
+    stops: tuple[Stop, ...] | None = None
+
+
+Motion = RestOfRun | ProposedMotion
+
+
 class RunAnswer(Answer):
     """A run as it stands now.
 
@@ -63,6 +83,10 @@ class RunAnswer(Answer):
         state: PackML; `job_state` is the same as the MES sees it (ISA-95).
         commands: what may be asked of it now.
         reason: why it did not come through, or why it stands; `reason_kind` is the kind of it, see docs/runs.md.
+        lateness: what was late, where that put it on hold or ended it.
+        held_since: when it was put on hold; `ends_at` when it ends by itself, because nobody is in control of it.
+        steps: of its plan, the way home included; `finished_steps` are recorded.
+        may_continue: it has ended, and `POST /api/runs/{run}/continuation` makes the rest of it as a new run.
         progress: share of the robot time, 0 to 1; `eta_s` what is left of it.
         result: what it found, in a few numbers; null until it is known.
         accepted_by: who took the result for good.
@@ -79,6 +103,12 @@ class RunAnswer(Answer):
     released: bool
     reason: str | None
     reason_kind: str | None
+    lateness: Lateness | None
+    held_since: datetime | None
+    ends_at: datetime | None
+    steps: int
+    finished_steps: int
+    may_continue: bool
     in_the_way: str | None
     progress: float
     eta_s: float | None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from core.errors import HoldExpired
 from core.events import Event, PhaseStarted, RobotStopped
 from server.event_schemas import WaitingForZone
 from server.packml import Command, State
@@ -32,12 +33,18 @@ def after(event: Event, state: State) -> list[Step]:
     match event:
         case PhaseStarted():
             return {State.STARTING: [DONE], State.UNHOLDING: [DONE], State.SUSPENDED: [Command.UNSUSPEND, DONE]}.get(state, [])
-        case RobotStopped(final=True):
-            return [] if state in (State.STOPPING, State.ABORTING) else [Command.ABORT]
+        case RobotStopped(final=True, error=error):
+            ended = Command.STOP if error == HoldExpired.__name__ else Command.ABORT
+            return [] if state in (State.STOPPING, State.ABORTING) else [ended]
+        case RobotStopped(held=True):
+            return [DONE] if state is State.HOLDING else _from_motion(state, Command.HOLD)
         case RobotStopped():
-            suspended: list[Step] = [Command.SUSPEND, DONE]
-            begun: list[Step] = [DONE, *suspended]
-            return {
-                State.HOLDING: [DONE], State.EXECUTE: suspended, State.STARTING: begun, State.UNHOLDING: begun,
-            }.get(state, [])  # fmt: skip
+            return _from_motion(state, Command.SUSPEND)
     return []
+
+
+def _from_motion(state: State, command: Command) -> list[Step]:
+    """A command that only Execute knows, and its end; on the way there that way is finished first."""
+    if state is State.EXECUTE:
+        return [command, DONE]
+    return [DONE, command, DONE] if state in (State.STARTING, State.UNHOLDING) else []

@@ -11,7 +11,8 @@ from server.store import Table
 
 
 class RunRow(Table):
-    """One run. `order`, `motion`, `plan` and `result` are JSON (`RunOrder`, `ProposedMotion`, `RunPlan`, `core.result.Result`)."""
+    """One run. `order`, `motion`, `plan` and `result` are JSON (`RunOrder`, `ProposedMotion | RestOfRun`, `RunPlan`,
+    `core.result.Result`)."""
 
     __tablename__ = "runs"
 
@@ -21,7 +22,7 @@ class RunRow(Table):
     payload: Mapped[str | None] = mapped_column(String(64), index=True)
     order: Mapped[str] = mapped_column("run_order", Text)
     motion: Mapped[str | None] = mapped_column(Text)
-    """None for the procedure."""
+    """None for a whole procedure."""
     state: Mapped[str] = mapped_column(String(16), index=True)
     released: Mapped[bool] = mapped_column(default=False)
     aborted: Mapped[bool] = mapped_column(default=False)
@@ -34,6 +35,13 @@ class RunRow(Table):
     result: Mapped[str | None] = mapped_column(Text)
     sequence: Mapped[int] = mapped_column(default=0)
     """Of the last event."""
+    journaled: Mapped[int] = mapped_column(default=0, server_default="0")
+    """Number of the last entry of the run's journal that is here."""
+    steps: Mapped[int] = mapped_column(default=0, server_default="0")
+    finished_steps: Mapped[int] = mapped_column(default=0, server_default="0")
+    lateness: Mapped[str | None] = mapped_column(Text)
+    """JSON (`core.lateness.Lateness`): what was late, where that put the run on hold or ended it."""
+    held_since: Mapped[datetime | None]
     requested_by: Mapped[str] = mapped_column(String(80))
     requested_at: Mapped[datetime]
     released_by: Mapped[str | None] = mapped_column(String(80))

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import cached_property
 
 from server import job_kinds
+from server.auth import RecentCallers
 from server.cell_folder import CellFolder
 from server.cell_uploads import CellChecker
 from server.conductor import Conductor
@@ -40,6 +42,9 @@ class Service:
     control: Control = field(default_factory=Control)
     offers: Offers = field(default_factory=Offers)
     console: Console = field(default_factory=Console)
+    recent_callers: RecentCallers = field(default_factory=RecentCallers)
+    later: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "later"))
+    """Small writes that nobody waits for."""
 
     @cached_property
     def conductor(self) -> Conductor:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from core.cell import Cell
 from core.collision import Nearest
 from core.control.checks import Fault, Numbers
-from core.errors import BadState, OutOfLimits, OverLoad, Stopped, TooClose, TooFast
+from core.errors import BadState, OutOfLimits, OverLoad, RobotStateLate, SensorFrozen, Stopped, TooClose, TooFast
 from core.robot import RobotModel
 from core.sessions.session import RobotState
 
@@ -46,7 +46,7 @@ def stopped(
             message = f"the robot's clock went on by {1e3 * value:.2f} ms in one period (expected {1e3 * limit:.2f} ms), its state is stale"
             advice = "Check the connection to the robot and start again."
         case Fault.LATE:
-            kind, limit = BadState, numbers.late
+            kind, limit = RobotStateLate, numbers.late
             message = f"the robot's state came after {1e3 * value:.1f} ms (limit {1e3 * limit:.1f} ms)"
             advice = "Take load off the computer or its network and start again."
         case Fault.POSITION | Fault.TARGET_POSITION:
@@ -93,9 +93,9 @@ def too_close(nearest: Nearest, cell: Cell, *, predicted: bool, samples: Sequenc
     )
 
 
-def frozen(seconds: float, limit: float, samples: Sequence[RobotState]) -> BadState:
+def frozen(seconds: float, limit: float, samples: Sequence[RobotState]) -> SensorFrozen:
     """The error for a wrench that does not change any more."""
-    return BadState(
+    return SensorFrozen(
         f"the wrench has not changed for {seconds:.3f} s (limit {limit:.3f} s), a live sensor shows its noise; "
         "the robot was stopped. Check the sensor's connection and start again.",
         value=seconds,

@@ -7,6 +7,7 @@ from abc import ABC, abstractmethod
 import numpy as np
 from numpy.typing import NDArray
 
+from core.control.resuming import rest_of
 from core.errors import BadState
 from core.sessions.session import RobotState
 from core.trajectory import JointTrajectory
@@ -29,6 +30,14 @@ class Mover(ABC):
     @abstractmethod
     def next(self, state: RobotState) -> Array | None:
         """Joint positions (n,) to be reached by the next period, rad; None when the motion has ended."""
+
+    @abstractmethod
+    def resume(self, q: Array) -> None:
+        """Goes on with the rest of the motion after it was stopped in the middle, from standstill at commanded joint positions q (n,).
+
+        Raises:
+            BadState: the robot is no longer where it stopped.
+        """
 
 
 class Playback(Mover):
@@ -63,6 +72,13 @@ class Playback(Mover):
         planned = np.asarray(self._q[self._k])
         return planned if self._k >= self._fade else planned + self._away * _fading(self._k / self._fade)
 
+    def resume(self, q: Array) -> None:
+        """See `Mover.resume`: back onto the trajectory where the robot has left it by braking, then along it, slowly at first."""
+        if self._k == 0:
+            return
+        self._q = np.array(rest_of(self._q, max(0, self._k - 1), q, self.period), order="C")
+        self._k, self._fade = 0, 0
+
     def _check_start(self, state: RobotState) -> None:
         away = np.abs(self._q[0] - state.q_cmd)
         j = int(np.argmax(away))
@@ -90,7 +106,7 @@ class StandStill(Mover):
 
     def __init__(self, duration: float, period: float) -> None:
         self.period = period
-        self._left = round(duration / period)
+        self._whole = self._left = round(duration / period)
         self._q: Array | None = None
 
     def next(self, state: RobotState) -> Array | None:
@@ -99,3 +115,7 @@ class StandStill(Mover):
             self._q = state.q_cmd.copy()
         self._left -= 1
         return self._q if self._left >= 0 else None
+
+    def resume(self, q: Array) -> None:
+        """See `Mover.resume`: once more from its beginning, so that a hold is motionless for its whole time."""
+        self._left, self._q = self._whole, q.copy()

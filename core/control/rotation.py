@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation as SpatialRotation
 
 from core.chain import forward
 from core.collision import SpeedPoints
 from core.control.bounds import JointLimits
 from core.control.movers import Mover
+from core.control.resuming import place_on_path, smooth_share
 from core.control.rotation_step import _rotation_step
 from core.errors import OutOfLimits
 from core.robot import RobotModel
@@ -22,6 +24,9 @@ SPEED_SHARE = 0.97
 
 STALLED = 0.5
 """A rotation is given up when it has not got on for this long, s."""
+
+RAMP_S = 1.0
+"""Time in which the planned rate is reached again after a stop in the middle, s."""
 
 AT_REST = 1e-4
 """Joint speed at which the end of a rotation counts as standstill, rad/s."""
@@ -65,6 +70,7 @@ class Rotation(Mover):
         self._dq = np.zeros(robot.n)
         self._start = np.empty((4, 4))
         self._elapsed = 0.0  # in periods of the profile
+        self._ramp = 1.0  # share of the time in which the planned rate is reached again after a stop
         self._stalled = 0.0  # s
         self._warm_up()
 
@@ -89,17 +95,35 @@ class Rotation(Mover):
             self._q = state.q_cmd.copy()
             self._start = forward(self._robot.chain, self._q)
         angle, rate = self._task()
+        self._ramp = min(1.0, self._ramp + self.period / RAMP_S)
+        pace = float(smooth_share(self._ramp))
         if rate == 0.0 and self.progress >= 1.0 and np.abs(self._dq).max() < AT_REST:
             return None
         dq = np.empty(len(self._q))
         chain = self._robot.chain
-        s = _rotation_step(*chain, self._q, self._dq, self.axis, self._start, angle, rate, *self._fixed, dq)
+        s = _rotation_step(*chain, self._q, self._dq, self.axis, self._start, angle, pace * rate, *self._fixed, dq)
         self._q = self._q + self.period * dq
         self._dq = dq
-        self._elapsed += s
+        self._elapsed += s * pace
         self.scaled += s < 1.0
         self._watch(s, self._q)
         return self._q
+
+    def resume(self, q: Array) -> None:
+        """See `Mover.resume`: from the angle at which the robot stands, slowly at first."""
+        if self._q is None:
+            return
+        k = min(int(self._elapsed), len(self.profile.angle) - 1)
+        now = forward(self._robot.chain, q)
+        turned = float(SpatialRotation.from_matrix(self._start[:3, :3].T @ now[:3, :3]).as_rotvec()[self.axis])
+        turned += 2.0 * np.pi * round((self.profile.angle[k] - turned) / (2.0 * np.pi))
+        place = place_on_path(self.profile.angle[:, None], k, np.array([turned]), self.period)
+        self._elapsed, self._ramp, self._stalled = float(place), 0.0, 0.0
+        self._q, self._dq = q.copy(), np.zeros(self._robot.n)
+        # braking along the tangent leaves the arm some 1e-4 beside the rotation: it goes on about the axis as it lies there
+        back = SpatialRotation.from_rotvec(-self.profile.angle[place] * np.eye(3)[self.axis]).as_matrix()
+        self._start = now.copy()
+        self._start[:3, :3] = now[:3, :3] @ back
 
     def _task(self) -> tuple[float, float]:
         """Angle of the profile now, and the mean rate over the next period."""

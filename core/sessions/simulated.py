@@ -44,6 +44,7 @@ class SimulatedSession(RobotSession):
         imperfections, faults: what is planted; nothing where absent.
         drives: friction and rotor inertia of the joints; those of a usual arm where absent.
         twin: effects that the simulation shows beyond the nominal ones.
+        start: (n,), where it stands on the first entry instead of at home, rad.
 
     Raises:
         BadRobot, BadPayload: the simulation cannot be built.
@@ -62,7 +63,10 @@ class SimulatedSession(RobotSession):
         faults: tuple[Fault, ...] = (),
         drives: Drives | None = None,
         twin: Twin = NOMINAL,
+        start: Array | None = None,
     ) -> None:
+        if start is not None:
+            cell = cell.model_copy(update={"robot": cell.robot.model_copy(update={"home_rad": tuple(start.tolist())})})
         rng = np.random.default_rng(seed)
         self.plant = VirtualRobot(cell, payload, rng, imperfections=imperfections, faults=faults, drives=drives)
         """The virtual robot; its `truth` is for tests and for the twin only."""

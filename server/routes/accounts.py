@@ -12,7 +12,7 @@ from sqlalchemy import select
 from server import accounts, audit
 from server.accounts import Account
 from server.audit import Detail
-from server.dependencies import Asking, Now, Stored
+from server.dependencies import Asking, Here, Now, Stored
 from server.roles import Role
 from server.schemas import Answer, Body, Name, NewPassword
 
@@ -73,10 +73,10 @@ def create_account(new: NewAccount, response: Response, asking: Asking, store: S
 
 
 @router.patch("/{account}")
-def change_account(account: Annotated[Name, Path()], change: AccountChange, asking: Asking, store: Stored, now: Now) -> AccountShown:
+def change_account(account: Annotated[Name, Path()], change: AccountChange, asking: Asking, here: Here, now: Now) -> AccountShown:
     """Changes an account and signs it out everywhere."""
     password_hash = None if change.password is None else accounts.hashed(change.password.get_secret_value())
-    with store.write() as db:
+    with here.store.write() as db:
         changed = accounts.change_account(db, account, password_hash=password_hash, roles=change.roles, disabled=change.disabled)
         said: Detail = {
             "account": account,
@@ -85,4 +85,5 @@ def change_account(account: Annotated[Name, Path()], change: AccountChange, aski
             "password": password_hash is not None,
         }
         audit.record(db, asking.who, "account.change", said, now=now)
+    here.recent_callers.forget(f"account:{account}")
     return _shown(changed)

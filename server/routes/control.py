@@ -6,12 +6,15 @@ import asyncio
 from contextlib import suppress
 
 from fastapi import APIRouter, WebSocket
-from pydantic import ValidationError
+from pydantic import Field, ValidationError
+from sqlalchemy.exc import SQLAlchemyError
 from starlette.websockets import WebSocketDisconnect
 
-from core.sessions.leased import LEASE_S, Renewal
+from core.cell import Cell
+from core.sessions.leased import Renewal
 from server import audit
-from server.control_lease import STAMP_PERIOD_S, Holder
+from server.auth import Caller
+from server.control_lease import STAMP_PERIOD_S, next_fence
 from server.dependencies import Asking, Here, Now, let_in
 from server.errors import NotAllowed, NotSignedIn
 from server.schemas import Answer, Body, Name
@@ -22,6 +25,8 @@ router = APIRouter(prefix="/api/control", tags=["control"])
 POLICY_VIOLATION = 1008
 CHECK_S = 1.0
 """How often it is asked again whether the holder may move the robot."""
+PAGE_LATE_S = 2.0
+"""A page that has not responded for so long cannot be stopped from; its answers renew nothing."""
 
 
 class ControlBody(Body):
@@ -30,19 +35,40 @@ class ControlBody(Body):
     cell: Name
 
 
+class LinkAnswer(Answer):
+    """The connection of whoever is in control, in the last 60 s.
+
+    Args:
+        lost_share: of the stamps, those not answered within the lease.
+        longest_gap_s: the longest time that control rested on one answer; the lease is what it may be.
+        advised: whether the link is good enough for a release; over one that is not, a run is likely to be put on hold.
+    """
+
+    round_trip_p50_s: float
+    round_trip_p99_s: float
+    lost_share: float
+    longest_gap_s: float
+    answers: int
+    seconds: float
+    advised: bool
+
+
 class ControlAnswer(Answer):
     """Who is in control.
 
     Args:
         fence: to be sent with every answered stamp and every command; null where nobody is.
-        lease_s: how long one answered stamp lasts.
+        lease_s: how long one answered stamp lasts; `hold_limit_s` how long a run on hold waits for somebody to be in control again.
+        link: null until there are enough answers to say anything.
     """
 
     cell: str
     holder: str | None
     fence: int | None
-    lease_s: float = LEASE_S
+    lease_s: float
+    hold_limit_s: float
     stamp_period_s: float = STAMP_PERIOD_S
+    link: LinkAnswer | None
 
 
 class Stamp(Answer):
@@ -52,67 +78,125 @@ class Stamp(Answer):
 
 
 class StampAnswer(Body):
-    """What the screen sends back, at once."""
+    """What the screen sends back, at once.
+
+    Args:
+        page_age_s: since the page itself, not what answers beside it, gave a sign of life.
+    """
 
     fence: int
     number: int
     stamp_s: float
+    page_age_s: float = Field(0.0, ge=0.0)
 
 
 @router.post("")
 async def take_control(body: ControlBody, here: Here, asking: Asking, now: Now) -> ControlAnswer:
     """Takes control; then open the websocket `/api/control/{cell}/lease` and answer its stamps. Ends when they stop coming back."""
-    here.cells.load(body.cell)
-    with here.store.write() as db:
-        holder = here.control.take(db, body.cell, asking.who)
-        audit.record(db, asking.who, "control.take", {"cell": body.cell, "fence": holder.fence}, now=now)
-    return _answer(body.cell, holder)
+    cell = await asyncio.to_thread(here.cells.load, body.cell)
+    here.control.check_free(cell.name, asking.who)
+
+    def write() -> int:
+        with here.store.write() as db:
+            fence = next_fence(db, cell.name)
+            audit.record(db, asking.who, "control.take", {"cell": cell.name, "fence": fence}, now=now)
+            return fence
+
+    here.control.take(cell.name, asking.who, await asyncio.to_thread(write), cell.control.lease_s)
+    return _answer(here, cell)
 
 
 @router.get("/{cell}")
 async def read_control(cell: str, here: Here) -> ControlAnswer:
-    """Who is in control of a cell."""
-    here.cells.load(cell)
-    return _answer(cell, here.control.holder(cell))
+    """Who is in control of a cell, and over which link."""
+    return _answer(here, await asyncio.to_thread(here.cells.load, cell))
+
+
+@router.delete("/{cell}")
+async def let_go_of_control(cell: str, fence: int, here: Here, asking: Asking) -> ControlAnswer:
+    """Lets go of control that was taken with this fence; a robot that moves is put on hold when its lease ends."""
+    loaded = await asyncio.to_thread(here.cells.load, cell)
+    here.control.let_go(cell, asking.who, fence)
+    return _answer(here, loaded)
 
 
 @router.websocket("/{cell}/lease")
 async def keep_control(websocket: WebSocket, cell: str, here: Here, asking: Asking) -> None:
-    """Sends a stamp every 50 ms and takes the answers; control ends with the connection."""
+    """Sends a stamp every 50 ms and takes the answers. A connection that is lost may be opened again with the same fence."""
     await websocket.accept()
-    fence = -1
-    stamps = asyncio.create_task(_stamps(websocket, here))
+    keeper = _Keeper(websocket, here, cell, asking)
+    tasks = [asyncio.create_task(keeper.stamp()), asyncio.create_task(keeper.check())]
     try:
         while True:
-            answer = StampAnswer.model_validate_json(await websocket.receive_text())
-            fence = answer.fence
-            renewal = Renewal(answer.fence, answer.number, answer.stamp_s)
-            if here.control.renew(cell, asking.who, renewal):
-                here.conductor.renew(cell, renewal)
+            keeper.hear(StampAnswer.model_validate_json(await websocket.receive_text()))
     except ValidationError:
-        await websocket.close(POLICY_VIOLATION, "an answer is {fence, number, stamp_s}")
+        with suppress(RuntimeError):
+            await websocket.close(POLICY_VIOLATION, "an answer is {fence, number, stamp_s, page_age_s}")
     except (WebSocketDisconnect, RuntimeError):  # RuntimeError: closed by us
         pass
     finally:
-        stamps.cancel()
-        here.control.let_go(cell, asking.who, fence)
+        for task in tasks:
+            task.cancel()
 
 
-async def _stamps(websocket: WebSocket, here: Service) -> None:
-    """Stamps as long as whoever gets them may have them: signing out elsewhere ends it within a second."""
-    checked_s = here.control.clock()
-    with suppress(WebSocketDisconnect, RuntimeError):
+class _Keeper:
+    """One websocket that keeps control. What sends the stamps waits for nothing but the socket."""
+
+    def __init__(self, websocket: WebSocket, here: Service, cell: str, asking: Caller) -> None:
+        self._websocket, self._here, self._cell, self._asking = websocket, here, cell, asking
+        self._fence = -1
+
+    def hear(self, answer: StampAnswer) -> None:
+        """Takes the answer to a stamp."""
+        here, self._fence = self._here, answer.fence
+        holder = here.control.held_with(self._cell, self._asking.who, answer.fence)
+        if holder is None:
+            return
+        if answer.stamp_s <= here.control.clock():
+            holder.link.answered(answer.stamp_s, here.control.clock())
+            here.metrics.runs.answered(here.control.clock() - answer.stamp_s)
+        if answer.page_age_s > PAGE_LATE_S:
+            here.conductor.note_late_page(self._cell, answer.page_age_s)
+            return
+        renewal = Renewal(answer.fence, answer.number, answer.stamp_s)
+        if here.control.renew(self._cell, self._asking.who, renewal):
+            here.conductor.renew(self._cell, renewal)
+
+    async def stamp(self) -> None:
+        """Sends stamps."""
+        control = self._here.control
+        with suppress(WebSocketDisconnect, RuntimeError):
+            while True:
+                stamp_s = control.clock()
+                await self._websocket.send_text(Stamp(stamp_s=stamp_s).model_dump_json())
+                holder = control.held_with(self._cell, self._asking.who, self._fence)
+                if holder is not None:
+                    holder.link.sent(stamp_s)
+                await asyncio.sleep(STAMP_PERIOD_S)
+
+    async def check(self) -> None:
+        """Ends control when whoever has it may no longer have it: signing out elsewhere does so within a second or two."""
         while True:
-            await websocket.send_text(Stamp(stamp_s=here.control.clock()).model_dump_json())
-            await asyncio.sleep(STAMP_PERIOD_S)
-            if here.control.clock() - checked_s > CHECK_S:
-                checked_s = here.control.clock()
-                try:
-                    await asyncio.to_thread(let_in, websocket, here)
-                except (NotAllowed, NotSignedIn) as refusal:
-                    await websocket.close(POLICY_VIOLATION, str(refusal)[:120])
-                    return
+            await asyncio.sleep(CHECK_S)
+            try:
+                await asyncio.to_thread(let_in, self._websocket, self._here)
+            except (NotAllowed, NotSignedIn) as refusal:
+                self._here.control.let_go(self._cell, self._asking.who, self._fence)
+                with suppress(RuntimeError):
+                    await self._websocket.close(POLICY_VIOLATION, str(refusal)[:120])
+                return
+            except SQLAlchemyError:
+                continue  # the database is away; it is asked again
 
 
-def _answer(cell: str, holder: Holder | None) -> ControlAnswer:
-    return ControlAnswer(cell=cell, holder=None if holder is None else holder.who, fence=None if holder is None else holder.fence)
+def _answer(here: Service, cell: Cell) -> ControlAnswer:
+    holder = here.control.holder(cell.name)
+    found = None if holder is None else holder.link.figures(holder.lease_s, here.control.clock())
+    return ControlAnswer(
+        cell=cell.name,
+        holder=None if holder is None else holder.who,
+        fence=None if holder is None else holder.fence,
+        lease_s=cell.control.lease_s,
+        hold_limit_s=cell.control.hold_limit_s,
+        link=None if found is None else LinkAnswer(**found._asdict()),
+    )

@@ -71,8 +71,7 @@ async def _uploaded(request: Request, here: Here, now: Now) -> AsyncIterator[Pat
 def diagnose_run(body: DiagnosisBody, response: Response, here: Here, asking: Asking, now: Now) -> DiagnosisAnswer:
     """Asks what parts simulation and recording of a run, and how far it goes away once it is known."""
     folder = here.settings.recordings_folder / body.run / RECORDING
-    with here.store.read() as db:
-        row = run_ledger.load(db, body.run)
+    row = here.conductor.row_of(body.run)
     if not folder.is_dir():
         raise Conflict(f"run {body.run}: has no recording, it is in {row.state}; wait for its end")
     return _queued(here, DiagnosisOrder(recording=folder.absolute(), run=body.run, cell=row.cell), asking.who, now, response)

@@ -72,8 +72,7 @@ def download_export(run: str, target: TargetName, here: Here) -> Response:
 
 
 def _payload(here: Service, run: str) -> tuple[UncertainParameters, Cell]:
-    with here.store.read() as db:
-        row = run_ledger.load(db, run)
+    row = here.conductor.row_of(run)
     cell = here.cells.load(row.cell)
     return payload_of(run_ledger.result_of(row), cell), cell
 

@@ -11,7 +11,7 @@ from sqlalchemy import select
 
 from server import accounts, audit
 from server.accounts import ApiKey
-from server.dependencies import Asking, Now, Stored
+from server.dependencies import Asking, Here, Now, Stored
 from server.roles import MACHINE_ROLES, Role
 from server.schemas import Answer, Body, Name
 
@@ -66,8 +66,9 @@ def create_key(new: NewKey, response: Response, asking: Asking, store: Stored, n
 
 
 @router.delete("/{key}", status_code=204)
-def revoke_key(key: Annotated[Name, Path()], asking: Asking, store: Stored, now: Now) -> None:
+def revoke_key(key: Annotated[Name, Path()], asking: Asking, here: Here, now: Now) -> None:
     """Makes a key worthless, at once."""
-    with store.write() as db:
+    with here.store.write() as db:
         accounts.revoke_key(db, key)
         audit.record(db, asking.who, "key.revoke", {"key": key}, now=now)
+    here.recent_callers.forget(f"key:{key}")

@@ -51,9 +51,8 @@ async def watch_run(websocket: WebSocket, run: str, here: Here, after: After = 0
 @router.get("/api/runs/{run}/events")
 def read_events(run: str, here: Here, after: After = 0, kind: Literal["event", "samples"] | None = None) -> list[LiveMessage]:
     """What has happened behind a sequence number, and the newest samples: the same messages as on the websocket `live`."""
-    with here.store.read() as db:
-        run_ledger.load(db, run)
-        messages: list[LiveMessage] = [EventMessage.model_validate_json(text) for text in run_ledger.told(db, run, after)]
+    _, told = _told(here, run, after)
+    messages: list[LiveMessage] = [EventMessage.model_validate_json(text) for _, text in told]
     active = here.conductor.of_run(run)
     if active is not None and active.newest is not None:
         messages.append(active.newest.batch)
@@ -65,11 +64,11 @@ async def _send(websocket: WebSocket, run: str, here: Service, after: int) -> No
     broadcast = here.conductor.broadcast(run)
     subscription = broadcast.subscribe()
     try:
-        over, texts = await asyncio.to_thread(_told, here, run, after)
-        for text in texts:
+        over, told = await asyncio.to_thread(_told, here, run, after)
+        for sequence, text in told:
             async with asyncio.timeout(PATIENCE_S):
                 await websocket.send_text(text)
-            after = EventMessage.model_validate_json(text).sequence
+            after = sequence
         if not over:
             await drain(subscription, websocket.send_text, after=after)
     except TimeoutError:
@@ -78,8 +77,11 @@ async def _send(websocket: WebSocket, run: str, here: Service, after: int) -> No
         broadcast.unsubscribe(subscription)
 
 
-def _told(here: Service, run: str, after: int) -> tuple[bool, list[str]]:
-    """Whether nothing more can come, and what has come."""
+def _told(here: Service, run: str, after: int) -> tuple[bool, list[tuple[int, str]]]:
+    """Whether nothing more can come, and what has come, with sequence numbers: from memory where the run has its cell."""
+    active = here.conductor.of_run(run)
+    if active is not None:
+        return False, [(sequence, text) for sequence, text in list(active.events) if sequence > after]
     with here.store.read() as db:
         row = run_ledger.load(db, run)
         over = here.conductor.of_run(run) is None and State(row.state) in (*FINAL, State.ABORTED)

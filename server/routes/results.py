@@ -11,8 +11,8 @@ from core.cell import Cell
 from core.comparison import Comparison, compared
 from core.export.exports import payload_of
 from server import audit, run_ledger
-from server.dependencies import Asking, Here, Now, Stored
-from server.errors import Conflict
+from server.dependencies import Asking, Here, Now
+from server.errors import Conflict, StoreUnavailable
 from server.payload_answer import PayloadAnswer, payload_answer
 from server.run_answer import answered
 from server.run_schemas import RunAnswer
@@ -35,16 +35,17 @@ class ComparisonAnswer(Answer):
 
 
 @router.get("/result")
-def read_result(run: str, store: Stored) -> PayloadAnswer:
+def read_result(run: str, here: Here) -> PayloadAnswer:
     """What the robot carries, with uncertainties."""
-    with store.read() as db:
-        row = run_ledger.load(db, run)
-    return payload_answer(run, run_ledger.result_of(row))
+    return payload_answer(run, run_ledger.result_of(here.conductor.row_of(run)))
 
 
 @router.post("/acceptance")
 def accept_result(run: str, here: Here, asking: Asking, now: Now) -> RunAnswer:
     """An operator takes the result for good; once, and by name."""
+    run_ledger.result_of(here.conductor.row_of(run))
+    if not here.conductor.wait_until_kept(run):
+        raise StoreUnavailable(f"run {run}: the database does not have its result yet; accept it again in some seconds")
     with here.store.write() as db:
         row = run_ledger.load(db, run)
         verdict = run_ledger.result_of(row).verdict
@@ -58,8 +59,7 @@ def accept_result(run: str, here: Here, asking: Asking, now: Now) -> RunAnswer:
 @router.get("/comparison/{other}")
 def compare_runs(run: str, other: str, here: Here) -> ComparisonAnswer:
     """What differs between two runs, and whether that is more than chance."""
-    with here.store.read() as db:
-        rows = run_ledger.load(db, run), run_ledger.load(db, other)
+    rows = here.conductor.row_of(run), here.conductor.row_of(other)
     results = [run_ledger.result_of(row) for row in rows]
     frame: Frame = "sensor" if rows[0].cell == rows[1].cell else "flange"
     cells = [None if frame == "sensor" else _mounted(here, row) for row in rows]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from enum import StrEnum
 
 from fastapi import APIRouter
@@ -79,8 +80,7 @@ class PlanAnswer(Answer):
 @router.get("/plan")
 def read_plan(run: str, here: Here) -> PlanAnswer:
     """What is going to happen: to be looked at before it is released."""
-    with here.store.read() as db:
-        row = run_ledger.load(db, run)
+    row = here.conductor.row_of(run)
     if row.plan is None:
         raise Conflict(
             f"run {run}: there is no plan yet, it is in {row.state}; wait until it is Idle", run_ledger.offered(State(row.state))
@@ -93,14 +93,13 @@ def read_plan(run: str, here: Here) -> PlanAnswer:
 async def release_run(run: str, body: ReleaseBody, here: Here, asking: Asking) -> RunAnswer:
     """An operator at the cell lets the shown plan begin; void (409) when anything has changed or the offer is older than 60 s."""
     await here.releases.release(run, asking.who, body.plan_sha256, body.offer, renewal(body.sent))
-    return answered(here, run)
+    return await asyncio.to_thread(answered, here, run)
 
 
 @router.post("/commands")
 async def command_run(run: str, body: CommandBody, here: Here, asking: Asking, now: Now) -> RunAnswer:
     """Holds, resumes, stops, aborts or clears. All but stop and abort need control of the cell."""
-    with here.store.read() as db:
-        cell = run_ledger.load(db, run).cell
+    cell = (await asyncio.to_thread(here.conductor.row_of, run)).cell
     if body.command not in WITHOUT_CONTROL:
         if body.sent is None:
             raise Conflict(f"command {body.command}: needs control of cell {cell!r}; send `sent` with your fence, number and stamp")
@@ -109,9 +108,9 @@ async def command_run(run: str, body: CommandBody, here: Here, asking: Asking, n
         run,
         COMMANDS[body.command],
         asked(body.command, asking.who),
-        lambda db: audit.record(db, asking.who, f"run.{body.command}", {"run": run}, now=now),
+        audit.deed(asking.who, f"run.{body.command}", {"run": run}, now=now),
     )
-    return answered(here, run)
+    return await asyncio.to_thread(answered, here, run)
 
 
 def renewal(sent: Sent) -> Renewal:

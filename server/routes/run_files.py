@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fastapi import APIRouter, Response
 
-from server import downloads, run_ledger
+from server import downloads
 from server.dependencies import Here
 from server.runner.run_folder import RECORDING, REPORT
 from server.service import Service
@@ -27,5 +27,4 @@ def download_report(run: str, here: Here) -> Response:
 
 
 def _state_of(here: Service, run: str) -> str:
-    with here.store.read() as db:
-        return run_ledger.load(db, run).state
+    return here.conductor.row_of(run).state

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from typing import Annotated
 
 from fastapi import APIRouter, Query, Response
@@ -11,10 +12,11 @@ from starlette.status import HTTP_202_ACCEPTED
 from core.cell import Cell
 from core.errors import BadPayload
 from server import audit, run_ledger
-from server.dependencies import Asking, Here, Now, Stored
+from server.dependencies import Asking, Here, Now
 from server.packml import Command, State
 from server.reason import cancelled
-from server.run_answer import answered
+from server.rest_of_run import rest_of
+from server.run_answer import answer_now, answered
 from server.run_queue import IdempotencyKey, Request, queued
 from server.run_schemas import RunAnswer, RunOrder
 from server.run_tables import RunRow
@@ -34,7 +36,7 @@ def queue_run(
 
 @router.get("")
 def list_runs(
-    store: Stored,
+    here: Here,
     cell: str | None = None,
     payload: str | None = None,
     state: State | None = None,
@@ -46,8 +48,9 @@ def list_runs(
     for column, wanted in ((RunRow.cell, cell), (RunRow.payload, payload), (RunRow.state, state)):
         query = query if wanted is None else query.where(column == wanted)
     query = query if before is None else query.where(RunRow.id < before)
-    with store.read() as db:
-        return [run_ledger.answer(row) for row in db.scalars(query)]
+    with here.store.read() as db:
+        found = list(db.scalars(query))
+    return [answer_now(here, row) for row in found]
 
 
 @router.get("/{run}")
@@ -59,17 +62,25 @@ def read_run(run: str, here: Here) -> RunAnswer:
 @router.delete("/{run}")
 async def cancel_run(run: str, here: Here, asking: Asking, now: Now) -> RunAnswer:
     """Takes back a run that has not been released; one that moves is stopped at the cell instead."""
-    with here.store.read() as db:
-        row = run_ledger.load(db, run)
+    row = await asyncio.to_thread(here.conductor.row_of, run)
     if row.state not in (State.RESETTING, State.IDLE):
         raise run_ledger.refusal(row, "cancel")
     await here.conductor.command(
         run,
         Command.STOP,
         cancelled(asking.who),
-        lambda db: audit.record(db, asking.who, "run.cancel", {"run": run}, now=now),
+        audit.deed(asking.who, "run.cancel", {"run": run}, now=now),
     )
-    return answered(here, run)
+    return await asyncio.to_thread(answered, here, run)
+
+
+@router.post("/{run}/continuation", status_code=HTTP_202_ACCEPTED)
+def continue_run(run: str, response: Response, here: Here, asking: Asking, now: Now, idempotency_key: IdempotencyKey = None) -> RunAnswer:
+    """Queues the rest of a run that ended before it was through, as a new run: its finished holds and rotations count."""
+    ended = here.conductor.row_of(run)
+    rest = rest_of(ended, here.settings.recordings_folder / run)
+    order = RunOrder.model_validate_json(ended.order)
+    return queued(here, response, Request(asking.who, now, idempotency_key, f"continuation of {run}".encode()), order, rest)
 
 
 def with_payload(order: RunOrder, cell: Cell) -> RunOrder:

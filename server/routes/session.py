@@ -10,7 +10,7 @@ from sqlalchemy import delete
 from server import accounts, audit, login_limit
 from server.accounts import Account, SignIn
 from server.auth import COOKIE
-from server.dependencies import Address, Asking, Here, Now, Stored
+from server.dependencies import Address, Asking, Here, Now
 from server.errors import NotAllowed, NotSignedIn
 from server.roles import Role
 from server.schemas import Answer, Body, Name, NewPassword, Password
@@ -72,27 +72,29 @@ def read_session(asking: Asking) -> Session:
 
 
 @router.delete("", status_code=204)
-def sign_out(response: Response, asking: Asking, store: Stored, now: Now) -> None:
+def sign_out(response: Response, asking: Asking, here: Here, now: Now) -> None:
     """Ends this browser's session."""
-    with store.write() as db:
+    with here.store.write() as db:
         db.execute(delete(SignIn).where(SignIn.token_hash == asking.session))
         audit.record(db, asking.who, "session.close", now=now)
+    here.recent_callers.forget(asking.who)
     response.delete_cookie(COOKIE)
 
 
 @router.put("/password", status_code=204)
-def change_password(change: PasswordChange, asking: Asking, store: Stored, now: Now, address: Address) -> None:
+def change_password(change: PasswordChange, asking: Asking, here: Here, now: Now, address: Address) -> None:
     """Changes one's own password and signs out everywhere."""
     if asking.session is None:
         raise NotAllowed("password: a key has none; only an account changes its password")
-    with store.read() as db:
+    with here.store.read() as db:
         login_limit.check(db, asking.name, address, now)
         account = db.get(Account, asking.name)
     if not accounts.password_is_right(account, change.password.get_secret_value()):
-        with store.write() as db:
+        with here.store.write() as db:
             login_limit.failed(db, asking.name, address, now)
         raise NotAllowed("password: not the one until now")
     new_hash = accounts.hashed(change.new_password.get_secret_value())
-    with store.write() as db:
+    with here.store.write() as db:
         accounts.change_account(db, asking.name, password_hash=new_hash)
         audit.record(db, asking.who, "account.password", {"account": asking.name}, now=now)
+    here.recent_callers.forget(asking.who)

@@ -6,19 +6,21 @@ import gc
 import os
 import signal
 from collections.abc import Generator
+from contextlib import suppress
 from multiprocessing.connection import Connection
 from typing import cast
 
 import numpy as np
+from numpy.typing import NDArray
 
-from core.errors import HeftError
+from core.errors import Commanded, HeftError, Stopped
 from core.events import Event, Finished, RecordingWritten, RobotStopped
 from core.experiment.stops import Stops
 from core.motion_sequence import MotionSequence, Procedure
 from core.outcome import Outcome
 from core.plan import Plan
 from core.procedure import carried_out
-from core.recording import check_same_robot
+from core.recording import Recording, check_same_robot
 from core.recording_folder import read_recording
 from core.report.page import write_report
 from core.sessions.leased import Lease, LeasedSession
@@ -33,6 +35,10 @@ from server.runner.served_run import ServedRun
 from server.runner.shown_plan import shown
 
 Told = Speaker[FromChild]
+Array = NDArray[np.float64]
+
+PRIORITY = -10
+"""Of a process that controls a robot, as `nice` counts."""
 
 
 def main(order: Order, connection: Connection) -> None:
@@ -41,10 +47,11 @@ def main(order: Order, connection: Connection) -> None:
     planning = PlanningProcess(_sequence_of(order), connection)  # before there are threads
     speaker: Told = Speaker(connection, Sampled)
     _lock = locked(order.folder)  # as long as we live: who recovers the run's samples waits for it
+    _hurry()
     try:
         _carry_out(order, connection, planning, speaker)
     except HeftError as error:
-        speaker.tell(error.failed if isinstance(error, PlanRefused) else Failed(type(error).__name__, str(error), error.in_the_way))
+        speaker.tell(error.failed if isinstance(error, PlanRefused) else _failed(error))
     except OSError as error:
         speaker.tell(Failed("NoRoom", f"the run's folder could not be written ({error.strerror}); the robot was stopped. Make room."))
     finally:
@@ -53,26 +60,41 @@ def main(order: Order, connection: Connection) -> None:
         os._exit(0)  # libraries take their time to tidy up, and OMPL prints what it leaks; everything of ours is closed
 
 
+def _failed(error: HeftError) -> Failed:
+    lateness = error.lateness if isinstance(error, Stopped) else None
+    return Failed(type(error).__name__, str(error), error.in_the_way, lateness)
+
+
+def _hurry() -> None:
+    """Asks for the processor before everybody else, where this machine lets us; the planner, which is a process of its own, does not."""
+    with suppress(PermissionError):
+        os.setpriority(os.PRIO_PROCESS, 0, PRIORITY)
+
+
 def _sequence_of(order: Order) -> MotionSequence:
-    return Procedure(order.timing, order.mass_guess_kg) if order.continues is None else Stops(order.continues.stops)
+    if order.continues is None or order.continues.stops is None:
+        return Procedure(order.timing, order.mass_guess_kg)
+    return Stops(order.continues.stops)
 
 
 def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, speaker: Told) -> None:
-    lease = Lease()
+    lease = Lease(order.cell.control.lease_s)
     listener = Listener(connection, lease)
     carried = order.cell.payloads[order.payload]
     pace = RealTime() if order.pace == "real_time" else AsFastAsPossible()
     twin = read_twin(order.cell)
-    robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin)
+    before = None if order.continues is None else read_recording(order.continues.recording)
+    start = _start(order, before)
+    robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin, start=start)
     run = ServedRun(order, LeasedSession(robot, lease), planning, listener, speaker)
     run.twin = twin
-    if order.continues is not None:
-        run.before = read_recording(order.continues.recording)
-        check_same_robot(run.before, run.robot.description, order.cell.gravity_in_base)
-    plan = _released(run, order, listener, speaker)
+    if order.continues is not None and before is not None:
+        check_same_robot(before, run.robot.description, order.cell.gravity_in_base)
+        run.before, run.done = before, order.continues.done or 0
+    plan = _released(run, start, order, listener, speaker)
     procedure = carried_out(run, plan, order.payload, carried, order.folder / RECORDING)
     try:
-        outcome = _pumped(procedure, run, listener, speaker)
+        outcome = _pumped(procedure, run, lease, listener, speaker)
     finally:
         if isinstance(pace, RealTime):
             speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s, pace.median_s))
@@ -81,8 +103,15 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     speaker.tell(Done(outcome.result(order.folder / RECORDING)))
 
 
-def _planned(run: ServedRun, order: Order, speaker: Told) -> Plan:
-    planning = run.planned(np.array(order.cell.robot.home_rad))
+def _start(order: Order, before: Recording | None) -> Array:
+    """Where the robot is: at home, or where the run ended that this one goes on with."""
+    if order.continues is None or order.continues.done is None or before is None or before.q_cmd is None:
+        return np.array(order.cell.robot.home_rad)
+    return np.asarray(before.q_cmd[-1])
+
+
+def _planned(run: ServedRun, start: Array, speaker: Told) -> Plan:
+    planning = run.planned(start, run.done)
     while True:
         try:
             speaker.tell(Happened(next(planning)))
@@ -90,14 +119,14 @@ def _planned(run: ServedRun, order: Order, speaker: Told) -> Plan:
             return cast("Plan", end.value)
 
 
-def _released(run: ServedRun, order: Order, listener: Listener, speaker: Told) -> Plan:
+def _released(run: ServedRun, start: Array, order: Order, listener: Listener, speaker: Told) -> Plan:
     """Plans, shows the plan and waits until exactly that is released; a zone that moves meanwhile makes it plan anew.
 
     Raises:
         Commanded: the run was ended instead.
     """
     while True:
-        plan = _planned(run, order, speaker)
+        plan = _planned(run, start, speaker)
         ready = shown(run.cell, order.payload_box, plan)
         speaker.tell(Ready(ready))
         while not listener.zones:
@@ -115,8 +144,8 @@ def _quiet() -> None:
     gc.disable()
 
 
-def _pumped(procedure: Generator[Event, None, Outcome], run: ServedRun, listener: Listener, speaker: Told) -> Outcome:
-    """Tells the procedure's events; while the robot is held it is simply not asked for the next one."""
+def _pumped(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: Lease, listener: Listener, speaker: Told) -> Outcome:
+    """Tells the procedure's events; while the robot is on hold it is simply not asked for the next one."""
     while True:
         try:
             event = next(procedure)
@@ -127,13 +156,13 @@ def _pumped(procedure: Generator[Event, None, Outcome], run: ServedRun, listener
             gc.enable()
         if isinstance(event, RecordingWritten):
             speaker.tell(MotionEnded())
-        if isinstance(event, RobotStopped) and not event.final:
-            _stand(procedure, run, listener, speaker)
+        if isinstance(event, RobotStopped) and event.held:
+            _wait(procedure, run, lease, listener, speaker)
 
 
-def _stand(procedure: Generator[Event, None, Outcome], run: ServedRun, listener: Listener, speaker: Told) -> None:
-    """Waits while held; an end that comes meanwhile is thrown in where the procedure stands."""
-    while listener.held.is_set() and not listener.ended.wait(0.01):
-        pass
-    if listener.ended.is_set():
+def _wait(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: Lease, listener: Listener, speaker: Told) -> None:
+    """Waits while the robot is on hold; an end that comes meanwhile is thrown in where the procedure is."""
+    while lease.waits(run.cell.control.hold_limit_s):
+        listener.ended.wait(0.01)
+    if isinstance(lease.refusal(), Commanded):
         speaker.tell(Happened(procedure.throw(run.ending())))

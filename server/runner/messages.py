@@ -8,6 +8,7 @@ from pathlib import Path
 from core.cell import Box, Cell, Pose
 from core.events import Event
 from core.gap.experiment import Stop
+from core.lateness import Lateness
 from core.plan_settings import Planner, Timing
 from core.result import Result
 from core.sessions.leased import Renewal
@@ -18,10 +19,17 @@ from server.run_schemas import Pace
 
 @dataclass(frozen=True)
 class Continuation:
-    """A motion through stops, whose samples are appended to the recording in a folder."""
+    """A motion whose samples are appended to the recording in a folder.
+
+    Args:
+        stops: of an experiment; None for the procedure.
+        done: steps that are finished already and not made again, of a run that ended where the recording ends; None for something new, from
+            home.
+    """
 
     recording: Path
-    stops: tuple[Stop, ...]
+    stops: tuple[Stop, ...] | None
+    done: int | None = None
 
 
 @dataclass(frozen=True)
@@ -34,7 +42,7 @@ class Order:
         payload: a payload that the cell knows; what the simulated robot carries.
         payload_box: what certainly contains it, sensor frame.
         folder: of the run; exists. Samples go there as they come, the recording in the end.
-        continues: what is done instead of the procedure, where that is something else.
+        continues: what the run goes on with; None for a whole procedure.
     """
 
     run: str
@@ -58,8 +66,25 @@ class Release:
 
 
 @dataclass(frozen=True)
+class Beat:
+    """The service lives."""
+
+    stamp_s: float
+
+
+@dataclass(frozen=True)
+class PageLate:
+    """The console's page answers no more, though its connection does; for so long."""
+
+    late_s: float
+
+
+@dataclass(frozen=True)
 class Hold:
-    """Pause."""
+    """Pause; `lateness` and a sentence about it where nobody asked for it."""
+
+    lateness: Lateness | None = None
+    message: str = ""
 
 
 @dataclass(frozen=True)
@@ -82,7 +107,7 @@ class ZoneMoved:
     pose: Pose
 
 
-ToChild = Renewal | Release | Hold | Resume | End | ZoneMoved
+ToChild = Renewal | Beat | PageLate | Release | Hold | Resume | End | ZoneMoved
 
 
 @dataclass(frozen=True)
@@ -140,11 +165,13 @@ class Failed:
         error: name of the error in `core.errors`.
         message: its sentence.
         in_the_way: name of the obstacle, zone or link that was nearest, where planning knows it.
+        lateness: what was late, where that was it.
     """
 
     error: str
     message: str
     in_the_way: str | None = None
+    lateness: Lateness | None = None
 
 
 FromChild = Ready | Happened | Sampled | MotionEnded | Paced | Done | Failed

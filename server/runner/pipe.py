@@ -12,7 +12,7 @@ from multiprocessing.connection import Connection
 from typing import Generic, TypeVar
 
 from core.sessions.leased import Lease, Renewal
-from server.runner.messages import End, Hold, Release, Resume, ToChild, ZoneMoved
+from server.runner.messages import Beat, End, Hold, PageLate, Release, Resume, ToChild, ZoneMoved
 
 Message = TypeVar("Message")
 
@@ -30,7 +30,6 @@ class Listener:
         self.released: str | None = None
         """SHA-256 of what was released."""
         self.ended = threading.Event()
-        self.held = threading.Event()
         threading.Thread(target=self._listen, name="listener", daemon=True).start()
 
     def _listen(self) -> None:
@@ -45,14 +44,16 @@ class Listener:
         match message:
             case Renewal():
                 self._lease.renew(message)
+            case Beat(stamp_s=stamp_s):
+                self._lease.beat(stamp_s)
+            case PageLate(late_s=late_s):
+                self._lease.note_late_page(late_s)
             case Release(plan_sha256=released):
                 self.released = released
             case Hold():
-                self.held.set()
-                self._lease.hold()
+                self._lease.hold(message.lateness, message.message)
             case Resume():
                 self._lease.resume()
-                self.held.clear()
             case End(reason=reason):
                 self._end(reason)
             case ZoneMoved():
@@ -67,13 +68,13 @@ class Speaker(Generic[Message]):
     """Says what it is told, in order.
 
     Args:
-        fleeting: the kind of message of which only the newest is kept.
+        fleeting: the kinds of messages of which only the newest is kept.
     """
 
-    def __init__(self, connection: Connection, fleeting: type[Message]) -> None:
+    def __init__(self, connection: Connection, *fleeting: type[Message]) -> None:
         self._connection, self._fleeting = connection, fleeting
         self._waiting: deque[Message] = deque()
-        self._newest: Message | None = None
+        self._newest: dict[type[Message], Message] = {}
         self._something = threading.Condition()
         self._closing = False
         self._thread = threading.Thread(target=self._speak, name="speaker", daemon=True)
@@ -83,7 +84,7 @@ class Speaker(Generic[Message]):
         """Returns at once."""
         with self._something:
             if isinstance(message, self._fleeting):
-                self._newest = message
+                self._newest[type(message)] = message
             else:
                 self._waiting.append(message)
             self._something.notify()
@@ -101,8 +102,7 @@ class Speaker(Generic[Message]):
                 self._something.wait()
             if self._waiting:
                 return self._waiting.popleft()
-            message, self._newest = self._newest, None
-            return message
+            return self._newest.pop(next(iter(self._newest))) if self._newest else None
 
     def _speak(self) -> None:
         while (message := self._next()) is not None:

@@ -11,7 +11,7 @@ from multiprocessing.context import ForkServerProcess
 
 from core.sessions.leased import Renewal
 from server.runner.context import CONTEXT, started
-from server.runner.messages import Failed, FromChild, Order, ToChild
+from server.runner.messages import Beat, Failed, FromChild, Order, PageLate, ToChild
 from server.runner.pipe import Speaker
 
 log = logging.getLogger("heft.runs")
@@ -32,7 +32,7 @@ class ControlProcess:
 
     def __init__(self, order: Order) -> None:
         self._connection, theirs = CONTEXT.Pipe()
-        self._speaker: Speaker[ToChild] = Speaker(self._connection, Renewal)
+        self._speaker: Speaker[ToChild] = Speaker(self._connection, Renewal, Beat, PageLate)
         self._heard: asyncio.Queue[FromChild | None] = asyncio.Queue()
         self._loop = asyncio.get_running_loop()
         self._process: ForkServerProcess | None = None

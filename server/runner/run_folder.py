@@ -8,6 +8,7 @@ from typing import TextIO
 
 LOCK = "control.lock"
 RECORDING = "recording"
+SAMPLES = "samples.arrows"
 REPORT = "report.html"
 
 

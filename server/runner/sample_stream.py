@@ -15,10 +15,10 @@ import pyarrow as pa
 from core.recording_folder import write_recording
 from core.sample_log import SampleLog
 from core.sessions.session import RobotState
+from server.runner.run_folder import SAMPLES
 
 logger = logging.getLogger("heft.samples")
 
-FILE = "samples.arrows"
 FIELDS = ("q", "dq", "q_cmd", "wrench", "tau")
 
 
@@ -30,7 +30,7 @@ class SampleStream:
     """
 
     def __init__(self, folder: Path) -> None:
-        self._file = (folder / FILE).open("wb")
+        self._file = (folder / SAMPLES).open("wb")
         self._writer: pa.RecordBatchStreamWriter | None = None
 
     def __enter__(self) -> Self:
@@ -62,7 +62,7 @@ def recover(folder: Path, log: SampleLog, out: Path) -> int:
         out: folder to make for the recording; nothing is written where there are no samples.
     """
     try:
-        with (folder / FILE).open("rb") as file:
+        with (folder / SAMPLES).open("rb") as file:
             _read(cast("BinaryIO", file), log)
     except FileNotFoundError:
         return 0
@@ -84,4 +84,4 @@ def _batches(file: BinaryIO) -> Iterator[Any]:
     try:
         yield from pa.ipc.open_stream(cast("IOBase", file))
     except (pa.ArrowInvalid, OSError) as cut:
-        logger.info("%s was cut short: %s", FILE, cut)
+        logger.info("%s was cut short: %s", SAMPLES, cut)

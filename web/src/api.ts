@@ -405,11 +405,55 @@ export interface paths {
         };
         /**
          * Read Control
-         * @description Who is in control of a cell.
+         * @description Who is in control of a cell, and over which link.
          */
         get: operations["read_control"];
         put?: never;
         post?: never;
+        /**
+         * Let Go Of Control
+         * @description Lets go of control that was taken with this fence; a robot that moves is put on hold when its lease ends.
+         */
+        delete: operations["let_go_of_control"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/now": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Now
+         * @description Every cell with a robot that a run has; told from memory.
+         */
+        get: operations["read_now"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/now/{cell}/stop": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Stop Now
+         * @description Stops the cell's robot. Anybody may, and it is recorded from where. It is no emergency stop.
+         */
+        post: operations["stop_now"];
         delete?: never;
         options?: never;
         head?: never;
@@ -459,6 +503,26 @@ export interface paths {
          * @description Takes back a run that has not been released; one that moves is stopped at the cell instead.
          */
         delete: operations["cancel_run"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/continuation": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Continue Run
+         * @description Queues the rest of a run that ended before it was through, as a new run: its finished holds and rotations count.
+         */
+        post: operations["continue_run"];
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -1085,6 +1149,16 @@ export interface components {
             pose?: components["schemas"]["Pose"];
         };
         /**
+         * Cause
+         * @description What was late.
+         *
+         *     `network`: answers of the console did not arrive. `page`: they arrived, but the page behind them did not respond. `service`: the
+         *     service gave no sign of life. `store`: the database did not take what happened. `control_process`: the control loop itself got no
+         *     time. `sensor`: the wrench stood still. `robot`: the robot's state came late.
+         * @enum {string}
+         */
+        Cause: "network" | "page" | "service" | "store" | "control_process" | "sensor" | "robot";
+        /**
          * CellListed
          * @description A cell; `flaw` says why it cannot be used.
          */
@@ -1095,6 +1169,34 @@ export interface components {
             title: string | null;
             /** Flaw */
             flaw: string | null;
+        };
+        /**
+         * CellNow
+         * @description A cell as it is now.
+         *
+         *     Args:
+         *         run: that has the cell; null where none is under way.
+         *         moving: whether the robot may move at this moment.
+         *         since: when the run went into its state.
+         */
+        CellNow: {
+            /** Cell */
+            cell: string;
+            /** Run */
+            run: string | null;
+            state: components["schemas"]["server__packml__State"] | null;
+            /** Moving */
+            moving: boolean;
+            /** Since */
+            since: string | null;
+            /** Reason Kind */
+            reason_kind: string | null;
+            /**
+             * Safety Rated
+             * @default false
+             * @constant
+             */
+            safety_rated?: false;
         };
         /**
          * CellShown
@@ -1217,12 +1319,34 @@ export interface components {
             comparison: components["schemas"]["Comparison"];
         };
         /**
+         * Control
+         * @description How the robot depends on whoever is in control of it.
+         *
+         *     Args:
+         *         lease_s: how long the robot moves on without an answer from the console; then it brakes and keeps its place. Shorter than 0.3 s no
+         *             Wi-Fi lasts; longer than 5 s nobody would take it for supervision. It is no emergency stop.
+         *         hold_limit_s: how long a robot on hold waits for somebody to be in control again before its run ends.
+         */
+        Control: {
+            /**
+             * Lease S
+             * @default 1
+             */
+            lease_s?: number;
+            /**
+             * Hold Limit S
+             * @default 120
+             */
+            hold_limit_s?: number;
+        };
+        /**
          * ControlAnswer
          * @description Who is in control.
          *
          *     Args:
          *         fence: to be sent with every answered stamp and every command; null where nobody is.
-         *         lease_s: how long one answered stamp lasts.
+         *         lease_s: how long one answered stamp lasts; `hold_limit_s` how long a run on hold waits for somebody to be in control again.
+         *         link: null until there are enough answers to say anything.
          */
         ControlAnswer: {
             /** Cell */
@@ -1231,16 +1355,16 @@ export interface components {
             holder: string | null;
             /** Fence */
             fence: number | null;
-            /**
-             * Lease S
-             * @default 0.22
-             */
-            lease_s?: number;
+            /** Lease S */
+            lease_s: number;
+            /** Hold Limit S */
+            hold_limit_s: number;
             /**
              * Stamp Period S
              * @default 0.05
              */
             stamp_period_s?: number;
+            link: components["schemas"]["LinkAnswer"] | null;
         };
         /**
          * ControlBody
@@ -1410,7 +1534,7 @@ export interface components {
              */
             at: string;
             /** Event */
-            event: components["schemas"]["StateChanged"] | components["schemas"]["PlanShown"] | components["schemas"]["WaitingForZone"] | components["schemas"]["StartConfigurationFound"] | components["schemas"]["TransferPlanned"] | components["schemas"]["Planned"] | components["schemas"]["PhaseStarted"] | components["schemas"]["RobotStopped"] | components["schemas"]["RecordingWritten"] | components["schemas"]["Finished"];
+            event: components["schemas"]["StateChanged"] | components["schemas"]["PlanShown"] | components["schemas"]["WaitingForZone"] | components["schemas"]["StartConfigurationFound"] | components["schemas"]["TransferPlanned"] | components["schemas"]["Planned"] | components["schemas"]["PhaseStarted"] | components["schemas"]["RobotStopped"] | components["schemas"]["StepFinished"] | components["schemas"]["RecordingWritten"] | components["schemas"]["Finished"];
         };
         /**
          * Experiment
@@ -1639,6 +1763,17 @@ export interface components {
             expires_at: string | null;
         };
         /**
+         * Lateness
+         * @description How late it was, and what was allowed.
+         */
+        Lateness: {
+            cause: components["schemas"]["Cause"];
+            /** Late S */
+            late_s: number;
+            /** Limit S */
+            limit_s: number;
+        };
+        /**
          * Limits
          * @description What no point of the robot may exceed.
          *
@@ -1663,6 +1798,31 @@ export interface components {
              * @default 0.01
              */
             self_clearance_m?: number;
+        };
+        /**
+         * LinkAnswer
+         * @description The connection of whoever is in control, in the last 60 s.
+         *
+         *     Args:
+         *         lost_share: of the stamps, those not answered within the lease.
+         *         longest_gap_s: the longest time that control rested on one answer; the lease is what it may be.
+         *         advised: whether the link is good enough for a release; over one that is not, a run is likely to be put on hold.
+         */
+        LinkAnswer: {
+            /** Round Trip P50 S */
+            round_trip_p50_s: number;
+            /** Round Trip P99 S */
+            round_trip_p99_s: number;
+            /** Lost Share */
+            lost_share: number;
+            /** Longest Gap S */
+            longest_gap_s: number;
+            /** Answers */
+            answers: number;
+            /** Seconds */
+            seconds: number;
+            /** Advised */
+            advised: boolean;
         };
         /**
          * LiveBatch
@@ -2291,7 +2451,12 @@ export interface components {
         };
         /**
          * RobotStopped
-         * @description The guard stopped the robot; the procedure goes on from a new start configuration unless `final`.
+         * @description The robot was stopped.
+         *
+         *     Args:
+         *         held: it keeps its place until it is told to go on, and goes on along the same plan. Otherwise the procedure goes on from a new
+         *             start configuration unless `final`.
+         *         lateness: what was late, where that stopped it.
          */
         RobotStopped: {
             /**
@@ -2307,6 +2472,12 @@ export interface components {
             restart: number;
             /** Final */
             final: boolean;
+            /**
+             * Held
+             * @default false
+             */
+            held?: boolean;
+            lateness?: components["schemas"]["Lateness"] | null;
         };
         /**
          * Role
@@ -2322,6 +2493,10 @@ export interface components {
          *         state: PackML; `job_state` is the same as the MES sees it (ISA-95).
          *         commands: what may be asked of it now.
          *         reason: why it did not come through, or why it stands; `reason_kind` is the kind of it, see docs/runs.md.
+         *         lateness: what was late, where that put it on hold or ended it.
+         *         held_since: when it was put on hold; `ends_at` when it ends by itself, because nobody is in control of it.
+         *         steps: of its plan, the way home included; `finished_steps` are recorded.
+         *         may_continue: it has ended, and `POST /api/runs/{run}/continuation` makes the rest of it as a new run.
          *         progress: share of the robot time, 0 to 1; `eta_s` what is left of it.
          *         result: what it found, in a few numbers; null until it is known.
          *         accepted_by: who took the result for good.
@@ -2345,6 +2520,17 @@ export interface components {
             reason: string | null;
             /** Reason Kind */
             reason_kind: string | null;
+            lateness: components["schemas"]["Lateness"] | null;
+            /** Held Since */
+            held_since: string | null;
+            /** Ends At */
+            ends_at: string | null;
+            /** Steps */
+            steps: number;
+            /** Finished Steps */
+            finished_steps: number;
+            /** May Continue */
+            may_continue: boolean;
             /** In The Way */
             in_the_way: string | null;
             /** Progress */
@@ -2644,6 +2830,23 @@ export interface components {
             commands: string[];
             /** Reason */
             reason?: string | null;
+            /** Reason Kind */
+            reason_kind?: string | null;
+        };
+        /**
+         * StepFinished
+         * @description A step of the plan is done: its hold and its rotation are recorded.
+         */
+        StepFinished: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "step_finished";
+            /** Step */
+            step: number;
+            /** Steps */
+            steps: number;
         };
         /**
          * Stop
@@ -3081,6 +3284,13 @@ export interface components {
              */
             limits?: components["schemas"]["Limits"];
             /**
+             * @default {
+             *       "lease_s": 1,
+             *       "hold_limit_s": 120
+             *     }
+             */
+            control?: components["schemas"]["Control"];
+            /**
              * Gravity M S2
              * @default [
              *       0,
@@ -3264,7 +3474,9 @@ export type AdditionBody = components['schemas']['AdditionBody'];
 export type AuditEntryShown = components['schemas']['AuditEntryShown'];
 export type Box = components['schemas']['Box'];
 export type Capsule = components['schemas']['Capsule'];
+export type Cause = components['schemas']['Cause'];
 export type CellListed = components['schemas']['CellListed'];
+export type CellNow = components['schemas']['CellNow'];
 export type CellShown = components['schemas']['CellShown'];
 export type CellTaken = components['schemas']['CellTaken'];
 export type Change = components['schemas']['Change'];
@@ -3273,6 +3485,7 @@ export type CommandBody = components['schemas']['CommandBody'];
 export type Commanded = components['schemas']['Commanded'];
 export type Comparison = components['schemas']['Comparison'];
 export type ComparisonAnswer = components['schemas']['ComparisonAnswer'];
+export type Control = components['schemas']['Control'];
 export type ControlAnswer = components['schemas']['ControlAnswer'];
 export type ControlBody = components['schemas']['ControlBody'];
 export type Credentials = components['schemas']['Credentials'];
@@ -3293,7 +3506,9 @@ export type JobState = components['schemas']['JobState'];
 export type JointGap = components['schemas']['JointGap'];
 export type KeyMade = components['schemas']['KeyMade'];
 export type KeyShown = components['schemas']['KeyShown'];
+export type Lateness = components['schemas']['Lateness'];
 export type Limits = components['schemas']['Limits'];
+export type LinkAnswer = components['schemas']['LinkAnswer'];
 export type LiveBatch = components['schemas']['LiveBatch'];
 export type Lost = components['schemas']['Lost'];
 export type Minor = components['schemas']['Minor'];
@@ -3341,6 +3556,7 @@ export type Sphere = components['schemas']['Sphere'];
 export type StartConfigurationFound = components['schemas']['StartConfigurationFound'];
 export type StateInput = components['schemas']['State-Input'];
 export type StateChanged = components['schemas']['StateChanged'];
+export type StepFinished = components['schemas']['StepFinished'];
 export type Stop = components['schemas']['Stop'];
 export type Swings = components['schemas']['Swings'];
 export type ThrowPart = components['schemas']['ThrowPart'];
@@ -4224,6 +4440,99 @@ export interface operations {
             };
         };
     };
+    let_go_of_control: {
+        parameters: {
+            query: {
+                fence: number;
+            };
+            header?: never;
+            path: {
+                cell: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ControlAnswer"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_now: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CellNow"][];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    stop_now: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                cell: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CellNow"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     list_runs: {
         parameters: {
             query?: {
@@ -4338,6 +4647,39 @@ export interface operations {
         responses: {
             /** @description Successful Response */
             200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RunAnswer"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    continue_run: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string | null;
+            };
+            path: {
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            202: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -12,7 +12,8 @@ from core.recording_folder import read_recording
 from core.robot import RobotModel
 from core.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
-from server.runner.sample_stream import FILE, SampleStream, recover
+from server.runner.run_folder import SAMPLES
+from server.runner.sample_stream import SampleStream, recover
 
 ROOT = Path(__file__).parents[3]
 
@@ -36,7 +37,7 @@ def written(folder: Path, states: list) -> Path:
     with SampleStream(folder) as stream:
         for k in range(0, len(states), 50):
             stream.append(states[k : k + 50], ["hold:x+" if k < 100 else "transfer"] * 50)
-    return folder / FILE
+    return folder / SAMPLES
 
 
 def test_a_stream_without_an_end_becomes_the_same_samples_bit_for_bit(tmp_path, cell, states):
