@@ -31,8 +31,10 @@ from tests.server.postgresql import Cluster, binaries, cluster
 from tests.server.real_service import Console, RealService, real_service, wait_for
 
 LOCKED_S, AWAY_S = 10.0, 60.0
-PART = (0.05, 0.35)
-"""Of the robot time, at which it begins: so early that the run is not over before the database is missed."""
+HOLD_S = 4.0
+"""Of each pose: the robot moves for some 55 s."""
+PART = (0.02, 0.25)
+"""Of the robot time, at which it begins: so early that the run is not over before the database is missed, which takes 30 s."""
 RUN_S = 300.0
 """A run takes no longer, whatever happens to it."""
 CAUGHT_UP_S = 30.0
@@ -133,13 +135,14 @@ def series(outages: list[Outage], postgresql: bool, folder: Path, seeds: list[in
 def weathered(service: RealService, database: Database, outage: Outage, phase: str, seed: int) -> Weathered:
     """One run, and what is wrong with what became of it."""
     console = Console(service)
-    run = console.order(seed=seed)
-    console.wait(run, "Idle")
+    run = console.order(seed=seed, hold_s=HOLD_S)
+    console.wait(run, "Idle", seconds=RUN_S)
     watcher = Watcher(console, run)
     console.take_control()
     assert console.release(run).status_code == 200
     part = np.random.default_rng((seed, PHASES.index(phase))).uniform(*PART)
-    wait_for(lambda: (watcher.phase == phase and watcher.progress >= part) or watcher.state in STANDING, f"{part:.0%}, {phase}")
+    there = f"{phase} after {part:.0%} of the robot time"
+    wait_for(lambda: (watcher.phase == phase and watcher.progress >= part) or watcher.state in STANDING, there, seconds=RUN_S)
     if watcher.state in STANDING:
         flaw = f"was {watcher.state} before anything happened: {reason_of([message['event'] for message in watcher.told])}"
         recover(service, run)

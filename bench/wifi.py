@@ -27,6 +27,10 @@ SHARE = 0.99
 ENDED = ("Complete", "Stopped", "Aborted")
 LOOK_S = 0.2
 """Between two looks of the person at the run."""
+LINK = ("network", "page")
+"""Causes of a hold that lie between the robot's computer and the person; the others are for a computer that is too busy."""
+PLAN_S = 300.0
+"""Within which there is a plan, however busy the machine."""
 PRESSES = 10
 """Of a release that is refused, because what was shown came too late."""
 
@@ -82,7 +86,7 @@ def carried(service: RealService, line: WifiLine, seed: int) -> Carried:
 
 def see_through(person: Console, line: WifiLine, run: str, found: Carried) -> None:
     """Waits for the plan, takes control, releases and resumes until the run is over."""
-    person.wait(run, "Idle", *ENDED)
+    person.wait(run, "Idle", *ENDED, seconds=PLAN_S)
     person.take_control()
     begun_s = line.now_s
     release(person, run)
@@ -111,7 +115,7 @@ def holds(messages: list[dict[str, Any]]) -> tuple[list[str], float]:
     causes, longest_s, since = [], 0.0, None
     for message in messages:
         event, at = message["event"], datetime.fromisoformat(message["at"])
-        if event["kind"] == "robot_stopped" and not event["final"]:
+        if event["kind"] == "robot_stopped" and event["held"]:
             causes.append((event.get("lateness") or {}).get("cause", event["error"]))
         if event["kind"] == "state_changed":
             if since is not None:
@@ -139,8 +143,8 @@ def say(profile: Profile, found: list[Carried]) -> None:
     print(f"\n{profile.name}: {len(whole)} of {len(found)} complete ({share:.1%}, wanted {SHARE:.0%}); ", end="")
     print(f"{sum(not run.taps for run in whole)} without a tap; robot and person {max(run.seconds for run in found):.0f} s at most")
     per_gap = f"{taps / gaps:.2f} a gap, " if gaps else ""
-    more = sum(run.taps > run.gaps for run in found)
-    print(f"  taps {taps}, gaps {gaps}: {per_gap}runs with more taps than gaps: {more}")
+    more = sum(sum(cause in LINK for cause in run.causes) > run.gaps for run in found)
+    print(f"  taps {taps}, gaps {gaps}: {per_gap}runs with more holds for their link than gaps: {more}")
     causes = Counter(cause for run in found for cause in run.causes)
     print(f"  holds: {dict(causes) or 'none'}; longest {max(run.longest_s for run in found):.1f} s")
     for run in found:
