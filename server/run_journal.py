@@ -6,6 +6,7 @@ follows (`server.store_follower`); what it does not have when the service ends, 
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Iterator
 from contextlib import suppress
@@ -13,11 +14,13 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, ValidationError, field_serializer
 
 from server.audit import Deed
 from server.event_schemas import EventMessage
 from server.run_tables import RunRow
+
+log = logging.getLogger("heft.runs")
 
 FILE = "journal.jsonl"
 
@@ -73,6 +76,10 @@ class Entry(BaseModel):
     deeds: list[Deed]
     ended: bool
 
+    @field_serializer("change")
+    def _what_changed(self, change: RunChange) -> dict[str, Any]:
+        return change.model_dump(mode="json", exclude_unset=True)
+
 
 class RunJournal:
     """The journal of one run; one thread writes.
@@ -95,7 +102,7 @@ class RunJournal:
         if self._descriptor is None:
             self._descriptor = os.open(self._path, os.O_CREAT | os.O_WRONLY | os.O_APPEND, 0o600)
             self._whole_bytes = os.fstat(self._descriptor).st_size
-        line = (entry.model_dump_json(exclude_unset=True) + "\n").encode()
+        line = (entry.model_dump_json() + "\n").encode()
         try:
             written = 0
             while written < len(line):
@@ -126,6 +133,8 @@ def read_journal(folder: Path) -> Iterator[Entry]:
             if not line.endswith(b"\n"):
                 return
             try:
-                yield Entry.model_validate_json(line)
+                entry = Entry.model_validate_json(line)
             except ValidationError:
+                log.exception("%s holds a line that is no entry; what is behind it is lost", folder / FILE)
                 return
+            yield entry

@@ -18,7 +18,8 @@ OFF_PATH = 0.02
 """How far from its path a robot may stand after braking, rad. It brakes along the tangent, so it is some 1e-3 rad; more means that
 somebody has moved it."""
 APPROACH_SPEED = 0.02
-"""Joint speed of the way back onto the path, rad/s."""
+"""Joint speed of the way back onto the path, rad/s, in at least `LEAST_APPROACH_S`."""
+LEAST_APPROACH_S = 0.1
 BRAKING_S = 0.3
 """Within this time of the path the place is looked for where the robot stands, s; drives brake in less than 0.1 s."""
 LEAST_RAMP_S = 0.5
@@ -78,7 +79,7 @@ def rest_of(path: Array, k: int, q: Array, period: float) -> Array:
 def _approach(q: Array, there: Array, period: float) -> Array:
     """(L, n), from q to a place nearby."""
     away = float(np.abs(there - q).max())
-    steps = max(2, math.ceil(1.875 * away / APPROACH_SPEED / period))
+    steps = math.ceil(max(LEAST_APPROACH_S, 1.875 * away / APPROACH_SPEED) / period)
     return q + np.outer(smooth_share(np.arange(steps + 1) / steps), there - q)
 
 

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Generator
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from core.cell import Cell, load_cell
 from core.errors import BadState, Interrupted, OverLoad
-from core.events import Event, Finished, Planned, Progress, RecordingWritten, RobotStopped
+from core.events import Event, Finished, PhaseStarted, Planned, Progress, RecordingWritten, RobotStopped, StepFinished
 from core.outcome import Outcome
 from core.plan_settings import Timing
 from core.procedure import identify
 from core.recording_folder import read_recording
+from core.sessions.leased import Lease, LeasedSession, Renewal
 from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 
@@ -171,3 +174,57 @@ def test_the_estimate_on_line_closes_in_on_the_payload_while_the_robot_moves(who
     assert seen[-1][0] == pytest.approx(truth[0], rel=2e-3)
     for k in (4, 7, 9):
         assert seen[-1][k] == pytest.approx(truth[k], rel=0.1)  # the filter's lag is in it
+
+
+@pytest.mark.parametrize("name", ["lwr4_bench", "ur5e_line"])
+def test_a_run_that_is_held_again_and_again_goes_on_along_its_plan_and_finds_the_same_payload(name):
+    cell = load_cell(CELLS / name)
+    carried = cell.payloads["steel_block"]
+    plain = drained(identify(cell, SimulatedSession(cell, carried.parameters, seed=3), carried.box, timing=SHORT, seed=3))[1]
+    lease = Lease(length_s=1e9)
+    lease.renew(Renewal(0, 0, time.monotonic()))
+    session = LeasedSession(SimulatedSession(cell, carried.parameters, seed=3), lease)
+    phases: list[str] = []
+    events, outcome = held_at_random(identify(cell, session, carried.box, timing=SHORT, seed=3), lease, phases)
+    assert {"transfer", "rotate", "hold"} <= {phase.partition(":")[0] for phase in phases}
+    assert sum(isinstance(event, Planned) for event in events) == 1, "nothing is planned anew"
+    assert outcome.restarts == 0
+    away, _ = cKDTree(plain.recording.q_cmd).query(outcome.recording.q_cmd[::7])
+    assert away.max() < 3e-3, "rad, from the path that it takes when nobody holds it"
+    acceleration = np.abs(np.diff(outcome.recording.q_cmd, n=2, axis=0)).max(axis=0) / session.period**2
+    assert (acceleration <= 1.01 * np.array(cell.robot.acceleration_rad_s2)).all()
+    assert outcome.safety.max_speed_m_s <= 1.02 * cell.limits.cartesian_speed_m_s
+    estimate, truth = outcome.identification.estimate, carried.parameters
+    assert estimate.determined.all()
+    assert np.all(np.abs(estimate.phi - truth.phi) < 4.5 * estimate.std)
+
+
+def held_at_random(run: Generator[Event, None, Outcome], lease: Lease, phases: list[str]) -> tuple[list[Event], Outcome]:
+    """A run with somebody who holds it at some thirty moments and lets it go on each time; `phases` gets where that was."""
+    rng, events, phase, left = np.random.default_rng(8), [], "", 10
+    while True:
+        try:
+            events.append(next(run))
+        except StopIteration as end:
+            return events, end.value
+        event = events[-1]
+        if isinstance(event, PhaseStarted):
+            phase = event.phase
+        left -= isinstance(event, Progress)
+        if left == 0:
+            left = int(rng.integers(20, 90))
+            lease.hold()
+            phases.append(phase)
+        if isinstance(event, RobotStopped):
+            assert event.held, event
+            lease.resume()
+
+
+def test_a_step_is_finished_when_its_hold_and_its_rotation_are_recorded(whole_run):
+    _, events, _, _ = whole_run
+    finished = [event.step for event in events if isinstance(event, StepFinished)]
+    assert finished == [1, 2, 3, 4, 5, 6]
+    for step in finished:
+        before = events[: next(k for k, event in enumerate(events) if isinstance(event, StepFinished) and event.step == step)]
+        holds = [event for event in before if isinstance(event, PhaseStarted) and event.step == step and event.phase.startswith("hold")]
+        assert holds

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from core.sessions.leased import LEASE_S, Renewal
-from server.control_lease import COMMAND_AGE_S, SETTLE_S, Control
+from server.control_lease import COMMAND_AGE_S, SETTLE_S, Control, next_fence
 from server.errors import Conflict
 from server.settings import Settings
 from tests.hand_clock import HandClock
@@ -33,7 +33,7 @@ def service(settings: Settings) -> Iterator[Kept]:
 
 def taken(service: Kept, control: Control, who: str) -> int:
     with service.store.write() as db:
-        return control.take(db, "line", who).fence
+        return control.take("line", who, next_fence(db, "line"), LEASE_S).fence
 
 
 def test_a_second_person_has_to_wait_until_the_first_has_gone_silent(service, control, clock):
@@ -102,4 +102,25 @@ def test_letting_go_with_an_old_fence_takes_nothing_from_the_present_holder(serv
     control.let_go("line", "ben", new)
     assert control.holder("line") is not None
     control.let_go("line", "anna", new)
+    assert control.holder("line") is None
+
+
+def test_a_connection_that_was_lost_goes_on_with_its_fence_as_long_as_nobody_else_has_taken_control(service, control, clock):
+    fence = taken(service, control, "anna")
+    assert control.renew("line", "anna", Renewal(fence, 0, clock.now))
+    clock.now += 60.0
+    assert control.holder("line") is None
+    assert control.unattended_s("line") == pytest.approx(60.0 - LEASE_S)
+    assert control.renew("line", "anna", Renewal(fence, 1, clock.now))
+    assert control.holder("line").fence == fence
+    assert control.unattended_s("line") is None
+
+
+@pytest.mark.parametrize("lease_s", [0.3, 5.0])
+def test_control_lasts_as_long_as_the_lease_of_its_cell(control, clock, lease_s):
+    control.take("line", "anna", 1, lease_s)
+    assert control.renew("line", "anna", Renewal(1, 0, clock.now))
+    clock.now += 0.99 * lease_s
+    assert control.holder("line") is not None
+    clock.now += 0.02 * lease_s
     assert control.holder("line") is None

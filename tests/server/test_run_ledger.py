@@ -48,14 +48,14 @@ def run_in(service: Kept, state: State) -> str:
     with service.store.write() as db:
         row = run_ledger.queue(db, ORDER, "account:anna", service.now())
         row.released = Command.START in TO[state]
-        run_ledger.steps(db, row, TO[state], service.now())
+        run_ledger.keep_steps(db, row, TO[state], service.now())
         assert row.state == state
         return row.id
 
 
 def events(service: Kept, run: str) -> list[EventMessage]:
     with service.store.read() as db:
-        return [EventMessage.model_validate_json(text) for text in run_ledger.told(db, run, 0)]
+        return [EventMessage.model_validate_json(text) for _, text in run_ledger.told(db, run, 0)]
 
 
 def test_every_state_is_an_event_and_sequence_numbers_have_no_gaps(service):
@@ -71,7 +71,7 @@ def test_an_illegal_command_keeps_nothing(service):
     with pytest.raises(IllegalCommandError), service.store.write() as db:
         row = run_ledger.load(db, run)
         row.reason = "not kept"
-        run_ledger.steps(db, row, [Command.START, Command.UNHOLD], service.now())
+        run_ledger.keep_steps(db, row, [Command.START, Command.UNHOLD], service.now())
     assert events(service, run) == before
     with service.store.read() as db:
         assert run_ledger.load(db, run).reason is None
@@ -101,7 +101,7 @@ def test_a_run_that_ends_is_delivered_to_each_webhook_once_also_when_it_is_clear
     run = run_in(service, State.ABORTED)
     with service.store.write() as db:
         assert db.scalar(select(func.count()).select_from(Delivery)) == 2
-        run_ledger.steps(db, run_ledger.load(db, run), [Command.CLEAR, None], service.now())
+        run_ledger.keep_steps(db, run_ledger.load(db, run), [Command.CLEAR, None], service.now())
         assert db.scalar(select(func.count()).select_from(Delivery)) == 2
 
 
@@ -111,7 +111,7 @@ def test_runs_of_one_cell_wait_for_each_other_and_an_aborted_one_until_it_is_cle
     second = run_in(service, State.RESETTING)
     with service.store.write() as db:
         assert [row.id for row in run_ledger.waiting(db)] == [first]
-        run_ledger.steps(db, run_ledger.load(db, first), [Command.CLEAR, None], service.now())
+        run_ledger.keep_steps(db, run_ledger.load(db, first), [Command.CLEAR, None], service.now())
         assert [row.id for row in run_ledger.waiting(db)] == [second]
 
 

@@ -14,8 +14,10 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule, run_state_machine_as_test
 
 from core.events import PhaseStarted, RobotStopped
+from core.lateness import Cause, Lateness
 from core.plan_summary import PlanSummary
-from core.sessions.leased import Renewal
+from core.sessions.leased import LEASE_S, Renewal
+from server.control_lease import next_fence
 from server.plan_schemas import RunPlan
 from server.roles import Role
 from server.runner.messages import End, Failed, Happened, MotionEnded, Ready
@@ -98,6 +100,7 @@ class Runs(RuleBasedStateMachine):
 
     def shown(self) -> dict[str, Any]:
         found: dict[str, Any] = self.plant.clients[Role.viewer].get(f"/api/runs/{self.run}").json()
+        del found["ends_at"]  # goes on with the clock
         return found
 
     def settled(self, state: str) -> None:
@@ -115,7 +118,8 @@ class Runs(RuleBasedStateMachine):
         stamp = control.clock()
         if role is Role.operator:
             with self.plant.service.store.write() as db:
-                self.fence = self.plant.on_loop(control.take, db, CELL, who).fence
+                self.fence = next_fence(db, CELL)
+            self.plant.on_loop(control.take, CELL, who, self.fence, LEASE_S)
             self.plant.on_loop(control.renew, CELL, who, Renewal(self.fence, self.number, stamp))
         return {"fence": getattr(self, "fence", 0), "number": self.number, "stamp_s": stamp}
 
@@ -175,8 +179,29 @@ class Runs(RuleBasedStateMachine):
     @precondition(lambda self: self.state == "Holding")
     @rule()
     def it_stands_as_asked(self) -> None:
-        self.robot.say(Happened(RobotStopped(error="Held", message="held", restart=1, final=False)))
+        self.robot.say(Happened(RobotStopped(error="Held", message="held", restart=1, final=False, held=True)))
         self.settled("Held")
+
+    @precondition(lambda self: self.state in ("Starting", "Execute", "Holding", "Unholding"))
+    @rule(cause=st.sampled_from([Cause.NETWORK, Cause.PAGE, Cause.SERVICE, Cause.STORE, Cause.CONTROL_PROCESS]))
+    def something_is_late(self, cause: Cause) -> None:
+        late = Lateness(cause=cause, late_s=1.2, limit_s=1.0)
+        stop = RobotStopped(error="ControlLost", message="late", restart=1, final=False, held=True, lateness=late)
+        self.robot.say(Happened(stop))
+        self.settled("Held")
+        found = self.shown()
+        assert found["lateness"] == late.model_dump(mode="json")
+        assert found["reason_kind"] == f"{cause.replace('_', '-')}-late"
+        assert found["held_since"] is not None
+
+    @precondition(lambda self: self.state == "Held")
+    @rule()
+    def nobody_comes_back(self) -> None:
+        self.robot.say(Happened(RobotStopped(error="HoldExpired", message="nobody", restart=1, final=True)))
+        self.robot.say(Failed("HoldExpired", "nobody came back"), None)
+        self.settled("Stopped")
+        assert self.shown()["reason_kind"] == "hold-expired"
+        self._end()
 
     @precondition(lambda self: self.state == "Execute")
     @rule()

@@ -10,7 +10,7 @@ from core.cell import Pose
 from core.control.execute import execute
 from core.control.guard import REACTION
 from core.control.movers import Playback, StandStill
-from core.errors import BadState, OutOfLimits, OverLoad, TooClose, TooFast
+from core.errors import BadState, OutOfLimits, OverLoad, RobotStateLate, SensorFrozen, TooClose, TooFast
 from core.sessions.session import RobotState
 from core.trajectory import JointTrajectory
 
@@ -33,8 +33,8 @@ FAULTS = {
     "no clock": ({"t": np.nan}, BadState, "state is not finite"),
     "frozen clock": ({"t": 0.1}, BadState, r"went on by 0\.00 ms in one period \(expected 1\.00 ms\), its state is stale"),
     "clock backwards": ({"t": lambda s: 0.2 - s.t}, BadState, "stale"),
-    "late": ({"t": lambda s: s.t + 0.02}, BadState, r"came after 21\.0 ms \(limit 10\.0 ms\)"),
-    "frozen wrench": ({"wrench": np.ones(6)}, BadState, r"has not changed for 0\.25\d s \(limit 0\.250 s\)"),
+    "late": ({"t": lambda s: s.t + 0.02}, RobotStateLate, r"came after 21\.0 ms \(limit 10\.0 ms\)"),
+    "frozen wrench": ({"wrench": np.ones(6)}, SensorFrozen, r"has not changed for 0\.25\d s \(limit 0\.250 s\)"),
     "past a limit": ({"q": lambda s: at(1, 2.11)(s.q)}, OutOfLimits, r"joint joint2 is at 2\.1100 rad \(limit 2\.0944 rad\)"),
     "below a limit": ({"q": lambda s: at(1, -2.11)(s.q)}, OutOfLimits, r"joint joint2 is at -2\.1100 rad \(limit -2\.0944 rad\)"),
     "joint speed": ({"dq": lambda s: at(6, -3.8)(s.dq)}, TooFast, r"joint joint7 moves at -3\.800 rad/s \(limit 3\.2"),

@@ -10,8 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.cell import load_cell
-from core.errors import Commanded, ControlLost, Held
-from core.sessions.leased import FUTURE_S, LEASE_S, Lease, LeasedSession, Renewal
+from core.errors import Commanded, ControlLost, Held, HoldExpired
+from core.lateness import Cause, Lateness
+from core.sessions.leased import FUTURE_S, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal
 from core.sessions.simulated import SimulatedSession
 from tests.hand_clock import HandClock
 
@@ -84,6 +85,94 @@ def test_a_hold_pauses_and_an_end_is_for_good(lease, clock):
     assert isinstance(lease.refusal(), Commanded)
 
 
+def test_what_was_late_holds_the_robot_until_it_is_told_to_go_on_whatever_comes_back_meanwhile(lease, clock):
+    lease.renew(Renewal(1, 0, clock.now))
+    clock.now += 1.2
+    assert isinstance(lease.refusal(), ControlLost)
+    lease.renew(Renewal(1, 1, clock.now))
+    assert lease.held
+    assert isinstance(lease.refusal(), Held)
+    lease.resume()
+    assert lease.refusal() is None
+
+
+def looked_at(lease: Lease, clock: HandClock, seconds: float, *, beats: bool = True, every: float = 0.01) -> None:
+    """Time goes by, and the control loop looks at its lease all the while."""
+    for _ in range(round(seconds / every)):
+        clock.now += every
+        if beats:
+            lease.beat(clock.now)
+        lease.look()
+
+
+def test_lateness_is_put_down_to_the_network_where_the_service_lives_and_no_answer_comes(lease, clock):
+    lease.renew(Renewal(1, 0, clock.now))
+    looked_at(lease, clock, 1.02)
+    found = lease.overdue()
+    assert found.cause is Cause.NETWORK
+    assert found.late_s == pytest.approx(1.02)
+    assert found.limit_s == LEASE_S
+
+
+def test_lateness_is_put_down_to_the_page_where_answers_come_but_the_page_behind_them_does_not_respond(lease, clock):
+    lease.renew(Renewal(1, 0, clock.now))
+    looked_at(lease, clock, 0.9)
+    lease.note_late_page(2.9)
+    looked_at(lease, clock, 0.12)
+    assert lease.overdue() == Lateness(cause=Cause.PAGE, late_s=2.9, limit_s=LEASE_S)
+
+
+def test_a_service_that_gives_no_sign_of_life_is_late_long_before_the_lease_ends(lease, clock):
+    lease.renew(Renewal(1, 0, clock.now))
+    looked_at(lease, clock, 0.1)
+    looked_at(lease, clock, SERVICE_S - 0.01, beats=False)
+    assert lease.overdue() is None
+    looked_at(lease, clock, 0.02, beats=False)
+    assert lease.overdue().cause is Cause.SERVICE
+    assert lease.overdue().limit_s == SERVICE_S
+
+
+def test_a_control_loop_that_got_no_time_does_not_blame_the_network(lease, clock):
+    lease.renew(Renewal(1, 0, clock.now))
+    looked_at(lease, clock, 0.1)
+    clock.now += 1.5
+    lease.look()
+    found = lease.overdue()
+    assert found.cause is Cause.CONTROL_PROCESS
+    assert found.late_s == pytest.approx(1.5)
+
+
+def test_a_loop_that_was_away_takes_the_renewals_that_came_meanwhile_before_it_judges(lease, clock, robot):
+    def comes_in(_: float) -> None:
+        lease.renew(Renewal(1, 1, clock.now))
+
+    session = LeasedSession(robot, lease, sleep=comes_in)
+    with session:
+        q = session.state().q_cmd
+        lease.renew(Renewal(1, 0, clock.now))
+        session.command(q)
+        clock.now += 1.5
+        session.state()
+        session.command(q)
+        assert not lease.held
+
+
+def test_a_hold_waits_for_whoever_is_in_control_and_ends_when_nobody_comes_back(lease, clock):
+    lease.renew(Renewal(1, 0, clock.now))
+    lease.hold()
+    for number in range(1, 400):
+        clock.now += 1.0
+        lease.renew(Renewal(1, number, clock.now))
+        assert lease.waits(120.0), "somebody is in control all the time"
+    clock.now += LEASE_S + 119.9
+    assert lease.waits(120.0)
+    clock.now += 0.2
+    assert not lease.waits(120.0)
+    assert isinstance(lease.refusal(), HoldExpired)
+    lease.resume()
+    assert isinstance(lease.refusal(), HoldExpired)
+
+
 def test_the_robot_brakes_to_standstill_when_the_lease_runs_out(lease, clock, robot):
     session = LeasedSession(robot, lease)
     with session:
@@ -102,3 +191,7 @@ def test_the_robot_brakes_to_standstill_when_the_lease_runs_out(lease, clock, ro
         session.release()
         with pytest.raises(ControlLost):
             session.command(positions[-1])
+        lease.renew(Renewal(1, 1, clock.now))
+        lease.resume()
+        session.release()
+        session.command(positions[-1])

@@ -49,7 +49,7 @@ def test_what_the_server_says_reaches_the_lease(ends):
     lease = Lease(length_s=60.0)
     listener = Listener(theirs, lease)
     ours.send(Renewal(1, 0, time.monotonic()))
-    until(lambda: lease.refusal() is None)
+    until(lambda: lease.overdue() is None)
     ours.send(Hold())
     until(lambda: isinstance(lease.refusal(), Held))
     ours.send(Resume())
