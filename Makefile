@@ -33,7 +33,7 @@ wheel: $(VENV)/.run $(CONSOLE)
 	rm -rf server/console && cp -r web/dist server/console
 	$(BIN)/python -m pip wheel --quiet --no-deps --wheel-dir dist . ; rm -rf server/console
 
-bench: $(VENV)/.dev
+bench: $(VENV)/.dev $(CONSOLE)
 	$(BIN)/python -m bench
 
 clean:

@@ -14,6 +14,9 @@ BENCHES = (
     ("procedure", "--seeds", "20"),
     ("coverage", "--count", "1000", "--seeds", "20"),
     ("random_cells", "--count", "200", "--first", "1000"),
+    ("store", "--times", "20", "--at-once", "3"),
+    ("wifi", "--runs", "100", "--at-once", "2"),
+    ("busy", "--runs", "20"),
 )
 
 for name, *options in BENCHES:

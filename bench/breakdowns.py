@@ -12,12 +12,12 @@ from pathlib import Path
 
 import numpy as np
 
-from bench.stops import LIMIT_S, PHASES, say
+from bench.stops import LIMIT_S, PHASES, STANDING, Found, recover, say
 from core.cell import load_cell
 from core.recording import Recording
 from core.recording_folder import read_recording
 from tests.server.breaking_robot import DISK_FULL, FROZEN, NAN, STALE, Told, seed_of, told
-from tests.server.real_service import ROOT, Console, RealService, real_service, wait_for
+from tests.server.real_service import ROOT, Console, RealService, real_service
 
 KINDS = {"frozen sensor": FROZEN, "not a number": NAN, "stale state": STALE, "disk full": DISK_FULL}
 LATEST_S = 3.0
@@ -42,27 +42,25 @@ def moments(recording: Recording, phase: str, rng: np.random.Generator) -> Itera
         yield float(rng.choice(fits))
 
 
-def measured(service: RealService, console: Console, kind: int, when: Iterator[float]) -> tuple[float, float]:
-    """Time from the breakdown until the commanded speed is zero for good, and how much of it the braking takes, s."""
+def measured(service: RealService, console: Console, kind: int, when: Iterator[float]) -> Found:
+    """One breakdown."""
     acceleration = np.array(load_cell(ROOT / "cells" / console.cell).robot.acceleration_rad_s2)
     while (found := broken(service, console, seed_of(kind, next(when)))) is None:
-        print("the run was over, or control lost, before anything broke; once more", flush=True)
-        console.take_control()
-    return found.stop_s, float((found.dq / acceleration).max())
+        print("the run was over, or on hold, before anything broke; once more", flush=True)
+    return found.stop_s, float((found.dq / acceleration).max()), LIMIT_S
 
 
 def broken(service: RealService, console: Console, seed: int) -> Told | None:
     """What the arm was told after its breakdown; None where there was none."""
+    console.take_control()
     run = console.queue(seed=seed)
     console.wait(run, "Idle")
     assert console.release(run).status_code == 200
-    ended = console.wait(run, "Aborted", "Complete")
-    found = told(service.data / "recordings" / run)
+    state = console.wait(run, *STANDING)["state"]
     assert console.release(run).status_code == 409, "nothing moves again"
-    if ended["state"] == "Aborted":
-        wait_for(lambda: console.command(run, "clear").status_code == 200, f"{ended['reason']} to be cleared")
-    else:
-        assert found is None, f"{run} broke and went on"
+    recover(service, run)
+    found = told(service.data / "recordings" / run)
+    assert found is None or state != "Complete", f"{run} broke and went on"
     return found
 
 

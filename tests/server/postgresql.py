@@ -31,10 +31,33 @@ def binaries() -> Path | None:
 
 
 class Cluster:
-    """A running server with one database, cleared for each test: a database is some hundred files, a schema is none."""
+    """A server with one database, cleared for each test: a database is some hundred files, a schema is none.
 
-    def __init__(self, address: str) -> None:
-        self.url = f"{address}/postgres"
+    Args:
+        programs: of PostgreSQL.
+        folder: empty, for its files.
+        user: as whom it runs; ourselves where absent.
+    """
+
+    def __init__(self, programs: Path, folder: Path, user: str | None) -> None:
+        self._programs, self._folder, self._user = programs, folder, user
+        with socket.create_server(("127.0.0.1", 0)) as free:
+            self._port = free.getsockname()[1]
+        self.url = f"postgresql+pg8000://heft@127.0.0.1:{self._port}/postgres"
+        self._call("initdb", "-A", "trust", "-U", "heft", "--no-sync", "-E", "UTF8", "--locale=C")
+
+    def start(self) -> None:
+        """Returns when it answers."""
+        options = f"-p {self._port} -c listen_addresses=127.0.0.1 -k {self._folder} {FAST}"
+        self._call("pg_ctl", "-w", "-l", self._folder / "log", "-o", options, "start")
+
+    def stop(self) -> None:
+        """Whoever is connected is not waited for."""
+        self._call("pg_ctl", "-w", "-m", "fast", "stop")
+
+    def _call(self, program: str, *options: Path | str) -> None:
+        command = [str(part) for part in (self._programs / program, "-D", self._folder / "data", *options)]
+        subprocess.run(command, check=True, user=self._user, cwd="/", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
 
     def database(self) -> str:
         """URL of the database with new, empty tables."""
@@ -61,16 +84,12 @@ def cluster() -> Iterator[Cluster]:
         pytest.skip("PostgreSQL's initdb is not installed (Debian: apt-get install postgresql); .ci/run installs it")
     with tempfile.TemporaryDirectory(prefix="heft-postgresql-") as name:
         folder = Path(name)
-        user = _as_postgres(folder)
-        with socket.create_server(("127.0.0.1", 0)) as free:
-            port = free.getsockname()[1]
-        _call(user, programs / "initdb", "-D", folder / "data", "-A", "trust", "-U", "heft", "--no-sync", "-E", "UTF8", "--locale=C")
-        options = f"-p {port} -c listen_addresses=127.0.0.1 -k {folder} {FAST}"
-        _call(user, programs / "pg_ctl", "-D", folder / "data", "-w", "-l", folder / "log", "-o", options, "start")
+        running = Cluster(programs, folder, _as_postgres(folder))
+        running.start()
         try:
-            yield Cluster(f"postgresql+pg8000://heft@127.0.0.1:{port}")
+            yield running
         finally:
-            _call(user, programs / "pg_ctl", "-D", folder / "data", "-m", "immediate", "stop")
+            running.stop()
 
 
 def _as_postgres(folder: Path) -> str | None:
@@ -83,7 +102,3 @@ def _as_postgres(folder: Path) -> str | None:
         pytest.skip("there is no user `postgres` to run PostgreSQL as, and it refuses to run as root")
     os.chown(folder, owner.pw_uid, owner.pw_gid)
     return "postgres"
-
-
-def _call(user: str | None, *command: Path | str) -> None:
-    subprocess.run([str(part) for part in command], check=True, user=user, cwd="/", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)

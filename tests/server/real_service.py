@@ -12,17 +12,23 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from itertools import count
 from pathlib import Path
 from typing import Any
 
 import httpx2 as httpx
-from websockets.exceptions import ConnectionClosed
+from websockets.exceptions import ConnectionClosed, WebSocketException
 from websockets.sync.client import ClientConnection, connect
 
 ROOT = Path(__file__).parents[2]
 ENVIRONMENT = {**os.environ, "PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 QUICK = {"hold_s": 0.5, "settle_s": 0.4, "robot_s": 1.0, "pace": "as_fast_as_possible"}
 """A run of some 27 s of robot time, in some 5 s."""
+
+LINKED_S = 0.3
+"""A console whose newest stamp is older has no line."""
+AGAIN_S = 0.5
+"""Between two attempts to open a lease again."""
 
 
 def free_port() -> int:
@@ -33,10 +39,14 @@ def free_port() -> int:
 
 
 class RealService:
-    """`heft serve` on an empty folder; `start` again after `kill` goes on with the same data."""
+    """`heft serve` on an empty folder; `start` again after `kill` goes on with the same data.
 
-    def __init__(self, data: Path, module: str = "server") -> None:
-        self.data, self.module = data, module
+    Args:
+        database_url: of its database; SQLite in the folder where absent.
+    """
+
+    def __init__(self, data: Path, module: str = "server", database_url: str | None = None) -> None:
+        self.data, self.module, self.database_url = data, module, database_url
         self.password = ""
         self.port = free_port()
         self.process: subprocess.Popen[str] | None = None
@@ -48,7 +58,7 @@ class RealService:
     @property
     def store_url(self) -> str:
         """Of its database."""
-        return f"sqlite:///{self.data / 'heft.sqlite'}"
+        return self.database_url or f"sqlite:///{self.data / 'heft.sqlite'}"
 
     def start(self) -> None:
         """Returns when it answers."""
@@ -61,8 +71,12 @@ class RealService:
     def _started(self, log: Any) -> subprocess.Popen[str]:
         return subprocess.Popen(
             [sys.executable, "-m", self.module, "serve", "--port", str(self.port), "--data", str(self.data)],
-            cwd=ROOT, env=ENVIRONMENT, text=True, stdout=subprocess.PIPE, stderr=log,
+            cwd=ROOT, env=ENVIRONMENT | self._database, text=True, stdout=subprocess.PIPE, stderr=log,
         )  # fmt: skip
+
+    @property
+    def _database(self) -> dict[str, str]:
+        return {} if self.database_url is None else {"HEFT_DATABASE_URL": self.database_url}
 
     def _read(self, stdout: Any) -> None:
         with stdout:
@@ -97,45 +111,73 @@ class RealService:
 
 
 class Console:
-    """A person at the cell: signed in, in control, answering stamps."""
+    """A person at the cell: signed in, in control, answering stamps.
 
-    def __init__(self, service: RealService, cell: str = "lwr4_bench") -> None:
-        self.service, self.cell = service, cell
-        self.http = httpx.Client(base_url=f"http://{service.address}", timeout=30)
+    Args:
+        address: where the service is reached; its own where absent.
+    """
+
+    def __init__(self, service: RealService, cell: str = "lwr4_bench", address: str | None = None) -> None:
+        self.service, self.cell, self.address = service, cell, address or service.address
+        self.http = httpx.Client(base_url=f"http://{self.address}", timeout=30)
         wait_for(lambda: service.password, "the password")
         answer = self.http.post("/api/session", json={"name": "operator", "password": service.password})
         assert answer.status_code == 200, answer.text
         self.http.headers["X-CSRF-Token"] = answer.json()["csrf_token"]
-        self.fence, self.number, self.stamp_s = -1, 0, 0.0
+        self.fence, self.number, self.stamp_s, self.heard_s = -1, 0, 0.0, 0.0
         self.answering = threading.Event()
+        self.returning = threading.Event()
+        """Whether a lease that broke is opened again with its fence."""
+        self.page_age_s: float | None = None
+        """Said with every answer, where it is known."""
         self.lease: ClientConnection | None = None
 
     def socket(self, path: str, **options: Any) -> ClientConnection:
         """A websocket with the browser's cookie and origin."""
         cookies = "; ".join(f"{name}={value}" for name, value in self.http.cookies.items())
-        headers = {"Cookie": cookies, "Origin": f"http://{self.service.address}"}
-        return connect(f"ws://{self.service.address}{path}", additional_headers=headers, compression=None, **options)
+        headers = {"Cookie": cookies, "Origin": f"http://{self.address}"}
+        return connect(f"ws://{self.address}{path}", additional_headers=headers, compression=None, **options)
 
     def take_control(self) -> None:
-        """And answers the stamps from now on."""
+        """And answers the stamps from now on; a lease that was open before is closed."""
         answer = self.http.post("/api/control", json={"cell": self.cell})
         assert answer.status_code == 200, answer.text
         self.fence, self.number = answer.json()["fence"], 0
         self.answering.set()
-        self.lease = self.socket(f"/api/control/{self.cell}/lease")
-        threading.Thread(target=self._answer, args=(self.lease, self.fence), daemon=True).start()
+        before, self.lease = self.lease, self._opened()
+        self.stamp_s = 0.0
+        threading.Thread(target=self._keep, args=(self.lease, self.fence), daemon=True).start()
         wait_for(lambda: self.stamp_s, "a stamp")
+        if before is not None:
+            before.close()
 
-    def _answer(self, lease: ClientConnection, fence: int) -> None:
-        number = 0
+    @property
+    def linked(self) -> bool:
+        """Whether stamps come."""
+        return time.monotonic() - self.heard_s < LINKED_S
+
+    def _opened(self) -> ClientConnection:
+        return self.socket(f"/api/control/{self.cell}/lease")
+
+    def _keep(self, lease: ClientConnection, fence: int) -> None:
+        """Answers, also after the lease broke, until another one is taken."""
+        numbers = count()
+        self._answer(lease, fence, numbers)
+        while self.returning.is_set() and self.fence == fence:
+            with suppress(OSError, WebSocketException):
+                self.lease = self._opened()
+                self._answer(self.lease, fence, numbers)
+            time.sleep(AGAIN_S)
+
+    def _answer(self, lease: ClientConnection, fence: int, numbers: Iterator[int]) -> None:
         with suppress(ConnectionClosed, OSError):
             while True:
                 stamp = re.search(r"[\d.]+", str(lease.recv()))
                 assert stamp is not None
-                self.stamp_s = float(stamp.group())
+                self.stamp_s, self.heard_s = float(stamp.group()), time.monotonic()
                 if self.answering.is_set():
-                    lease.send(f'{{"fence":{fence},"number":{number},"stamp_s":{stamp.group()}}}')
-                    number += 1
+                    page = "" if self.page_age_s is None else f',"page_age_s":{self.page_age_s}'
+                    lease.send(f'{{"fence":{fence},"number":{next(numbers)},"stamp_s":{stamp.group()}{page}}}')
 
     @property
     def sent(self) -> dict[str, float]:
@@ -144,8 +186,12 @@ class Console:
         return {"fence": self.fence, "number": self.number, "stamp_s": self.stamp_s}
 
     def queue(self, **order: Any) -> str:
-        """A run."""
-        answer = self.http.post("/api/runs", json={"cell": self.cell, "payload": "steel_block", **QUICK, **order})
+        """A quick run, or as it is ordered."""
+        return self.order(**QUICK | order)
+
+    def order(self, **order: Any) -> str:
+        """A run; what is not said, is as the service has it."""
+        answer = self.http.post("/api/runs", json={"cell": self.cell, "payload": "steel_block", **order})
         assert answer.status_code == 202, answer.text
         return str(answer.json()["run"])
 
@@ -167,6 +213,7 @@ class Console:
 
     def leave(self) -> None:
         """Closes the console's window."""
+        self.returning.clear()
         self.http.close()
         if self.lease is not None:
             self.lease.close()
@@ -181,9 +228,9 @@ def wait_for(condition: Callable[[], object], what: str, now: Callable[[], objec
 
 
 @contextmanager
-def real_service(folder: Path, module: str = "server") -> Iterator[RealService]:
+def real_service(folder: Path, module: str = "server", database_url: str | None = None) -> Iterator[RealService]:
     """Started, and stopped in order."""
-    service = RealService(folder / "data", module)
+    service = RealService(folder / "data", module, database_url)
     service.data.parent.mkdir(parents=True, exist_ok=True)
     service.start()
     try:
