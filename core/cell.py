@@ -26,8 +26,8 @@ from core.urdf import Urdf, check_urdf
 from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 
 __all__ = [
-    "Box", "Capsule", "Cell", "CellRead", "Control", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape", "Sphere", "Zone",
-    "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
+    "Box", "Capsule", "Cell", "CellRead", "Control", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape",
+    "Sphere", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]

@@ -104,6 +104,8 @@ class ActiveRun:
         self._journal, self._journal_writer = RunJournal(folder), ThreadPoolExecutor(1, "run-journal")
         self._number = row.journaled
         self._unwritten: list[Entry] = []
+        self._commands = 0
+        """That are being given at this moment."""
         self._ended_for: Reason | None = None
         self._follower = StoreFollower(store, row.id)
         self._process = ControlProcess(order)
@@ -124,6 +126,8 @@ class ActiveRun:
 
     async def keep(self, closing: Callable[[], bool]) -> None:
         """Until the database has everything; a service that ends does not wait long for that."""
+        while self._commands:
+            await asyncio.sleep(0.01)
         given_s = 0.0
         while not await self._follower.caught_up(1.0):
             given_s += closing()
@@ -184,7 +188,19 @@ class ActiveRun:
 
         Raises:
             IllegalCommandError: not in this state.
+            StoreUnavailable: the robot was to go on, and the database cannot be written.
         """
+        self._commands += 1
+        try:
+            await self._command(command, reason, done)
+        finally:
+            self._commands -= 1
+
+    async def _command(self, command: Command, reason: Reason, done: Deed) -> None:
+        if command is Command.UNHOLD and self.state is State.HELD and not await self._follower.caught_up(RELEASE_PATIENCE_S):
+            raise StoreUnavailable(
+                "resume: the database is locked, full or away, and nothing begins to move without it; resume when it is back"
+            )
         if command in (Command.STOP, Command.ABORT):
             self._end(reason)
             asyncio.get_running_loop().call_later(GRACE_S, self._process.kill)

@@ -23,6 +23,7 @@ from server.accounts import Account
 from server.app import create_app
 from server.logs import log_as_json
 from server.roles import Role
+from server.runner.priority import Priority, take
 from server.service import utc_now
 from server.settings import Settings
 from server.store import Store
@@ -39,6 +40,7 @@ def serve(*, host: str | None = None, port: int | None = None, cells: Path | Non
     """
     settings = read_settings(host=host, port=port, cells=cells, data=data)
     log_as_json(settings.log_level)
+    take(Priority.SERVICE)
     with only_one(settings.data):
         app = create_app(settings)
         greet(settings)

@@ -34,6 +34,8 @@ AWAY_S = 0.05
 """A control loop that comes back to its session after a longer time than this got no time itself."""
 CATCH_UP_S = 0.05
 """What a loop that was away gives the renewals that wait in its pipe; it commands nothing meanwhile."""
+LOOP_S = 0.3
+"""How long a control loop may get no time; the robot's own watchdog has stopped it by then, and it does not go on by itself."""
 
 
 @dataclass(frozen=True)
@@ -158,8 +160,11 @@ class Lease:
         """Why the robot may not be commanded now; None if it may. What is too late holds the robot until `resume`."""
         if self._ended is not None:
             return self._ended
-        if self._held is None and (lateness := self.overdue()) is not None:
+        if self._held is None and self._away_s > LOOP_S:
+            lateness = Lateness(cause=Cause.CONTROL_PROCESS, late_s=self._away_s, limit_s=LOOP_S)
             self._held = ControlLost(_sentence(lateness), lateness)
+        if self._held is None and (late := self.overdue()) is not None:
+            self._held = ControlLost(_sentence(late), late)
         return self._held
 
 
@@ -189,6 +194,8 @@ class LeasedSession(RobotSession):
         self.lease = lease
         self.period = inner.period
         self._sleep = sleep
+        self._last: Array | None = None
+        self._moving = False
 
     def __enter__(self) -> Self:
         self.inner.__enter__()
@@ -215,9 +222,17 @@ class LeasedSession(RobotSession):
             self.inner.stop()
             raise refusal
         self.inner.command(q)
+        self._moving = self._last is None or not np.array_equal(q, self._last)
+        self._last = q
 
     def _catch_up(self) -> None:
-        """The loop got no time: neither did the thread that takes the renewals. The robot is not commanded while it does."""
+        """The loop got no time: neither did the thread that takes the renewals. The robot is not commanded while it does.
+
+        Between two motions the robot stands, and the loop may take its time to prepare the next one.
+        """
+        if not self._moving:
+            self.lease.begin()
+            self.lease.look()
         for _ in range(round(CATCH_UP_S / 0.001)):
             if self.lease.overdue() is None:
                 return

@@ -6,7 +6,6 @@ import gc
 import os
 import signal
 from collections.abc import Generator
-from contextlib import suppress
 from multiprocessing.connection import Connection
 from typing import cast
 
@@ -30,15 +29,13 @@ from core.twin_file import read_twin
 from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnded, Order, Paced, Ready, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
+from server.runner.priority import Priority, take
 from server.runner.run_folder import RECORDING, REPORT, locked
 from server.runner.served_run import ServedRun
 from server.runner.shown_plan import shown
 
 Told = Speaker[FromChild]
 Array = NDArray[np.float64]
-
-PRIORITY = -10
-"""Of a process that controls a robot, as `nice` counts."""
 
 
 def main(order: Order, connection: Connection) -> None:
@@ -47,7 +44,7 @@ def main(order: Order, connection: Connection) -> None:
     planning = PlanningProcess(_sequence_of(order), connection)  # before there are threads
     speaker: Told = Speaker(connection, Sampled)
     _lock = locked(order.folder)  # as long as we live: who recovers the run's samples waits for it
-    _hurry()
+    take(Priority.CONTROL)
     try:
         _carry_out(order, connection, planning, speaker)
     except HeftError as error:
@@ -63,12 +60,6 @@ def main(order: Order, connection: Connection) -> None:
 def _failed(error: HeftError) -> Failed:
     lateness = error.lateness if isinstance(error, Stopped) else None
     return Failed(type(error).__name__, str(error), error.in_the_way, lateness)
-
-
-def _hurry() -> None:
-    """Asks for the processor before everybody else, where this machine lets us; the planner, which is a process of its own, does not."""
-    with suppress(PermissionError):
-        os.setpriority(os.PRIO_PROCESS, 0, PRIORITY)
 
 
 def _sequence_of(order: Order) -> MotionSequence:

@@ -14,6 +14,7 @@ from core.motion_sequence import MotionSequence, PlanRequest
 from core.plan import Plan
 from core.robot import RobotModel
 from server.runner.messages import Failed
+from server.runner.priority import Priority, take
 
 FORK = get_context("fork")
 
@@ -80,6 +81,7 @@ def _serve(sequence: MotionSequence, connection: Connection, *unshared: Connecti
     """The planning process: until the other end is gone."""
     for end in unshared:
         end.close()  # who waits for its maker's end would wait for ours too
+    take(Priority.PLANNING)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
     while True:
         try:

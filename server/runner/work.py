@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import signal
 from collections.abc import Iterator
 from typing import Any
 
 from server.runner.context import CONTEXT, started
 from server.runner.messages import Advanced, Failed, FromWork
-
-NICENESS = 10
+from server.runner.priority import Priority, take
 
 
 class Work:
@@ -49,4 +47,4 @@ def said(module: str, *arguments: Any) -> Iterator[FromWork]:
 def give_way() -> None:
     """At the beginning of such a process: its end is the server's to decide, and it is in nobody's way."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    os.nice(NICENESS)
+    take(Priority.BACKGROUND)

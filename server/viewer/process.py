@@ -15,8 +15,7 @@ from server.event_schemas import LiveBatch
 from server.plan_schemas import RunPlan
 from server.runner.context import CONTEXT
 from server.runner.pipe import Speaker
-
-NICENESS = 5
+from server.runner.priority import Priority, take
 
 
 @dataclass(frozen=True)
@@ -83,7 +82,7 @@ class ViewerProcess:
 
 def _show(cell: Cell, connection: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    os.nice(NICENESS)
+    take(Priority.VIEWER)
     from server.viewer.in_the_way import Mark  # noqa: PLC0415  no other process needs viser
     from server.viewer.plots import Plots  # noqa: PLC0415  the same
     from server.viewer.scene import Scene, open_server  # noqa: PLC0415  the same

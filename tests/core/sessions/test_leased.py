@@ -144,17 +144,42 @@ def test_a_control_loop_that_got_no_time_does_not_blame_the_network(lease, clock
 
 def test_a_loop_that_was_away_takes_the_renewals_that_came_meanwhile_before_it_judges(lease, clock, robot):
     def comes_in(_: float) -> None:
-        lease.renew(Renewal(1, 1, clock.now))
+        lease.beat(clock.now)
 
     session = LeasedSession(robot, lease, sleep=comes_in)
     with session:
         q = session.state().q_cmd
         lease.renew(Renewal(1, 0, clock.now))
+        lease.beat(clock.now)
         session.command(q)
-        clock.now += 1.5
+        clock.now += 0.29
         session.state()
         session.command(q)
         assert not lease.held
+
+
+def test_a_loop_that_was_away_for_longer_than_a_robots_watchdog_waits_does_not_go_on_by_itself(lease, clock, robot):
+    session = LeasedSession(robot, lease)
+    with session:
+        q = session.state().q_cmd
+        lease.renew(Renewal(1, 0, clock.now))
+        session.command(q)
+        clock.now += 0.31  # it stands, and may take its time
+        lease.renew(Renewal(1, 1, clock.now))
+        session.state()
+        session.command(q + 1e-4)
+        clock.now += 0.31
+        lease.renew(Renewal(1, 2, clock.now))
+        session.state()
+        with pytest.raises(ControlLost, match="got no time"):
+            session.command(q + 2e-4)
+        q = [session.state().q_cmd for _ in range(50)][-1]
+        lease.resume()
+        session.release()
+        clock.now += 0.5  # planning, or a person who thinks
+        lease.renew(Renewal(1, 3, clock.now))
+        session.release()
+        session.command(q)
 
 
 def test_a_hold_waits_for_whoever_is_in_control_and_ends_when_nobody_comes_back(lease, clock):
