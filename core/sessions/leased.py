@@ -222,7 +222,7 @@ class LeasedSession(RobotSession):
             self.inner.stop()
             raise refusal
         self.inner.command(q)
-        self._moving = self._last is None or not np.array_equal(q, self._last)
+        self._moving = self._last is not None and not np.array_equal(q, self._last)
         self._last = q
 
     def _catch_up(self) -> None:
