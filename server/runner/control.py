@@ -44,7 +44,7 @@ def main(order: Order, connection: Connection) -> None:
     planning = PlanningProcess(_sequence_of(order), connection)  # before there are threads
     speaker: Told = Speaker(connection, Sampled)
     _lock = locked(order.folder)  # as long as we live: who recovers the run's samples waits for it
-    take(Priority.CONTROL)
+    take(Priority.CONTROL if order.pace == "real_time" else Priority.PLANNING)  # one that never waits would take it from the server
     try:
         _carry_out(order, connection, planning, speaker)
     except HeftError as error:

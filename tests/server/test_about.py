@@ -108,6 +108,7 @@ BARE = {
     "probability",
     "none_probability",
     "unknown_probability",
+    "lost_share",
 }
 """Numbers whose unit another field tells, or that are fractions or multiples."""
 
