@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import tempfile
+from contextlib import ExitStack
 from io import BytesIO
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from tests.server.finished_diagnosis import SWINGS, diagnosed_run
 from tests.server.finished_trial import finished_trial
 from tests.server.real_service import ROOT, Console, RealService, real_service
 from tests.server.zone_at import AT_THE_ROBOT, zone_at
+from tests.web.patient_cells import patient_cells
 from tests.web.screens import show, signed_in
 from tests.web.tablet import LANDSCAPE, PORTRAIT, Tablet, chromium, tablet
 from tests.web.tilted import tilted_recording
@@ -33,10 +35,9 @@ def main() -> None:
     parser.add_argument("--folder", type=Path, default=FOLDER)
     folder: Path = parser.parse_args().folder
     folder.mkdir(parents=True, exist_ok=True)
-    with (
-        tempfile.TemporaryDirectory() as data, urgent(), real_service(Path(data), "tests.web.patient_service") as service,
-        chromium() as browser,
-    ):  # fmt: skip
+    with tempfile.TemporaryDirectory() as data, urgent(), ExitStack() as stack:
+        patient_cells(Path(data) / "data")
+        service, browser = stack.enter_context(real_service(Path(data))), stack.enter_context(chromium())
         first = _run_without_pictures(service)
         run = _run_with_pictures(service, browser, folder)
         _running(service, browser, folder)
@@ -125,7 +126,7 @@ def _pages(service: RealService, browser: Browser, folder: Path, first: str, run
                 at.without_notice()
             picture(at, folder, name, DRAWN_MS if name == "cells" else 600)
         at.page.context.set_offline(True)
-        at.wait(".line-lost")
+        at.wait(".lost-layer")
         picture(at, folder, "no-connection")
 
 
