@@ -38,7 +38,7 @@ COLOURS = """abnormal => [...document.querySelectorAll('body, body *')].filter(e
 
 CUT = """least => {
     const own = each => [...each.childNodes].some(node => node.nodeType === 3 && node.data.trim());
-    const said = [...document.querySelectorAll('header *, nav *, main *, footer *')]
+    const said = [...document.querySelectorAll('header *, nav *, main *, footer *, dialog *')]
         .filter(each => each.checkVisibility() && !each.closest('.out-of-sight, option, svg'));
     const out = said.filter(each => each.clientWidth && each.scrollWidth > each.clientWidth + 1
         && (own(each) || getComputedStyle(each).overflowX !== 'visible'));

@@ -1,6 +1,6 @@
 import type { Problem, paths, Session } from './api';
 import { Refusal } from './refusal';
-import { heard } from './stores/connection';
+import { heard, unheard } from './stores/connection';
 import { csrfToken, session } from './stores/session';
 
 type Method = 'get' | 'post' | 'put' | 'patch' | 'delete';
@@ -87,7 +87,10 @@ function entries(of: object = {}): [string, string][] {
 }
 
 async function reached(address: string, request: RequestInit): Promise<Response> {
-  const response = await fetch(address, request);
+  const response = await fetch(address, request).catch((error) => {
+    if (error instanceof TypeError) unheard();
+    throw error;
+  });
   heard(response);
   if (response.ok) return response;
   if (response.status === 401) session.value = null;

@@ -1,6 +1,6 @@
 import { Press } from '../parts/press';
 import type { Screen } from '../parts/screen';
-import { go, route, to } from '../route';
+import { go, route, runInRoute, to } from '../route';
 import { words } from '../words';
 
 function NotThere() {
@@ -8,7 +8,7 @@ function NotThere() {
   return (
     <div class="page not-there">
       <section>
-        <h1>{said.page}</h1>
+        <h1>{runInRoute.value === null ? said.page : said.run}</h1>
         <p class="hint">{said.here(to(...route.value))}</p>
       </section>
     </div>

@@ -20,9 +20,8 @@ const RELEASED = new Set<CellNow['state']>([
 /** Every robot that a run of the service has, each with its STOP: for whoever is in front of one, signed in or not. */
 export function ActiveRobots() {
   const said = words.value.now;
-  const all = robots.value;
-  if (all === null) return <p>{words.value.reading.title}</p>;
-  if (all.length === 0) return <p>{said.none}</p>;
+  const all = robots.value ?? [];
+  if (all.length === 0) return null;
   return (
     <section class="active-robots">
       <h2>{said.active}</h2>

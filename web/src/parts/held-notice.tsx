@@ -15,8 +15,7 @@ export function HeldNotice() {
     <div class="abnormal held-notice" role="status">
       <span aria-hidden="true">▲</span>
       <p>
-        {late && <b>{late}</b>}{' '}
-        {shown.ends_at === null ? said.attended : said.waits(clock(secondsUntil(shown.ends_at)))}
+        {late && <b>{late}</b>} {shown.ends_at !== null && said.waits(clock(secondsUntil(shown.ends_at)))}
       </p>
     </div>
   );

@@ -28,7 +28,11 @@ export function LostLayer() {
 function Layer({ since_ms }: { since_ms: number }) {
   const said = words.value.lost;
   const layer = useRef<HTMLDialogElement>(null);
-  useEffect(() => layer.current?.showModal(), []);
+  useEffect(() => {
+    const shown = layer.current;
+    shown?.showModal();
+    return () => shown?.close(); // gives the focus back
+  }, []);
   return (
     <dialog
       ref={layer}

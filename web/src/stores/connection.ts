@@ -4,6 +4,8 @@ import { Refusal } from '../refusal';
 const TICK_MS = 250;
 /** Ticks without any answer until the connection counts as lost. Ticks, not time: a page that stood still itself has not waited. */
 const PATIENCE_TICKS = 5;
+/** The same from a request on that could not even be sent: it need only be more than one. */
+const DOUBT_TICKS = 2;
 const RETRY_MS = 1000;
 /** How long the page stays covered until everything on it has been read anew. */
 const REREAD_MS = 2000;
@@ -28,6 +30,11 @@ export function heard(answer: Response): void {
   const service_ms = Date.parse(answer.headers.get('Date') ?? '');
   if (!Number.isNaN(service_ms)) ahead_ms = service_ms - heard_ms;
   if (lost.peek()) void comeBack();
+}
+
+/** Notes that a request did not get through. */
+export function unheard(): void {
+  ticks = Math.max(ticks, PATIENCE_TICKS - DOUBT_TICKS);
 }
 
 /** How long it is until a moment that the service named, s. Both clocks are compared to a second. */

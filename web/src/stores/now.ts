@@ -4,7 +4,7 @@ import { ask } from '../client';
 import { every } from './connection';
 
 /** Often enough that a lost connection is told within some 1.5 s. */
-const PULSE_MS = 400;
+const PULSE_MS = 500;
 const PATIENCE_MS = 2000;
 
 /** What every robot of the service that a run has does now; told to anybody, also who is not signed in. Null until it is known. */

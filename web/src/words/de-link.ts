@@ -57,8 +57,7 @@ export const held: typeof enHeld = {
   keepsPlace: 'Roboter gestoppt, er bleibt, wo er ist.',
   stopped: 'Roboter gestoppt.',
   waits: (left) =>
-    `Wartet noch ${left} darauf, dass jemand die Bedienung übernimmt und fortfahren lässt; dann endet der Lauf, und sein Rest kann später folgen.`,
-  attended: 'Wartet auf Fortfahren.',
+    `Wartet noch ${left} auf Fortfahren, dann endet der Lauf; er kann später fortgesetzt werden.`,
   next: 'Roboter gestoppt. Fortfahren setzt den Plan fort; STOPP beendet den Lauf.',
   restoring: 'Bedienung wird wiederhergestellt',
   takesControl: 'übernimmt die Bedienung und fährt fort',
@@ -69,18 +68,15 @@ export const link: typeof enLink = {
   title: 'Verbindung dieses Bildschirms',
   hint: (lease) =>
     `Ist die Verbindung ${lease} lang verloren, stoppt der Roboter und wartet. Dieses Tablet ist nicht der Not-Halt.`,
-  measuring: 'Die Verbindung wird gemessen.',
-  roundTrip: 'Hin und zurück',
-  mostly: (p99) => `99 % unter ${p99}`,
-  lost: 'Verloren',
-  ofAnswers: (answers) => `${answers} Antworten`,
-  longest: 'Längste Lücke',
-  limit: (lease) => `Grenze ${lease}`,
+  measuring: 'wird gemessen.',
+  figures: (usual, mostly, lost, gap, lease) =>
+    `hin und zurück ${usual} (99 % unter ${mostly}), verloren ${lost}, längste Lücke ${gap} (Grenze ${lease}).`,
   poor: 'Über diese Verbindung würde der Lauf wahrscheinlich angehalten. Gehen Sie mit dem Tablet näher an den Zugangspunkt oder nehmen Sie ein Kabel; freigeben können Sie trotzdem.',
 };
 
 export const absent: typeof enAbsent = {
   page: 'Diese Seite gibt es nicht',
+  run: 'Diesen Lauf gibt es nicht',
   here: (address) => `Unter ${address} ist nichts.`,
   next: 'Vielleicht ist die Adresse falsch geschrieben, oder was sie nennt, ist auf einem anderen Dienst. Gehen Sie von der Startseite aus weiter.',
   start: 'Startseite',

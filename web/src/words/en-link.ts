@@ -42,9 +42,7 @@ export const held = {
   },
   keepsPlace: 'Robot stopped, keeps its place.',
   stopped: 'Robot stopped.',
-  waits: (left: string) =>
-    `Waits ${left} more for somebody to take control and resume; then the run ends and its rest can be run later.`,
-  attended: 'Waits for Resume.',
+  waits: (left: string) => `Waits ${left} more for Resume, then the run ends; it can be continued later.`,
   next: 'Robot stopped. Resume goes on along the plan; STOP ends the run.',
   restoring: 'control is being restored',
   takesControl: 'takes control and goes on',
@@ -55,18 +53,15 @@ export const link = {
   title: 'Connection of this screen',
   hint: (lease: string) =>
     `If the connection is lost for ${lease} the robot stops and waits. This tablet is not the emergency stop.`,
-  measuring: 'The connection is being measured.',
-  roundTrip: 'Round trip',
-  mostly: (p99: string) => `99 % below ${p99}`,
-  lost: 'Lost',
-  ofAnswers: (answers: number) => `${answers} answers`,
-  longest: 'Longest gap',
-  limit: (lease: string) => `limit ${lease}`,
+  measuring: 'being measured.',
+  figures: (usual: string, mostly: string, lost: string, gap: string, lease: string) =>
+    `round trip ${usual} (99 % below ${mostly}), lost ${lost}, longest gap ${gap} (limit ${lease}).`,
   poor: 'Over this connection the run would probably be put on hold. Move the tablet nearer to the access point or use a cable; you may release all the same.',
 };
 
 export const absent = {
   page: 'There is no such page',
+  run: 'There is no such run',
   here: (address: string) => `Nothing is at ${address}.`,
   next: 'The address may be mistyped, or what it named is on another service. Go on from the start page.',
   start: 'Start page',
