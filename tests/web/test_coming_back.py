@@ -113,7 +113,6 @@ def test_an_aborted_run_is_so_on_every_screen_until_somebody_has_looked(watching
     watching.wait(".ended [data-state=Aborted]")
     expect(watching.page.locator(".ended")).to_contain_text(person.run(run)["reason"])
     check_looks(look(watching.page, "aborted"))
-    person.leave()
     watching.press("Clear")
     watching.wait(".ended [data-state=Stopped]")
     assert person.run(run)["state"] == "Stopped"

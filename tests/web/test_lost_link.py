@@ -151,7 +151,6 @@ def test_a_stopped_run_is_continued_as_a_new_one(service: RealService, browser: 
         person.wait(run, "Execute")
     person.command(run, "stop")
     ended = person.wait(run, "Stopped")
-    person.leave()
     with signed_in(service, browser) as at:
         at.without_viewer()
         show(at, "runs", run)

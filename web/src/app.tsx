@@ -34,7 +34,8 @@ export function App() {
     <>
       <Header />
       {session.value !== null && <Navigation />}
-      <main>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: without a finger it is scrolled by its keys */}
+      <main tabIndex={0}>
         <screen.Page />
       </main>
       <CommandBar screen={screen} />

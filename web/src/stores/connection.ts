@@ -4,8 +4,8 @@ import { Refusal } from '../refusal';
 const TICK_MS = 250;
 /** Ticks without any answer until the connection counts as lost. Ticks, not time: a page that stood still itself has not waited. */
 const PATIENCE_TICKS = 5;
-/** The same from a request on that could not even be sent: it need only be more than one. */
-const DOUBT_TICKS = 2;
+/** The same from a request on that did not get through: long enough for the next ones. */
+const DOUBT_TICKS = 3;
 const RETRY_MS = 1000;
 /** How long the page stays covered until everything on it has been read anew. */
 const REREAD_MS = 2000;
@@ -64,8 +64,8 @@ window.setInterval(() => {
 }, TICK_MS);
 
 /** Asks again and again while somebody looks; returns what ends it. */
-export function every(period_ms: number, ask: () => Promise<void>): () => void {
-  return asked(ask, () => period_ms);
+export function every(period_ms: number, ask: () => Promise<void>, retry_ms = period_ms): () => void {
+  return asked(ask, (answered) => (answered ? period_ms : retry_ms));
 }
 
 /** Asks until there is an answer, be it a no, and once more whenever a lost connection is back; returns what ends it. */

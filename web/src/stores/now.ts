@@ -5,6 +5,8 @@ import { every } from './connection';
 
 /** Often enough that a lost connection is told within some 1.5 s. */
 const PULSE_MS = 500;
+/** The same after a failure, which may be the only one. */
+const RETRY_MS = 200;
 const PATIENCE_MS = 2000;
 
 /** What every robot of the service that a run has does now; told to anybody, also who is not signed in. Null until it is known. */
@@ -17,7 +19,7 @@ async function readNow(): Promise<void> {
 
 /** Begins to follow all robots, for as long as the page is there. */
 export function followRobots(): void {
-  every(PULSE_MS, readNow);
+  every(PULSE_MS, readNow, RETRY_MS);
   window.addEventListener('online', () => void readNow().catch(() => undefined));
 }
 
