@@ -53,6 +53,7 @@ def run_of(at: Tablet) -> str:
 
 def test_a_lost_link_fills_the_screen_and_its_run_is_resumed_by_one_tap(moving: Tablet, person: Console) -> None:
     run, page = run_of(moving), moving.page
+    fence = person.http.get("/api/control/lwr4_bench").json()["fence"]
     page.context.set_offline(True)
     layer = page.get_by_role("alertdialog")
     layer.wait_for()
@@ -74,7 +75,18 @@ def test_a_lost_link_fills_the_screen_and_its_run_is_resumed_by_one_tap(moving: 
     moving.press("Resume")
     person.wait(run, "Execute")
     expect(page.get_by_role("button", name="Hold")).to_be_visible()
+    assert person.http.get("/api/control/lwr4_bench").json()["fence"] == fence
     assert [said for said in moving.complaints if UNREACHABLE not in said] == []
+
+
+def test_a_page_that_stands_still_holds_the_robot_and_is_named_as_the_cause(moving: Tablet, person: Console) -> None:
+    run, page = run_of(moving), moving.page
+    page.evaluate("still_ms => { const until = performance.now() + still_ms; while (performance.now() < until); }", 8000)
+    assert person.wait(run, "Held")["reason_kind"] == "page-late"
+    expect(page.locator(".held-notice")).to_contain_text("The page of this console did not respond for")
+    moving.press("Resume")
+    person.wait(run, "Execute")
+    assert moving.complaints == []
 
 
 def test_after_a_reload_the_same_tap_takes_control_and_resumes(moving: Tablet, person: Console) -> None:

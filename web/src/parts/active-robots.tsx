@@ -1,4 +1,5 @@
 import type { CellNow } from '../api';
+import { lost } from '../stores/connection';
 import { robots, stopRobot } from '../stores/now';
 import { timeOfDay } from '../units';
 import { words } from '../words';
@@ -44,7 +45,7 @@ function Robot({ cell, state, since }: CellNow) {
         {state && <StateMark state={state} />}
         {since && <small>{said.since(timeOfDay(Date.parse(since)))}</small>}
       </div>
-      {RELEASED.has(state) && (
+      {RELEASED.has(state) && !lost.value && (
         <Press kind="stop" act={() => stopRobot(cell)}>
           <span aria-hidden="true">■</span> {said.stop(cell)}
         </Press>

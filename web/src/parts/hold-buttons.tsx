@@ -1,5 +1,5 @@
 import type { RunAnswer } from '../api';
-import { holder, mine, takeControl } from '../stores/control';
+import { control, holder, mine, takeControl } from '../stores/control';
 import { answering } from '../stores/lease';
 import { current } from '../stores/run';
 import { commandRun } from '../stores/runs';
@@ -11,6 +11,7 @@ import { Press } from './press';
 export function HoldButtons() {
   const run = current.value;
   if (run === null || !may('operator')) return null;
+  const free = control.value !== null && holder.value === null;
   return (
     <>
       {mine.value && run.commands.includes('hold') && (
@@ -18,7 +19,7 @@ export function HoldButtons() {
           <span aria-hidden="true">❚❚</span> {words.value.bar.hold}
         </Press>
       )}
-      {(mine.value || holder.value === null) && run.commands.includes('resume') && <Resume run={run} />}
+      {(mine.value || free) && run.commands.includes('resume') && <Resume run={run} />}
     </>
   );
 }

@@ -1,7 +1,9 @@
+import { Fragment } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import type { RunAnswer } from '../api';
 import { lostSince_ms, now_ms } from '../stores/connection';
 import { control, holder, mine } from '../stores/control';
+import { robots } from '../stores/now';
 import { current } from '../stores/run';
 import { isOver } from '../stores/runs';
 import { session } from '../stores/session';
@@ -58,22 +60,25 @@ function Layer({ since_ms }: { since_ms: number }) {
   );
 }
 
+/** Of the robot in front of this screen; before anybody has signed in, of every one that a run had. */
 function LastKnown() {
   const said = words.value.lost;
   const run = current.value;
-  if (!session.value || run === null) return null;
+  const known = session.value ? (run === null ? [] : [run]) : (robots.value ?? []);
   return (
-    <dl class="facts">
-      <div>
-        <dt>{said.cell}</dt>
-        <dd>{run.cell}</dd>
-      </div>
-      <div>
-        <dt>{said.state}</dt>
-        <dd>
-          <StateMark state={run.state} />
-        </dd>
-      </div>
+    <dl class="facts lost-known">
+      {known.map(({ cell, state }) => (
+        <Fragment key={cell}>
+          <div>
+            <dt>{said.cell}</dt>
+            <dd>{cell}</dd>
+          </div>
+          <div>
+            <dt>{said.state}</dt>
+            <dd>{state && <StateMark state={state} />}</dd>
+          </div>
+        </Fragment>
+      ))}
     </dl>
   );
 }
