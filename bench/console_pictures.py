@@ -41,6 +41,7 @@ def main() -> None:
         first = _run_without_pictures(service)
         run = _run_with_pictures(service, browser, folder)
         _running(service, browser, folder)
+        _lost_link(service, browser, folder)
         _pages(service, browser, folder, first, run)
         diagnosis = _gap(service, browser, folder)
         _open_questions(service, browser, folder, diagnosis)
@@ -125,9 +126,32 @@ def _pages(service: RealService, browser: Browser, folder: Path, first: str, run
             if name == "cells":
                 at.without_notice()
             picture(at, folder, name, DRAWN_MS if name == "cells" else 600)
+
+
+def _lost_link(service: RealService, browser: Browser, folder: Path) -> None:
+    """A run whose console loses its link, and what somebody sees of it who is not signed in."""
+    with tablet(browser, service) as at, tablet(browser, service) as nobody:
+        at.hurry(hold_s=SEEN_S)
+        at.without_viewer()
+        at.open()
+        at.sign_in()
+        at.press("Take control and plan")
+        at.wait(".preview table")
+        at.press("Release")
+        at.press("START")
+        at.wait(".running .estimate-so-far dl")
+        nobody.open()
+        nobody.wait(".active-robots")
+        picture(nobody, folder, "sign-in-beside-a-run")
         at.page.context.set_offline(True)
         at.wait(".lost-layer")
         picture(at, folder, "no-connection")
+        nobody.wait(".active-robots [data-state=Held]")
+        at.page.context.set_offline(False)
+        at.wait(".held-notice")
+        picture(at, folder, "held")
+        at.press("STOP")
+        at.wait(".ended")
 
 
 def _gap(service: RealService, browser: Browser, folder: Path) -> str:

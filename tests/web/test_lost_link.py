@@ -166,7 +166,7 @@ def test_a_stopped_run_is_continued_as_a_new_one(service: RealService, browser: 
     with signed_in(service, browser) as at:
         at.without_viewer()
         show(at, "runs", run)
-        expect(at.page.locator(".ended")).to_contain_text(f"{ended['finished_steps']} of {ended['steps']} steps are finished")
+        expect(at.page.locator(".ended")).to_contain_text(f"Finished and recorded: {ended['finished_steps']} of {ended['steps']} steps")
         check_looks(look(at.page, "ended, to be continued"))
         at.press("Continue the run")
         at.wait(".preview table")

@@ -19,7 +19,7 @@ export const now: typeof enNow = {
 
 export const lost: typeof enLost = {
   title: 'Keine Verbindung zum Dienst',
-  since: (time, span) => `Seit ${time}, seit ${span}`,
+  since: (time, span) => `Seit ${time} (${span})`,
   cell: 'Zelle',
   state: 'Zuletzt bekannter Zustand',
   stopsItself: (lease) =>
@@ -35,14 +35,15 @@ export const lost: typeof enLost = {
     'Dieser Bildschirm versucht es weiter. Er zeigt den wahren Zustand, sobald die Verbindung wieder da ist.',
 };
 
-const whose = (mine: boolean) => (mine ? 'diesem Bildschirm' : 'dem bedienenden Bildschirm');
+const toScreen = (mine: boolean) => (mine ? 'zu diesem Bildschirm' : 'zum bedienenden Bildschirm');
+const onScreen = (mine: boolean) => (mine ? 'auf diesem Bildschirm' : 'auf dem bedienenden Bildschirm');
 
 export const held: typeof enHeld = {
   late: {
     network: (mine, late, limit) =>
-      `Die Verbindung zu ${whose(mine)} war zu langsam (${late}, Grenze ${limit}).`,
+      `Die Verbindung ${toScreen(mine)} war zu langsam (${late}, Grenze ${limit}).`,
     page: (mine, late, limit) =>
-      `Die Seite auf ${whose(mine)} reagierte ${late} lang nicht (Grenze ${limit}): das Tablet ist überlastet.`,
+      `Die Seite ${onScreen(mine)} reagierte ${late} lang nicht (Grenze ${limit}): das Tablet ist überlastet.`,
     service: (_mine, late, limit) =>
       `Der Dienst kam zu spät (${late}, Grenze ${limit}): sein Rechner ist überlastet, oder er wurde angehalten.`,
     store: (_mine, late, limit) =>
@@ -83,8 +84,8 @@ export const absent: typeof enAbsent = {
 };
 
 export const continuing: typeof enContinuing = {
-  finished: (done, steps) => `${done} von ${steps} Schritten sind fertig und aufgezeichnet.`,
+  finished: (done, steps) => `Fertig und aufgezeichnet: ${done} von ${steps} Schritten.`,
   act: 'Lauf fortsetzen',
-  next: 'Roboter gestoppt. Lauf fortsetzen macht den Rest als neuen Lauf mit neuem Plan; vor Ihrer Freigabe bewegt sich nichts.',
+  next: 'Roboter gestoppt. „Lauf fortsetzen“ plant den Rest als neuen Lauf; vor Ihrer Freigabe bewegt sich nichts.',
   afterClear: 'Sehen Sie nach der Zelle; dann quittieren Sie. Danach kann der Rest des Laufs folgen.',
 };

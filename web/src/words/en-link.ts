@@ -68,8 +68,8 @@ export const absent = {
 };
 
 export const continuing = {
-  finished: (done: number, steps: number) => `${done} of ${steps} steps are finished and recorded.`,
+  finished: (done: number, steps: number) => `Finished and recorded: ${done} of ${steps} steps.`,
   act: 'Continue the run',
-  next: 'Robot stopped. Continue the run makes the rest as a new run with a new plan; nothing moves before you release it.',
+  next: 'Robot stopped. “Continue the run” plans the rest as a new run; nothing moves before you release it.',
   afterClear: 'Look at the cell; then clear it. The rest of the run can be made after that.',
 };
