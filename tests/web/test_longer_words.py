@@ -61,7 +61,8 @@ def test_pages_have_longer_words_and_room_for_them(at: Tablet, service: RealServ
     check(at, "sign in")
     enter(at)
     pages = {
-        "": ".setup .cell-facts", "nonsense": ".not-there", "settings": ".settings h1", "history": ".run-list tbody tr", "cells": ".zone-places .tile",
+        "": ".setup .cell-facts", "nonsense": ".not-there",
+        "settings": ".settings h1", "history": ".run-list tbody tr", "cells": ".zone-places .tile",
         f"history/{complete}/{complete}": ".comparison-table", f"runs/{complete}": ".result .downloads",
         "gap": "h1", "trials": "h1", f"trials/{finished_trial(service)}": ".opened-trials",
         **{f"gap/{diagnosed(service, verdict)}": ".diagnosis h1" for verdict in ANSWERS},

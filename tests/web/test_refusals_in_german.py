@@ -14,7 +14,7 @@ from core.collision import Nearest
 from core.control.checks import Fault, Numbers
 from core.control.faults import frozen, stopped, too_close
 from core.errors import BadCell, NoStartConfiguration
-from core.lateness import Cause, Lateness
+from core.lateness import Lateness
 from core.planning.rotation_room import Obstruction
 from core.robot import RobotModel
 from core.sessions.leased import _LATE, _sentence
