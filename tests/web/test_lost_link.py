@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import signal
 from collections.abc import Iterator
 
 import pytest
@@ -87,6 +88,20 @@ def test_a_page_that_stands_still_holds_the_robot_and_is_named_as_the_cause(movi
     moving.press("Resume")
     person.wait(run, "Execute")
     assert moving.complaints == []
+
+
+def test_a_frozen_service_is_a_lost_link_too_and_is_named_as_the_cause(moving: Tablet, person: Console) -> None:
+    run, page = run_of(moving), moving.page
+    moving.service.send(signal.SIGSTOP)
+    try:
+        page.get_by_role("alertdialog").wait_for()
+    finally:
+        moving.service.send(signal.SIGCONT)
+    page.get_by_role("alertdialog").wait_for(state="detached")
+    assert person.wait(run, "Held")["reason_kind"] == "service-late"
+    expect(page.locator(".held-notice")).to_contain_text("The service was late (")
+    moving.press("Resume")
+    person.wait(run, "Execute")
 
 
 def test_after_a_reload_the_same_tap_takes_control_and_resumes(moving: Tablet, person: Console) -> None:
