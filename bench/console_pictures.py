@@ -147,11 +147,13 @@ def _lost_link(service: RealService, browser: Browser, folder: Path) -> None:
         at.wait(".lost-layer")
         picture(at, folder, "no-connection")
         nobody.wait(".active-robots [data-state=Held]")
-        at.page.context.set_offline(False)
-        at.wait(".held-notice")
-        picture(at, folder, "held")
-        at.press("STOP")
-        at.wait(".ended")
+        with signed_in(service, browser) as watching:
+            show(watching, "runs", at.page.url.rsplit("/", 1)[1])
+            watching.without_notice()
+            watching.wait(".held-notice")
+            picture(watching, folder, "held", DRAWN_MS)
+            watching.press("STOP")
+            watching.wait(".ended")
 
 
 def _gap(service: RealService, browser: Browser, folder: Path) -> str:
