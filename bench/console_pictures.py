@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import tempfile
+from contextlib import ExitStack
 from io import BytesIO
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from tests.server.finished_diagnosis import SWINGS, diagnosed_run
 from tests.server.finished_trial import finished_trial
 from tests.server.real_service import ROOT, Console, RealService, real_service
 from tests.server.zone_at import AT_THE_ROBOT, zone_at
+from tests.web.patient_cells import patient_cells
 from tests.web.screens import show, signed_in
 from tests.web.tablet import LANDSCAPE, PORTRAIT, Tablet, chromium, tablet
 from tests.web.tilted import tilted_recording
@@ -33,13 +35,13 @@ def main() -> None:
     parser.add_argument("--folder", type=Path, default=FOLDER)
     folder: Path = parser.parse_args().folder
     folder.mkdir(parents=True, exist_ok=True)
-    with (
-        tempfile.TemporaryDirectory() as data, urgent(), real_service(Path(data), "tests.web.patient_service") as service,
-        chromium() as browser,
-    ):  # fmt: skip
+    with tempfile.TemporaryDirectory() as data, urgent(), ExitStack() as stack:
+        patient_cells(Path(data) / "data")
+        service, browser = stack.enter_context(real_service(Path(data))), stack.enter_context(chromium())
         first = _run_without_pictures(service)
         run = _run_with_pictures(service, browser, folder)
         _running(service, browser, folder)
+        _lost_link(service, browser, folder)
         _pages(service, browser, folder, first, run)
         diagnosis = _gap(service, browser, folder)
         _open_questions(service, browser, folder, diagnosis)
@@ -124,9 +126,34 @@ def _pages(service: RealService, browser: Browser, folder: Path, first: str, run
             if name == "cells":
                 at.without_notice()
             picture(at, folder, name, DRAWN_MS if name == "cells" else 600)
+
+
+def _lost_link(service: RealService, browser: Browser, folder: Path) -> None:
+    """A run whose console loses its link, and what somebody sees of it who is not signed in."""
+    with tablet(browser, service) as at, tablet(browser, service) as nobody:
+        at.hurry(hold_s=SEEN_S)
+        at.without_viewer()
+        at.open()
+        at.sign_in()
+        at.press("Take control and plan")
+        at.wait(".preview table")
+        at.press("Release")
+        at.press("START")
+        at.wait(".running .estimate-so-far dl")
+        nobody.open()
+        nobody.wait(".active-robots")
+        picture(nobody, folder, "sign-in-beside-a-run")
         at.page.context.set_offline(True)
-        at.wait(".line-lost")
+        at.wait(".lost-layer")
         picture(at, folder, "no-connection")
+        nobody.wait(".active-robots [data-state=Held]")
+        with signed_in(service, browser) as watching:
+            show(watching, "runs", at.page.url.rsplit("/", 1)[1])
+            watching.without_notice()
+            watching.wait(".held-notice")
+            picture(watching, folder, "held", DRAWN_MS)
+            watching.press("STOP")
+            watching.wait(".ended")
 
 
 def _gap(service: RealService, browser: Browser, folder: Path) -> str:

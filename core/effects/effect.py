@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.scene import Scene
+from core.effects.sides import Side
 from core.recording import Recording
 from core.remark import Remark
 
@@ -21,9 +22,6 @@ Array = NDArray[np.float64]
 Stage = Literal["sensor", "timing", "mounting", "kinematics", "payload", "environment", "actuation"]
 STAGES: tuple[Stage, ...] = ("mounting", "kinematics", "actuation", "payload", "environment", "timing", "sensor")
 """From the robot to the reading: the order in which effects act on the wrench."""
-
-Side = Literal["joints", "reading", "reference"]
-"""What a symptom is about, beside the wrench that the twin predicts."""
 
 
 @dataclass(frozen=True)

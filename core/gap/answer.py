@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
-from core.effects.effect import Side
+from core.effects.sides import Side
 from core.gap.experiment import Stop
 from core.remark import Remark
 

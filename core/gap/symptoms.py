@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from core.effects.effect import Finding, Parameter, Side, Symptom, View
+from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.library import symptoms
+from core.effects.sides import Side
 from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
 from core.gap.materiality import is_doubtful

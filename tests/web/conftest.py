@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Browser
 
 from tests.server.real_service import ROOT, Console, RealService, real_service
+from tests.web.patient_cells import patient_cells
 from tests.web.tablet import chromium
 from tests.web.urgency import urgent
 from tests.web.way import Way, walked
@@ -20,7 +21,9 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
     assert (ROOT / "web" / "dist" / "index.html").is_file(), "the console has not been built: make web/dist/index.html"
     with ExitStack() as stack:
         with urgent():
-            running = stack.enter_context(real_service(tmp_path_factory.mktemp("console"), "tests.web.patient_service"))
+            folder = tmp_path_factory.mktemp("console")
+            patient_cells(folder / "data")
+            running = stack.enter_context(real_service(folder))
         yield running
 
 

@@ -21,14 +21,14 @@ FLAWS |= {"_replace": slice(1, 3), "opened_zip": slice(2, 3)}
 """Which arguments say what was found and what was expected."""
 SENTENCES = {name: slice(0, 1) for name, error in ERRORS.items() if issubclass(error, HeftError) and name not in FLAWS}
 SENTENCES |= {"kind": slice(0, 1), "Reason": slice(1, 2), "Failed": slice(1, 2), "__init__": slice(0, 1)}
-SENTENCES |= {"_end": slice(0, 1), "_too_late": slice(0, 1), "problem": slice(2, 3), "zipped": slice(2, 3), "page": slice(2, 3)}
+SENTENCES |= {"Hold": slice(1, 2), "_end": slice(0, 1), "problem": slice(2, 3), "zipped": slice(2, 3), "page": slice(2, 3)}
 """Which argument is the sentence of an error or a reason."""
 NOT_HEARD = (
     "command.py", "command_line.py", "twin_commands.py", "trial/", "serve.py", "experiment/file.py", "experiment/stops.py",
     "sessions/replay.py", "cell_check.py",
 )  # fmt: skip
 """Speaks to a terminal or to a program alone; what checks cells says flaws, which are read."""
-METHODS = {"_replace", "__init__", "_end", "_too_late", "zipped", "page"}
+METHODS = {"_replace", "__init__", "_end", "zipped", "page"}
 UNITS = {"kg", "m", "s", "ms", "rad", "N"}
 HOLE = "{}"
 FEW = 2

@@ -26,7 +26,7 @@ TARGETS = """() => [...document.querySelectorAll('button, a[href], input, select
         return {name: each.textContent.trim() || each.name, width, height, moves, place: {x, y: top, width, height: seen}} })"""
 """The place of one is what the page shows of it: of negative height where it is scrolled out of it, and nobody can tap it."""
 
-ABNORMAL = ".state-abnormal, .state-aborted, .line-lost, .notice, .warnings, .in-the-way, .flaw, [aria-invalid=true]"
+ABNORMAL = ".abnormal, .state-abnormal, .state-aborted, .line-lost, .notice, .warnings, .in-the-way, .flaw, [aria-invalid=true]"
 """Where something is said to be abnormal."""
 
 COLOURS = """abnormal => [...document.querySelectorAll('body, body *')].filter(each => each.checkVisibility()).flatMap(each => {
@@ -38,7 +38,7 @@ COLOURS = """abnormal => [...document.querySelectorAll('body, body *')].filter(e
 
 CUT = """least => {
     const own = each => [...each.childNodes].some(node => node.nodeType === 3 && node.data.trim());
-    const said = [...document.querySelectorAll('header *, nav *, main *, footer *')]
+    const said = [...document.querySelectorAll('header *, nav *, main *, footer *, dialog *')]
         .filter(each => each.checkVisibility() && !each.closest('.out-of-sight, option, svg'));
     const out = said.filter(each => each.clientWidth && each.scrollWidth > each.clientWidth + 1
         && (own(each) || getComputedStyle(each).overflowX !== 'visible'));

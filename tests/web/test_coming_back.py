@@ -33,13 +33,14 @@ def test_a_screen_without_a_line_says_so_and_shows_what_happened_meanwhile_once_
     watching.press("Open the run")
     watching.wait("main h2, main table")
     watching.page.context.set_offline(True)
-    watching.wait(".line-lost")
+    watching.wait(".lost-layer")
+    expect(watching.page.get_by_role("button", name="STOP")).to_have_count(0)
     check_looks(look(watching.page, "connection lost"))
     person.http.delete(f"/api/runs/{run}")
     person.wait(run, "Stopped")
     watching.page.context.set_offline(False)
-    watching.wait("[data-state=Stopped]")
-    expect(watching.page.locator(".line-lost")).to_have_count(0)
+    watching.page.locator(".lost-layer").wait_for(state="detached")
+    assert watching.page.locator("main [data-state]").get_attribute("data-state") == "Stopped"
     expect(watching.page.locator(".ended")).to_contain_text(person.run(run)["reason"])
     check_that_loading_it_again_changes_nothing(watching)
     assert [said for said in watching.complaints if UNREACHABLE not in said] == []
@@ -69,13 +70,14 @@ def test_an_answer_that_broke_off_is_asked_for_again(watching: Tablet):
 
 
 def test_a_service_that_answers_nothing_at_all_is_a_lost_line_too_and_is_found_again(watching: Tablet):
-    expect(watching.page.locator(".line-lost")).to_have_count(0)
+    expect(watching.page.locator(".lost-layer")).to_have_count(0)
     watching.service.send(signal.SIGSTOP)
     try:
-        watching.wait(".line-lost")
+        watching.wait(".lost-layer")
     finally:
         watching.service.send(signal.SIGCONT)
-    expect(watching.page.locator(".line-lost")).to_have_count(0)
+    expect(watching.page.locator(".lost-layer")).to_have_count(0)
+    expect(watching.page.locator(".header")).to_contain_text("Online")
     assert watching.complaints == []
 
 
@@ -86,13 +88,26 @@ def check_that_loading_it_again_changes_nothing(at: Tablet) -> None:
     assert at.page.inner_text("main") == before
 
 
-def test_a_run_that_lost_its_console_is_aborted_on_every_screen_until_somebody_has_looked(watching: Tablet, person: Console):
-    person.take_control()
-    run = person.queue(pace="real_time")
-    person.wait(run, "Idle")
-    assert person.release(run).status_code == 200
-    person.wait(run, "Execute")
+def test_a_run_that_lost_its_console_is_gone_on_with_from_another_screen(watching: Tablet, person: Console):
+    run = moving(person)
     person.answering.clear()
+    person.wait(run, "Held")
+    watching.page.goto(f"http://{watching.service.address}/#/runs/{run}")
+    expect(watching.page.locator(".held-notice")).to_contain_text("Connection to the console in control was late (")
+    expect(watching.page.locator(".held-notice")).to_contain_text("more for Resume")
+    check_looks(look(watching.page, "held by a lost link"))
+    watching.press("Resume")
+    person.wait(run, "Execute")
+    expect(watching.page.locator(".held-notice")).to_have_count(0)
+    expect(watching.page.locator(".header")).to_contain_text("You have control")
+    watching.press("STOP")
+    person.wait(run, "Stopped")
+    assert watching.complaints == []
+
+
+def test_an_aborted_run_is_so_on_every_screen_until_somebody_has_looked(watching: Tablet, person: Console):
+    run = moving(person)
+    assert person.command(run, "abort").status_code == 200
     person.wait(run, "Aborted")
     watching.page.goto(f"http://{watching.service.address}/#/runs/{run}")
     watching.wait(".ended [data-state=Aborted]")
@@ -102,3 +117,13 @@ def test_a_run_that_lost_its_console_is_aborted_on_every_screen_until_somebody_h
     watching.wait(".ended [data-state=Stopped]")
     assert person.run(run)["state"] == "Stopped"
     assert watching.complaints == []
+
+
+def moving(person: Console) -> str:
+    """A run whose robot moves, in somebody's control."""
+    person.take_control()
+    run = person.queue(pace="real_time")
+    person.wait(run, "Idle")
+    assert person.release(run).status_code == 200
+    person.wait(run, "Execute")
+    return run

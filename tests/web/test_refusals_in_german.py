@@ -14,8 +14,10 @@ from core.collision import Nearest
 from core.control.checks import Fault, Numbers
 from core.control.faults import frozen, stopped, too_close
 from core.errors import BadCell, NoStartConfiguration
+from core.lateness import Lateness
 from core.planning.rotation_room import Obstruction
 from core.robot import RobotModel
+from core.sessions.leased import _LATE, _sentence
 from server.errors import Conflict, NotFound
 from server.job_kinds import ADDITION, DIAGNOSIS, TRIALS
 from server.jobs import State
@@ -29,7 +31,7 @@ from tests.web.screens import show, signed_in
 IN_HOLES = {
     "joint {}", "payload", "start", "goal", "unreachable {}", "too close to {}", "{} too close to {}",
     "a released load would fly into zone {}", "no room for the rotation: {}", *(f"{each} {HOLE}" for each in Obstruction),
-    *State, ADDITION, DIAGNOSIS, TRIALS, *(f"{HOLE}: {step}" for _, step in NEXT_STEPS.values()),
+    "{} ms (limit {} ms)", *_LATE.values(), *State, ADDITION, DIAGNOSIS, TRIALS, *(f"{HOLE}: {step}" for _, step in NEXT_STEPS.values()),
 }  # fmt: skip
 """What sentences name in words, made elsewhere than the sentence."""
 MIXED_UNITS = {"{} of {} is {} N (range {} N m)", "{} of {} is {} N m (range {} N)"}
@@ -44,7 +46,7 @@ def engine_sentences() -> list[str]:
     robot = RobotModel.of_cell(cell)
     limits = (robot.lower, robot.upper, robot.velocity, np.ones(robot.n))
     numbers = Numbers(0.001, 0.01, 0.25, 1.0, 0.01, 0.05, 0.1, *limits, np.ones(6), np.ones(robot.n))
-    found: list[Exception] = [
+    found: list[Exception | str] = [
         stopped(fault, 1, 0.4321, cell=cell, robot=robot, owner="payload", numbers=numbers, samples=())
         for fault in Fault
         if fault != Fault.NONE
@@ -58,6 +60,7 @@ def engine_sentences() -> list[str]:
         NoStartConfiguration("x+", {}),
         NotFound("run", "x7"),
         Conflict(f"{DIAGNOSIS} x7: it is {State.done}; only what waits or runs can be cancelled"),
+        *(_sentence(Lateness(cause=cause, late_s=1.2, limit_s=1.0)) for cause in _LATE),
         BadCell("cell.toml: limits.clearance_m", "-0.1", "greater than 0"),
     ]
     return [str(each) for each in found]

@@ -38,7 +38,7 @@ def test_a_plan_can_be_released_only_in_time_and_in_control_and_anybody_can_stop
         watching.sign_in()
         watching.press("Open the run")
         watching.wait(".preview table")
-        expect(watching.page.locator(".header")).to_contain_text("You, on another screen")
+        expect(watching.page.locator(".header")).to_contain_text("You (other device)")
         button(watching, "Release").to_have_count(0)
         watching.press("STOP")
         for each in (watching, deciding):

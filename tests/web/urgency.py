@@ -11,8 +11,8 @@ URGENT = -15
 
 @contextmanager
 def urgent() -> Iterator[None]:
-    """What is started in here goes before other processes, where we may: control of a robot is lost after 220 ms without an answer, which
-    a tablet and a service that have a machine each keep easily, and those that share two cores with other tests do not."""
+    """What is started in here goes before other processes, where we may: a robot is put on hold when its lease ends without an
+    answer, which a tablet and a service that have a machine each keep easily, and those that share two cores with other tests do not."""
     before = os.getpriority(os.PRIO_PROCESS, 0)
     if os.geteuid() != 0:
         yield

@@ -1,6 +1,6 @@
 import type { Problem, paths, Session } from './api';
 import { Refusal } from './refusal';
-import { connected } from './stores/connection';
+import { heard, unheard } from './stores/connection';
 import { csrfToken, session } from './stores/session';
 
 type Method = 'get' | 'post' | 'put' | 'patch' | 'delete';
@@ -41,6 +41,8 @@ export interface Asked<O> {
   body?: Body<O>;
   /** A zip in place of a body. */
   zip?: Blob;
+  /** How long the answer may take, where that is not as long as for others. */
+  patience_ms?: number;
 }
 
 /**
@@ -57,7 +59,7 @@ export async function ask<E extends Endpoint>(
   if (method !== 'GET') headers.set('X-CSRF-Token', csrfToken.value ?? '');
   const body = asked.zip ?? (asked.body === undefined ? null : JSON.stringify(asked.body));
   if (body !== null) headers.set('Content-Type', asked.zip ? 'application/zip' : 'application/json');
-  const patience_ms = method === 'GET' ? PATIENCE_MS.get : PATIENCE_MS.others;
+  const patience_ms = asked.patience_ms ?? (method === 'GET' ? PATIENCE_MS.get : PATIENCE_MS.others);
   const signal = asked.zip ? null : AbortSignal.timeout(patience_ms);
   const response = await reached(addressOf(template, asked.path, asked.query), {
     method,
@@ -89,14 +91,11 @@ function entries(of: object = {}): [string, string][] {
 }
 
 async function reached(address: string, request: RequestInit): Promise<Response> {
-  let response: Response;
-  try {
-    response = await fetch(address, request);
-  } catch (error) {
-    connected.value = false;
+  const response = await fetch(address, request).catch((error) => {
+    if (error instanceof TypeError) unheard();
     throw error;
-  }
-  connected.value = true;
+  });
+  heard(response);
   if (response.ok) return response;
   if (response.status === 401) session.value = null;
   if (response.status === 403) await renewSession();

@@ -4,7 +4,16 @@ import { computed, signal } from '@preact/signals';
 export const route = signal(pieces());
 
 function pieces(): string[] {
-  return location.hash.replace(/^#\/?/, '').split('/').filter(Boolean).map(decodeURIComponent);
+  return location.hash.replace(/^#\/?/, '').split('/').filter(Boolean).map(decoded);
+}
+
+/** What cannot be decoded names nothing that is there; it is shown as it stands. */
+function decoded(piece: string): string {
+  try {
+    return decodeURIComponent(piece);
+  } catch {
+    return piece;
+  }
 }
 
 window.addEventListener('hashchange', () => {

@@ -112,6 +112,17 @@ export function moment(iso: string): string {
   );
 }
 
+/** The time of day, by the tablet's clock and zone. */
+export function timeOfDay(at_ms: number): string {
+  return new Intl.DateTimeFormat(DATES[language.value], { timeStyle: 'medium' }).format(at_ms);
+}
+
+/** A short time, as exactly as people can use it. */
+export function seconds(time_s: number): string {
+  const places = time_s < 1 ? 2 : time_s < 10 ? 1 : 0;
+  return `${number(time_s, places)} s`;
+}
+
 /** What a person typed as a number, with a decimal comma or point; null where it is none, or could be read in two ways. */
 export function typed(text: string): number | null {
   const plain = text.trim().replace(',', '.').replace(MINUS, '-');

@@ -5,6 +5,7 @@ import { Press } from '../parts/press';
 import { Reading } from '../parts/reading';
 import type { Screen } from '../parts/screen';
 import { go, route, to } from '../route';
+import { sought } from '../stores/absent';
 import { type Compared, compare } from '../stores/comparison';
 import { until } from '../stores/connection';
 import { told } from '../stores/notice';
@@ -20,7 +21,7 @@ effect(() => {
   shown.value = null;
   if (!session.value || page !== 'history' || one === undefined || other === undefined) return undefined;
   return until(async () => {
-    const found = await compare(one, other).catch(told);
+    const found = await sought(compare(one, other)).catch(told);
     if (route.value[1] === one && route.value[2] === other) shown.value = found;
   });
 });

@@ -1,4 +1,5 @@
 import { addressOf } from '../client';
+import { latenessSaid } from '../lateness';
 import { Press } from '../parts/press';
 import { ProposedBy } from '../parts/proposed-by';
 import type { Screen } from '../parts/screen';
@@ -6,9 +7,9 @@ import { StateMark } from '../parts/state-mark';
 import { Told } from '../parts/told';
 import { Viewer } from '../parts/viewer';
 import { go } from '../route';
-import { mine, takeControl } from '../stores/control';
+import { holder, mine, takeControl } from '../stores/control';
 import { run } from '../stores/run';
-import { commandRun } from '../stores/runs';
+import { commandRun, continueRun } from '../stores/runs';
 import { may } from '../stores/session';
 import { words } from '../words';
 
@@ -31,7 +32,7 @@ function Ended() {
         <StateMark state={shown.state} />
         <h1>{said[end]}</h1>
         <ProposedBy />
-        {shown.reason && <Told kind={shown.reason_kind} english={shown.reason} />}
+        {shown.reason && <Told kind={shown.reason_kind} english={shown.reason} said={latenessSaid(shown)} />}
         {shown.in_the_way && (
           <p class="in-the-way">
             <span aria-hidden="true">▲</span> {said.inTheWay}: <b>{shown.in_the_way}</b>
@@ -39,6 +40,7 @@ function Ended() {
         )}
         {shown.released && (
           <p>
+            {shown.may_continue && words.value.continuing.finished(shown.finished_steps, shown.steps)}{' '}
             {said.samples}{' '}
             <a class="download" href={addressOf('/api/runs/{run}/recording', { run: shown.run })} download>
               {words.value.result.recording}
@@ -53,9 +55,34 @@ function Ended() {
 
 function Actions() {
   if (run.value?.state !== 'Stopped') return <ClearButton />;
+  const continues = mayContinue();
   return (
-    <Press kind="primary" act={() => go()}>
-      {words.value.ended.again}
+    <>
+      {continues && <ContinueButton />}
+      <Press kind={continues ? 'plain' : 'primary'} act={() => go()}>
+        {words.value.ended.again}
+      </Press>
+    </>
+  );
+}
+
+function mayContinue(): boolean {
+  return Boolean(run.value?.may_continue) && may('operator', 'mes');
+}
+
+/** The rest of the run as a new one, which is planned, shown and released like any other. */
+function ContinueButton() {
+  const ended = run.value;
+  if (ended === null) return null;
+  return (
+    <Press
+      kind="primary"
+      act={async () => {
+        if (may('operator') && !mine.value && holder.value === null) await takeControl(ended.cell);
+        go('runs', (await continueRun(ended.run)).run);
+      }}
+    >
+      {words.value.continuing.act}
     </Press>
   );
 }
@@ -79,6 +106,10 @@ function ClearButton() {
 
 function next(): string {
   const said = words.value.ended;
+  if (mayContinue()) {
+    const { next, afterClear } = words.value.continuing;
+    return run.value?.state === 'Stopped' ? next : afterClear;
+  }
   return { stopped: said.stoppedNext, refused: said.refusedNext, aborted: said.abortedNext }[endOf()];
 }
 

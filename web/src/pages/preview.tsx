@@ -1,6 +1,7 @@
 import { effect, signal } from '@preact/signals';
 import type { PlanAnswer } from '../api';
 import { Facts } from '../parts/facts';
+import { LinkFigures } from '../parts/link-figures';
 import { PlannedPoses } from '../parts/planned-poses';
 import { Press } from '../parts/press';
 import { ProposedBy } from '../parts/proposed-by';
@@ -40,6 +41,7 @@ function Preview() {
         <h1>{said.title}</h1>
         <ProposedBy />
         <Validity />
+        <LinkFigures />
         {found && (
           <>
             <Facts

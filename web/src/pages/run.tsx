@@ -1,9 +1,11 @@
 import type { RunAnswer } from '../api';
 import { Reading } from '../parts/reading';
 import type { Screen } from '../parts/screen';
+import { runInRoute } from '../route';
 import { run } from '../stores/run';
 import { words } from '../words';
 import { ended } from './ended';
+import { notThere } from './not-there';
 import { planning } from './planning';
 import { preview } from './preview';
 import { result } from './result';
@@ -33,5 +35,6 @@ const BY_STATE: Record<RunAnswer['state'], Screen> = {
 
 /** What a run shows depends on what it is at. */
 export function runScreen(): Screen {
+  if (runInRoute.value === null) return notThere;
   return run.value === null ? reading : BY_STATE[run.value.state];
 }

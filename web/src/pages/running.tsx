@@ -30,7 +30,7 @@ function next(): string {
   switch (run.value?.state) {
     case 'Held':
     case 'Holding':
-      return said.heldNext;
+      return words.value.held.next;
     case 'Suspending':
     case 'Suspended':
       return blocked() ?? said.suspendedNext;

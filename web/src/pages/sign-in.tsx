@@ -1,9 +1,19 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
+import { ActiveRobots } from '../parts/active-robots';
 import type { Screen } from '../parts/screen';
 import { attempt } from '../stores/notice';
 import { signIn } from '../stores/signing-in';
 import { words } from '../words';
+
+function Entrance() {
+  return (
+    <div class="page entrance">
+      <ActiveRobots />
+      <SignIn />
+    </div>
+  );
+}
 
 function SignIn() {
   const said = words.value.signIn;
@@ -16,7 +26,7 @@ function SignIn() {
     void attempt(() => signIn(name.value, password.value));
   };
   return (
-    <form class="page sign-in" onSubmit={submitted}>
+    <form class="sign-in" onSubmit={submitted}>
       <h1>{said.title}</h1>
       <label class="field">
         <span>{said.name}</span>
@@ -51,4 +61,4 @@ function SignIn() {
   );
 }
 
-export const signingIn: Screen = { Page: SignIn, next: () => words.value.signIn.next };
+export const signingIn: Screen = { Page: Entrance, next: () => words.value.signIn.next };

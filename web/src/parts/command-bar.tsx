@@ -1,6 +1,9 @@
+import { lost } from '../stores/connection';
 import { notice } from '../stores/notice';
+import { stopRobot } from '../stores/now';
 import { current } from '../stores/run';
-import { isOver, stopRun } from '../stores/runs';
+import { isOver } from '../stores/runs';
+import { session } from '../stores/session';
 import { words } from '../words';
 import { HoldButtons } from './hold-buttons';
 import { Press } from './press';
@@ -11,7 +14,7 @@ import { Told } from './told';
 export function CommandBar({ screen }: { screen: Screen }) {
   const said = words.value.bar;
   const run = current.value;
-  const stoppable = run !== null && !isOver(run) && run.commands.includes('stop');
+  const stoppable = run !== null && !isOver(run) && run.commands.includes('stop') && Boolean(session.value);
   return (
     <footer class="command-bar">
       {notice.value && (
@@ -27,8 +30,8 @@ export function CommandBar({ screen }: { screen: Screen }) {
           </Press>
         </div>
       )}
-      {stoppable && (
-        <Press kind="stop" act={() => stopRun(run.run)}>
+      {stoppable && !lost.value && (
+        <Press kind="stop" act={() => stopRobot(run.cell)}>
           <span aria-hidden="true">■</span> {said.stop}
         </Press>
       )}
@@ -37,7 +40,7 @@ export function CommandBar({ screen }: { screen: Screen }) {
         {screen.next()}
       </p>
       <div class="actions">
-        <HoldButtons />
+        {!lost.value && <HoldButtons />}
         {screen.Actions && <screen.Actions />}
       </div>
     </footer>

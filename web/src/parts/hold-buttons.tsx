@@ -1,29 +1,45 @@
-import { mine } from '../stores/control';
+import type { RunAnswer } from '../api';
+import { control, holder, mine, takeControl } from '../stores/control';
+import { answering } from '../stores/lease';
 import { current } from '../stores/run';
 import { commandRun } from '../stores/runs';
 import { may } from '../stores/session';
 import { words } from '../words';
 import { Press } from './press';
 
-/** Holds the run that has the cell, and lets it go on: for whoever is in control, on every page. */
+/** Holds the run that has the cell, for whoever is in control, and lets it go on: on every page. */
 export function HoldButtons() {
-  const said = words.value.bar;
   const run = current.value;
-  if (run === null || !mine.value || !may('operator')) return null;
+  if (run === null || !may('operator')) return null;
+  const free = control.value !== null && holder.value === null;
   return (
     <>
-      {run.commands.includes('hold') && (
+      {mine.value && run.commands.includes('hold') && (
         <Press kind="move" act={() => commandRun(run.run, 'hold')}>
-          <span aria-hidden="true">❚❚</span> {said.hold}
+          <span aria-hidden="true">❚❚</span> {words.value.bar.hold}
         </Press>
       )}
-      {run.commands.includes('resume') && (
-        <Press kind="start" act={() => commandRun(run.run, 'resume')}>
-          <b>
-            <span aria-hidden="true">▶</span> {said.resume}
-          </b>
-        </Press>
-      )}
+      {(mine.value || free) && run.commands.includes('resume') && <Resume run={run} />}
     </>
   );
+}
+
+/** One deliberate tap; where nobody has control any more it takes control first. */
+function Resume({ run }: { run: RunAnswer }) {
+  const said = words.value.held;
+  const restoring = mine.value && !answering.value;
+  const what = restoring ? said.restoring : mine.value ? said.goesOn : said.takesControl;
+  return (
+    <Press kind="start" disabled={restoring} act={() => resume(run)}>
+      <b>
+        <span aria-hidden="true">▶</span> {words.value.bar.resume}
+      </b>
+      <small>{what}</small>
+    </Press>
+  );
+}
+
+async function resume({ run, cell }: RunAnswer): Promise<void> {
+  if (!mine.value) await takeControl(cell);
+  await commandRun(run, 'resume');
 }

@@ -1,4 +1,3 @@
-import { connected } from '../stores/connection';
 import { words } from '../words';
 
 /** A page of which nothing is known yet, and why. */
@@ -8,7 +7,7 @@ export function Reading() {
     <div class="page">
       <section>
         <h1>{said.title}</h1>
-        {!connected.value && <p>{said.lost}</p>}
+        <p class="hint">{said.lost}</p>
       </section>
     </div>
   );

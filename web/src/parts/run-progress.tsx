@@ -3,6 +3,7 @@ import { batch } from '../stores/live';
 import { newest, run } from '../stores/run';
 import { clock } from '../units';
 import { words } from '../words';
+import { HeldNotice } from './held-notice';
 
 /** What the robot does, how far it has come, how long it still takes. */
 export function RunProgress() {
@@ -12,7 +13,7 @@ export function RunProgress() {
   const left_s = batch.value?.eta_s ?? run.value?.eta_s ?? null;
   return (
     <section class="run-progress">
-      <div>
+      <div class="phase">
         <h1>{phase === null ? said.begins : inWords(phase)}</h1>
         {phase && <span>{said.step(phase.step, phase.steps)}</span>}
         {left_s !== null && (
@@ -22,6 +23,7 @@ export function RunProgress() {
         )}
       </div>
       <progress max={1} value={progress} aria-label={words.value.states.Execute} />
+      <HeldNotice />
     </section>
   );
 }

@@ -9,13 +9,15 @@ interface Props {
   kind: string | null;
   /** As the service says it. */
   english: string;
+  /** A sentence with its figures, where one is known that says more than its kind. */
+  said?: string | null;
   /** What cannot be used, where it is about that. */
   flaws?: Flaw[] | undefined;
 }
 
 /** What went wrong, in the chosen language as far as its kind is known there, and exactly. */
-export function Told({ kind, english, flaws: [first] = [] }: Props) {
-  const said = words.value.problems[kind ?? ''];
+export function Told({ kind, english, said: figures = null, flaws: [first] = [] }: Props) {
+  const said = figures ?? words.value.problems[kind ?? ''];
   if (said === undefined)
     return (
       <p class="told" lang="en">

@@ -1,6 +1,7 @@
 import { computed, effect, type Signal, signal, untracked } from '@preact/signals';
 import type { ServerJobsState } from '../api';
 import { route } from '../route';
+import { absent, sought } from './absent';
 import { every } from './connection';
 import { session } from './session';
 
@@ -38,7 +39,7 @@ export function jobsOf<J extends Job>(
   };
   const readShown = async (named: string) => {
     if (shown.value !== null && !isUnderWay(shown.value)) return;
-    const found = await read(named);
+    const found = await sought(read(named));
     if (id.value === named) shown.value = found;
   };
   effect(() => {
@@ -46,7 +47,7 @@ export function jobsOf<J extends Job>(
     untracked(() => {
       shown.value = null;
     });
-    if (named === null) return undefined;
+    if (named === null || absent.value) return undefined;
     return named ? every(ASK_JOB_MS, () => readShown(named)) : every(ASK_LIST_MS, readListed);
   });
   return { listed, shown };

@@ -1,6 +1,7 @@
 import { signal, untracked } from '@preact/signals';
 import type { EventMessage, LiveBatch } from '../api';
 import { socketAddress } from '../client';
+import { onReturn } from './connection';
 import { clearTraces, trace } from './traces';
 
 /** What the socket of a run sends. */
@@ -8,6 +9,8 @@ export type LiveMessage = EventMessage | LiveBatch;
 
 const RETRY_MS = 400;
 const OVER = 1000;
+/** There is no such run, or it may not be seen. */
+const REFUSED = 1008;
 /** How often samples are shown: often enough for the eye, and leaves a small tablet its time. */
 const SHOW_MS = 100;
 
@@ -34,6 +37,7 @@ export function follow(run: string, heard: (message: EventMessage) => void): () 
   clearTraces();
 
   const open = () => {
+    window.clearTimeout(timer);
     const after = events.value.at(-1)?.sequence ?? 0;
     socket = new WebSocket(socketAddress(`/api/runs/${run}/live?after=${after}`));
     socket.onopen = () => {
@@ -49,7 +53,7 @@ export function follow(run: string, heard: (message: EventMessage) => void): () 
       }
     };
     socket.onclose = ({ code }) => {
-      if (ended || code === OVER) return;
+      if (ended || code === OVER || code === REFUSED) return;
       following.value = false;
       timer = window.setTimeout(open, RETRY_MS);
     };
@@ -61,9 +65,15 @@ export function follow(run: string, heard: (message: EventMessage) => void): () 
     trace(samples);
     samples = [];
   }, SHOW_MS);
+  const forget = onReturn(() => {
+    if (socket !== null) socket.onclose = null;
+    leave(socket);
+    open();
+  });
   untracked(open);
   return () => {
     ended = true;
+    forget();
     window.clearTimeout(timer);
     window.clearInterval(showing);
     leave(socket);

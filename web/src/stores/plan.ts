@@ -2,7 +2,7 @@ import { computed, effect, signal } from '@preact/signals';
 import type { PlanAnswer } from '../api';
 import { ask } from '../client';
 import { until } from './connection';
-import { sent } from './control';
+import { sent } from './lease';
 import { newest, run } from './run';
 import { readRuns } from './runs';
 

@@ -2,6 +2,7 @@ import { computed, effect, signal } from '@preact/signals';
 import type { EventMessage, PayloadAnswer, RunAnswer } from '../api';
 import { ask } from '../client';
 import { runInRoute } from '../route';
+import { absent, sought } from './absent';
 import { chosenCell } from './cells';
 import { every } from './connection';
 import { events, follow } from './live';
@@ -30,7 +31,7 @@ export function newest<K extends LiveEvent['kind']>(kind: K): Extract<LiveEvent,
 }
 
 async function readRun(id: string): Promise<void> {
-  const found = await ask('GET /api/runs/{run}', { path: { run: id } });
+  const found = await sought(ask('GET /api/runs/{run}', { path: { run: id } }));
   if (runInRoute.value !== id) return;
   run.value = found;
   if (!isOver(found)) chosenCell.value = found.cell;
@@ -55,7 +56,7 @@ effect(() => {
   const id = runInRoute.value;
   run.value = null;
   result.value = null;
-  if (!session.value || id === null) return undefined;
+  if (!session.value || id === null || absent.value) return undefined;
   const ends = [every(ASK_MS, () => readRun(id)), follow(id, (message) => heard(id, message))];
   return () => {
     for (const end of ends) end();

@@ -3,7 +3,7 @@ import type { Commanded, RunAnswer, RunOrder } from '../api';
 import { ask } from '../client';
 import { chosenCell } from './cells';
 import { every } from './connection';
-import { sent } from './control';
+import { sent } from './lease';
 import { session } from './session';
 
 const ASK_MS = 1000;
@@ -44,13 +44,15 @@ function newKey(): { 'Idempotency-Key': string } {
   return { 'Idempotency-Key': crypto.getRandomValues(new Uint32Array(4)).join('-') }; // randomUUID wants TLS
 }
 
-/** Stops need no control, so that whoever sees that the robot has to stop can stop it. */
-export async function stopRun(run: string): Promise<void> {
-  await ask('POST /api/runs/{run}/commands', { path: { run }, body: { command: 'stop' } });
+/** Queues the rest of a run that ended before it was through; what it has finished counts. */
+export async function continueRun(run: string): Promise<RunAnswer> {
+  const path = { run };
+  const queued = await ask('POST /api/runs/{run}/continuation', { path, header: newKey() });
   void readRuns();
+  return queued;
 }
 
-/** Any other command, of whoever is in control. */
+/** A command of whoever is in control. Stops need no control: see `stopRobot`. */
 export async function commandRun(run: string, command: Commanded): Promise<void> {
   await ask('POST /api/runs/{run}/commands', { path: { run }, body: { command, sent: sent() } });
   void readRuns();

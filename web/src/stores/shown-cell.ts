@@ -2,6 +2,7 @@ import { computed, effect, signal } from '@preact/signals';
 import type { CellShown, Flaw, Pose, ZonePlace } from '../api';
 import { ask } from '../client';
 import { route } from '../route';
+import { absent, sought } from './absent';
 import { cells, cell as chosen, chosenCell, readCell, readCells } from './cells';
 import { every } from './connection';
 import { session } from './session';
@@ -20,7 +21,8 @@ export const shownCell = signal<CellShown | null>(null);
 let ahead_ms = 0;
 
 async function readShown(name: string): Promise<void> {
-  const found = await ask('GET /api/cells/{cell}', { path: { cell: name } });
+  const reading = ask('GET /api/cells/{cell}', { path: { cell: name } });
+  const found = await (route.value[1] === undefined ? reading : sought(reading));
   if (looked.value !== name) return;
   ahead_ms = Date.parse(found.read_at) - Date.now();
   shownCell.value = found;
@@ -75,5 +77,5 @@ export async function takeCellIn(zip: File, name: string, replaces: boolean): Pr
 effect(() => {
   const name = looked.value;
   shownCell.value = null;
-  return session.value && name ? every(ASK_MS, () => readShown(name)) : undefined;
+  return session.value && name && !absent.value ? every(ASK_MS, () => readShown(name)) : undefined;
 });

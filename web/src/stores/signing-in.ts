@@ -1,4 +1,5 @@
 import { ask } from '../client';
+import { giveControlBack } from './control';
 import { session } from './session';
 
 /** Takes up the session that the browser's cookie stands for. */
@@ -11,6 +12,7 @@ export async function signIn(name: string, password: string): Promise<void> {
 }
 
 export async function signOut(): Promise<void> {
+  await giveControlBack();
   await ask('DELETE /api/session');
   session.value = null;
 }

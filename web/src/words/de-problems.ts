@@ -13,12 +13,19 @@ export const problems: Record<string, string> = {
   'shut-down': 'Der Dienst wurde beendet; der Roboter wurde gestoppt.',
   'service-ended':
     'Der Dienst endete während des Laufs; der Roboter wurde gestoppt. Sehen Sie nach der Zelle, dann quittieren Sie.',
-  'state-not-kept':
-    'Der Zustand des Laufs konnte nicht gespeichert werden; der Roboter wurde gestoppt. Sehen Sie nach der Datenbank.',
+  'network-late':
+    'Die Verbindung zum bedienenden Bildschirm war zu langsam. Roboter gestoppt, er bleibt, wo er ist.',
+  'page-late':
+    'Die Seite auf dem bedienenden Bildschirm reagierte nicht. Roboter gestoppt, er bleibt, wo er ist.',
+  'service-late': 'Der Dienst kam zu spät. Roboter gestoppt, er bleibt, wo er ist.',
+  'store-late': 'Die Datenbank kam zu spät. Roboter gestoppt, er bleibt, wo er ist.',
+  'control-process-late': 'Die Steuerung des Roboters kam zu spät. Roboter gestoppt, er bleibt, wo er ist.',
+  'release-not-kept':
+    'Die Freigabe ließ sich nicht festhalten; nichts hat sich bewegt. Sehen Sie nach Datenbank und Platte, dann beginnen Sie einen neuen Lauf.',
   'control-process-lost': 'Die Steuerung des Roboters endete unerwartet; er bekam keine Befehle mehr.',
   'planner-lost': 'Die Planung endete unerwartet. Beginnen Sie einen neuen Lauf.',
   'work-lost': 'Die Rechnung endete unerwartet. Fordern Sie sie noch einmal an.',
-  'no-room': 'Der Ordner des Laufs konnte nicht beschrieben werden. Schaffen Sie Platz.',
+  'no-room': 'Die Platte ist zu voll für einen Lauf. Schaffen Sie Platz.',
 
   refused: 'Die Zelle lässt dafür keinen sicheren Weg. Der Roboter hat sich nicht bewegt.',
   'no-start-configuration':
@@ -32,10 +39,14 @@ export const problems: Record<string, string> = {
   'over-load': 'Der Wächter hat den Roboter gestoppt: Kraft oder Moment am Handgelenk zu groß.',
   'bad-state':
     'Der Wächter hat den Roboter gestoppt: was Roboter oder Sensor melden, ist veraltet, leer oder widersprüchlich.',
+  'sensor-frozen': 'Die Werte des Kraftsensors standen still. Roboter gestoppt.',
+  'robot-state-late': 'Der Zustand des Roboters kam zu spät. Roboter gestoppt.',
   held: 'Der Roboter steht, bis er fortfahren soll.',
+  'hold-expired':
+    'Niemand übernahm die Bedienung, während der Roboter angehalten war; darum endete der Lauf. Sein Rest kann als neuer Lauf folgen.',
   commanded: 'Der Lauf wurde beendet.',
   'control-lost':
-    'Niemand hatte mehr die Bedienung; der Roboter wurde gestoppt. Übernehmen Sie sie und geben Sie einen neuen Lauf frei.',
+    'Niemand hatte mehr die Bedienung; der Roboter wurde gestoppt. Übernehmen Sie sie und lassen Sie ihn fortfahren.',
   interrupted: 'Der Lauf wurde unterbrochen; der Roboter wurde gestoppt.',
 
   'bad-input': 'Eine Angabe ist nicht brauchbar.',
@@ -55,7 +66,8 @@ export const problems: Record<string, string> = {
   'too-large': 'Das ist zu groß.',
   'too-many': 'Zu oft versucht. Warten Sie etwas.',
   'method-not-allowed': 'Das geht unter dieser Adresse nicht.',
-  'store-unavailable': 'Die Datenbank antwortet nicht. Versuchen Sie es in einigen Sekunden noch einmal.',
+  'store-unavailable':
+    'Die Datenbank lässt sich jetzt nicht beschreiben. Versuchen Sie es in einigen Sekunden noch einmal.',
   'http-error': 'Die Anfrage ist nicht brauchbar.',
   'heft-error': 'Ein unerwarteter Fehler. Das Protokoll des Dienstes weiß mehr.',
   'service-error': 'Ein unerwarteter Fehler. Das Protokoll des Dienstes weiß mehr.',

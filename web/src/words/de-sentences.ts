@@ -55,10 +55,25 @@ export const sentences: Record<string, string> = {
     'Befehl {}: erwartet {} endliche Gelenkstellungen; der Roboter wurde gestoppt.',
   'a command after a stop; call release() when it is safe to go on.':
     'ein Befehl nach einem Stopp; geben Sie frei, sobald es sicher weitergehen kann.',
-  'the robot was asked to pause; it stands until it is told to go on.':
-    'der Roboter sollte anhalten; er steht, bis er fortfahren soll.',
-  'nobody has been in control of the robot for {} ms (limit {} ms); the robot was stopped. Take control and release a new run.':
-    'seit {} ms bediente niemand den Roboter (Grenze {} ms); er wurde gestoppt. Übernehmen Sie die Bedienung und geben Sie einen neuen Lauf frei.',
+  'the robot was asked to pause; it keeps its place until it is told to go on.':
+    'der Roboter sollte anhalten; er bleibt, wo er ist, bis er fortfahren soll.',
+  '{}; the robot was stopped and keeps its place. Resume the run when the cause is gone.':
+    '{}; der Roboter wurde gestoppt und bleibt, wo er ist. Lassen Sie den Lauf fortfahren, sobald die Ursache behoben ist.',
+  'no answer from the console for {}: the connection was late or is lost':
+    'keine Antwort vom bedienenden Bildschirm seit {}: die Verbindung war zu langsam oder ist verloren',
+  "the console's page has not responded for {}: the tablet is too busy, or the page stands still":
+    'die Seite auf dem bedienenden Bildschirm reagierte nicht seit {}: das Tablet ist überlastet, oder die Seite steht still',
+  'no sign of life from the service for {}: its computer is too busy, or it was stopped':
+    'kein Lebenszeichen vom Dienst seit {}: sein Rechner ist überlastet, oder er wurde angehalten',
+  'the control process got no time for {}: its computer is too busy':
+    'die Steuerung bekam keine Rechenzeit seit {}: ihr Rechner ist überlastet',
+  '{} ms (limit {} ms)': '{} ms (Grenze {} ms)',
+  'the database has not taken what happened for {} s (limit {} s); the robot was stopped and keeps its place, and nothing is lost. Resume the run when the database is back.':
+    'die Datenbank nahm seit {} s nicht auf, was geschah (Grenze {} s); der Roboter wurde gestoppt und bleibt, wo er ist, und nichts ist verloren. Lassen Sie den Lauf fortfahren, sobald die Datenbank wieder da ist.',
+  'nobody has been in control of the robot for {} s while it was on hold (limit {} s); the run was ended. Begin the rest of it as a new run.':
+    'seit {} s bediente niemand den Roboter, während er angehalten war (Grenze {} s); der Lauf wurde beendet. Beginnen Sie seinen Rest als neuen Lauf.',
+  'the robot stands {} rad from where it was stopped (limit {} rad); somebody has moved it. Begin the rest as a new run, which is planned from where it stands.':
+    'der Roboter steht {} rad von dort, wo er gestoppt wurde (Grenze {} rad); jemand hat ihn bewegt. Beginnen Sie den Rest als neuen Lauf, der von dort geplant wird, wo er steht.',
   'interrupted after {} s of motion; the robot was stopped{}.':
     'nach {} s Bewegung unterbrochen; der Roboter wurde gestoppt{}.',
   ' and the recording so far closed in {}': ', die Aufzeichnung bis dahin steht in {}',
@@ -105,14 +120,12 @@ export const sentences: Record<string, string> = {
   'the run was ended.': 'der Lauf wurde beendet.',
   'the service was shut down; the robot was stopped.':
     'der Dienst wurde beendet; der Roboter wurde gestoppt.',
-  "the run's state could not be written; the robot was stopped.":
-    'der Zustand des Laufs konnte nicht geschrieben werden; der Roboter wurde gestoppt.',
   'the service ended while the run was in {}; the robot was stopped. Look at the cell, then clear the run.':
     'der Dienst endete, während der Lauf in {} war; der Roboter wurde gestoppt. Sehen Sie nach der Zelle, dann quittieren Sie.',
-  "the run's state could not be written ({}); the robot was stopped.":
-    'der Zustand des Laufs konnte nicht geschrieben werden ({}); der Roboter wurde gestoppt.',
-  "the run's state could not be written within {}; the robot was stopped. See to the database and its disk.":
-    'der Zustand des Laufs konnte nicht innerhalb von {} geschrieben werden; der Roboter wurde gestoppt. Sehen Sie nach der Datenbank und ihrer Platte.',
+  'what happens to the run could not be written ({}); the robot was stopped. Make room on the disk.':
+    'was mit dem Lauf geschieht, ließ sich nicht schreiben ({}); der Roboter wurde gestoppt. Schaffen Sie Platz auf der Platte.',
+  'the release could not be written, so nothing has moved; look at the database and the disk, then make a new run.':
+    'die Freigabe ließ sich nicht schreiben, darum hat sich nichts bewegt; sehen Sie nach Datenbank und Platte, dann beginnen Sie einen neuen Lauf.',
   'the server is gone; the robot was stopped. Start the service and clear the run.':
     'der Dienst ist fort; der Roboter wurde gestoppt. Starten Sie den Dienst und quittieren Sie den Lauf.',
   "the run's folder could not be written ({}); the robot was stopped. Make room.":
@@ -162,6 +175,14 @@ export const sentences: Record<string, string> = {
     'Diagnose {}: hat keinen Bericht, sie ist {}; ein Bericht kommt mit einer fertigen Diagnose',
   'run {}: its control process still closes the recording; ask again in some seconds':
     'Lauf {}: seine Steuerung schließt noch die Aufzeichnung; versuchen Sie es in einigen Sekunden noch einmal',
+  'run {}: there is nothing to go on with; it is in {} and has finished {} steps. Begin a new run':
+    'Lauf {}: es gibt nichts fortzusetzen; er ist in {} und hat {} Schritte fertig. Beginnen Sie einen neuen Lauf',
+  'run {}: its recording is not there (yet); ask again in some seconds, or begin a new run':
+    'Lauf {}: seine Aufzeichnung ist (noch) nicht da; versuchen Sie es in einigen Sekunden noch einmal, oder beginnen Sie einen neuen Lauf',
+  'run {}: the database does not have its result yet; accept it again in some seconds':
+    'Lauf {}: die Datenbank hat sein Ergebnis noch nicht; nehmen Sie es in einigen Sekunden noch einmal an',
+  'cell {}: no run has its robot, so there is nothing to stop':
+    'Zelle {}: kein Lauf hat ihren Roboter, also gibt es nichts zu stoppen',
   'cell {}: does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common':
     'Zelle {}: sagt nicht, wie ihr Sensor angebracht ist (sensor.mount); Läufe zweier Zellen haben so keinen gemeinsamen Rahmen',
   'control of cell {}: {} has it; ask them to let go of it':
@@ -178,6 +199,12 @@ export const sentences: Record<string, string> = {
     'Befehl {}: braucht die Bedienung der Zelle {}; übernehmen Sie sie',
   'plan {}: void, the plan or the cell has changed since; look at the plan again (GET plan)':
     'Plan {}: gilt nicht mehr, Plan oder Zelle haben sich geändert; sehen Sie ihn noch einmal an',
+  'release: the database is locked, full or away, and nothing moves without it; release again when it is back':
+    'Freigabe: die Datenbank ist gesperrt, voll oder fort, und ohne sie bewegt sich nichts; geben Sie noch einmal frei, wenn sie wieder da ist',
+  'release: the database did not take it, so nothing moves; the run was ended':
+    'Freigabe: die Datenbank nahm sie nicht an, darum bewegt sich nichts; der Lauf wurde beendet',
+  'disk: {} MB are free where runs are recorded, this one needs up to {} MB; make room, then release it again':
+    'Platte: {} MB sind frei, wo Läufe aufgezeichnet werden, dieser braucht bis zu {} MB; schaffen Sie Platz und geben Sie dann noch einmal frei',
   'offer: not made for this plan by this service; look at the plan again (GET plan) and release what it shows':
     'Freigabe: nicht für diesen Plan gemacht; sehen Sie ihn noch einmal an und geben Sie frei, was er zeigt',
   'offer: {} s old (limit {} s); look at the plan again and release what it shows':

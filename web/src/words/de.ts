@@ -2,6 +2,7 @@ import { cells } from './de-cells';
 import { flaws } from './de-flaws';
 import { deGap } from './de-gap';
 import { comparison, history } from './de-history';
+import { absent, continuing, held, link, lost, now } from './de-link';
 import { problems } from './de-problems';
 import { remarks } from './de-remarks';
 import { sentences } from './de-sentences';
@@ -31,15 +32,16 @@ export const de: Words = {
     tool: 'Werkzeug',
     control: 'Bedienung',
     state: 'Zustand',
-    line: 'Leitung',
+    line: 'Verbindung',
     noRun: 'Kein Lauf',
-    robotStands: 'Der Roboter steht',
+    robotStands: 'Roboter gestoppt',
     you: 'Sie bedienen',
-    nobody: 'Niemand bedient',
-    elsewhere: 'Sie, an einem anderen Bildschirm',
+    nobody: 'niemand',
+    elsewhere: 'Sie (anderes Gerät)',
     other: (name) => `${name} bedient`,
-    connected: 'Verbunden',
-    lost: 'Keine Verbindung',
+    online: 'Online',
+    offline: 'Offline',
+    noLive: 'Keine Livedaten',
     lastKnown: 'Zuletzt bekannt',
   },
   states: {
@@ -65,9 +67,15 @@ export const de: Words = {
   problems,
   remarks,
   sentences,
+  now,
+  lost,
+  held,
+  link,
+  absent,
+  continuing,
   reading: {
     title: 'Wird vom Dienst gelesen',
-    lost: 'Der Dienst antwortet nicht. Diese Seite füllt sich von selbst, sobald er es tut.',
+    lost: 'Diese Seite füllt sich von selbst, sobald der Dienst antwortet.',
   },
   bar: {
     next: 'Als Nächstes',
@@ -154,8 +162,7 @@ export const de: Words = {
     standing: (pose) => `Steht still in Pose ${pose}`,
     turning: (axis) => `Dreht um ${axis}`,
     begins: 'Bewegt sich gleich',
-    next: 'Der Roboter bewegt sich selbst. Das Ergebnis kommt, wenn er zurück ist.',
-    heldNext: 'Der Roboter steht. Fortfahren setzt den Plan fort; Stopp beendet den Lauf.',
+    next: 'Der Roboter bewegt sich selbst. Das Ergebnis erscheint, sobald er in der Grundstellung ist.',
     suspendedNext:
       'Der Wächter hat den Roboter gestoppt. Er plant neu und fährt selbst fort, sobald der Weg frei ist.',
     estimatingNext: 'Der Roboter ist zurück und steht. Das Ergebnis wird berechnet.',

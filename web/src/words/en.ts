@@ -2,6 +2,7 @@ import { cells } from './en-cells';
 import { flaws } from './en-flaws';
 import { enGap } from './en-gap';
 import { comparison, history } from './en-history';
+import { absent, continuing, held, link, lost, now } from './en-link';
 import { problems } from './en-problems';
 import { remarks } from './en-remarks';
 import { sentences } from './en-sentences';
@@ -30,15 +31,16 @@ export const en = {
     tool: 'Tool',
     control: 'Control',
     state: 'State',
-    line: 'Line',
+    line: 'Connection',
     noRun: 'No run',
-    robotStands: 'The robot stands',
+    robotStands: 'Robot stopped',
     you: 'You have control',
-    nobody: 'Nobody has control',
-    elsewhere: 'You, on another screen',
+    nobody: 'none',
+    elsewhere: 'You (other device)',
     other: (name: string) => `${name} has control`,
-    connected: 'Connected',
-    lost: 'No connection',
+    online: 'Online',
+    offline: 'Offline',
+    noLive: 'No live data',
     lastKnown: 'Last known',
   },
   states: {
@@ -64,9 +66,15 @@ export const en = {
   problems,
   remarks,
   sentences,
+  now,
+  lost,
+  held,
+  link,
+  absent,
+  continuing,
   reading: {
     title: 'Reading from the service',
-    lost: 'The service does not answer. This page fills by itself as soon as it does.',
+    lost: 'This page fills by itself as soon as the service answers.',
   },
   bar: {
     next: 'Next',
@@ -153,8 +161,7 @@ export const en = {
     standing: (pose: string) => `Standing still in pose ${pose}`,
     turning: (axis: string) => `Turning about ${axis}`,
     begins: 'About to move',
-    next: 'The robot moves by itself. Result when it is back home.',
-    heldNext: 'The robot stands. Resume goes on with the plan; stop ends the run.',
+    next: 'The robot moves by itself. The result appears when the robot is back at home.',
     suspendedNext: 'The guard stopped the robot. It plans anew and goes on by itself once the way is free.',
     estimatingNext: 'The robot is back home and stands. The result is being estimated.',
     endingNext: 'The robot brakes.',

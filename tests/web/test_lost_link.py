@@ -1,0 +1,192 @@
+"""The screen in control loses its link: what it says meanwhile, and how its run goes on; before the release, how good the link is."""
+
+from __future__ import annotations
+
+import re
+import signal
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from tests.server.real_service import Console, RealService
+from tests.web.judgement import check_looks
+from tests.web.looks import glimpse, look
+from tests.web.patient_cells import LEASE_S
+from tests.web.screens import show, signed_in
+from tests.web.tablet import Tablet, tablet
+
+UNREACHABLE = "ERR_INTERNET_DISCONNECTED"
+"""What the browser says of every question that it could not put."""
+NOTES_LAYERS = """addEventListener('DOMContentLoaded', () => {
+    window.layers = 0;
+    const look = () => { window.layers += document.querySelectorAll('.lost-layer').length };
+    new MutationObserver(look).observe(document.body, {childList: true, subtree: true});
+})"""
+
+
+@pytest.fixture
+def planned(service: RealService, browser: Browser, person: Console) -> Iterator[Tablet]:
+    """A tablet in control, with a plan on it whose holds are long; `person` leaves no run behind."""
+    with tablet(browser, service) as at:
+        at.hurry(hold_s=20.0)
+        at.without_viewer()
+        at.open()
+        at.sign_in()
+        at.press("Take control and plan")
+        at.wait(".preview table")
+        yield at
+
+
+@pytest.fixture
+def moving(planned: Tablet) -> Tablet:
+    """The same once its robot moves."""
+    planned.press("Release")
+    planned.press("START")
+    planned.wait(".running [role=status], [data-state=Execute]")
+    planned.page.get_by_role("button", name="Hold").wait_for()
+    return planned
+
+
+def run_of(at: Tablet) -> str:
+    return at.page.url.rsplit("/", 1)[1]
+
+
+def test_a_lost_link_fills_the_screen_and_its_run_is_resumed_by_one_tap(moving: Tablet, person: Console) -> None:
+    run, page = run_of(moving), moving.page
+    fence = person.http.get("/api/control/lwr4_bench").json()["fence"]
+    page.context.set_offline(True)
+    layer = page.get_by_role("alertdialog")
+    layer.wait_for()
+    expect(layer).to_contain_text("lwr4_bench")
+    expect(layer).to_contain_text("Running")
+    expect(layer).to_contain_text(f"stops by itself within {LEASE_S} s of a lost connection and keeps its place")
+    expect(layer).to_contain_text("STOP on this screen does not work now")
+    expect(layer).to_contain_text(re.compile(r"Since \d\d:\d\d:\d\d, for 0:\d\d"))
+    for name in ("STOP", "Hold", "Resume"):
+        expect(page.get_by_role("button", name=name)).to_have_count(0)
+    check_looks(look(page, "lost link"))
+    person.wait(run, "Held")
+    page.context.set_offline(False)
+    layer.wait_for(state="detached")
+    assert page.locator(".header [data-state]").get_attribute("data-state") == "Held"
+    expect(page.locator(".held-notice")).to_have_text(re.compile(rf"Connection to this console was late \(\d.*s, limit {LEASE_S} s\)"))
+    expect(page.locator(".header")).to_contain_text("You have control")
+    check_looks(glimpse(page, "held by a lost link"))
+    moving.press("Resume")
+    person.wait(run, "Execute")
+    expect(page.get_by_role("button", name="Hold")).to_be_visible()
+    assert person.http.get("/api/control/lwr4_bench").json()["fence"] == fence
+    assert [said for said in moving.complaints if UNREACHABLE not in said] == []
+
+
+def test_a_page_that_stands_still_holds_the_robot_and_is_named_as_the_cause(moving: Tablet, person: Console) -> None:
+    run, page = run_of(moving), moving.page
+    page.evaluate("still_ms => { const until = performance.now() + still_ms; while (performance.now() < until); }", 8000)
+    assert person.wait(run, "Held")["reason_kind"] == "page-late"
+    expect(page.locator(".held-notice")).to_contain_text("The page of this console did not respond for")
+    moving.press("Resume")
+    person.wait(run, "Execute")
+    assert moving.complaints == []
+
+
+def test_a_frozen_service_is_a_lost_link_too_and_is_named_as_the_cause(moving: Tablet, person: Console) -> None:
+    run, page = run_of(moving), moving.page
+    moving.service.send(signal.SIGSTOP)
+    try:
+        page.get_by_role("alertdialog").wait_for()
+    finally:
+        moving.service.send(signal.SIGCONT)
+    page.get_by_role("alertdialog").wait_for(state="detached")
+    assert person.wait(run, "Held")["reason_kind"] == "service-late"
+    expect(page.locator(".held-notice")).to_contain_text("The service was late (")
+    moving.press("Resume")
+    person.wait(run, "Execute")
+
+
+def test_after_a_reload_the_same_tap_takes_control_and_resumes(moving: Tablet, person: Console) -> None:
+    run, page = run_of(moving), moving.page
+    page.reload()
+    person.wait(run, "Held")
+    resume = page.get_by_role("button", name="Resume")
+    expect(resume).to_contain_text("takes control")
+    moving.tap(resume)
+    person.wait(run, "Execute")
+    expect(page.locator(".header")).to_contain_text("You have control")
+    assert moving.complaints == []
+
+
+def test_signing_out_gives_control_back(moving: Tablet, person: Console) -> None:
+    run = run_of(moving)
+    moving.tap(moving.page.get_by_role("link", name="Settings"))
+    moving.press("Sign out")
+    moving.wait("form.sign-in")
+    assert person.http.get("/api/control/lwr4_bench").json()["holder"] is None
+    person.wait(run, "Held")
+    assert moving.complaints == []
+
+
+def test_a_screen_that_only_looks_on_does_not_say_what_the_robot_does(service: RealService, browser: Browser, moving: Tablet) -> None:
+    with signed_in(service, browser) as watching:
+        watching.without_viewer()
+        show(watching, "runs", run_of(moving))
+        watching.wait("[data-state=Execute]")
+        watching.page.context.set_offline(True)
+        layer = watching.page.get_by_role("alertdialog")
+        expect(layer).to_contain_text("has control on another device. This screen does not know what the robot does now.")
+        expect(layer).not_to_contain_text("stops by itself")
+        watching.page.context.set_offline(False)
+        layer.wait_for(state="detached")
+
+
+def test_a_single_request_that_fails_covers_nothing(service: RealService, browser: Browser) -> None:
+    with tablet(browser, service) as at:
+        at.page.add_init_script(NOTES_LAYERS)
+        at.open()
+        with at.page.expect_event("requestfailed"):
+            at.page.route("**/api/now", lambda route: route.abort(), times=1)
+        for _ in range(4):
+            at.page.wait_for_event("requestfinished")
+        assert at.page.evaluate("window.layers") == 0
+
+
+def test_the_link_is_shown_before_the_release(planned: Tablet) -> None:
+    told = planned.page.locator(".link-figures")
+    expect(told).to_contain_text(re.compile(rf"round trip \d+ ms \(99 % below \d+ ms\), lost .* %, longest gap .* s \(limit {LEASE_S} s\)"))
+    expect(told).to_contain_text(f"If the connection is lost for {LEASE_S} s the robot stops and waits.")
+    expect(told.locator(".abnormal")).to_have_count(0)
+
+
+def test_a_poor_link_is_warned_of_before_the_release_and_refuses_nothing(planned: Tablet) -> None:
+    page = planned.page
+    control = page.request.get(f"http://{planned.service.address}/api/control/lwr4_bench").json()
+    poor = {"round_trip_p50_s": 0.045, "round_trip_p99_s": 0.62, "lost_share": 0.013, "longest_gap_s": 2.61, "answers": 900, "seconds": 60}
+    page.route("**/api/control/lwr4_bench", lambda route: route.fulfill(json=control | {"link": poor | {"advised": False}}))
+    told = page.locator(".link-figures")
+    expect(told.locator(".abnormal")).to_contain_text("the run would probably be put on hold")
+    expect(told).to_contain_text("round trip 45 ms (99 % below 620 ms), lost 1.3 %, longest gap 2.6 s")
+    check_looks(look(page, "poor link"))
+    expect(page.get_by_role("button", name=re.compile("Release|Show the plan again"))).to_be_enabled()
+
+
+def test_a_stopped_run_is_continued_as_a_new_one(service: RealService, browser: Browser, person: Console) -> None:
+    person.take_control()
+    run = person.queue(pace="real_time")
+    person.wait(run, "Idle")
+    assert person.release(run).status_code == 200
+    while person.run(run)["finished_steps"] == 0:
+        person.wait(run, "Execute")
+    person.command(run, "stop")
+    ended = person.wait(run, "Stopped")
+    with signed_in(service, browser) as at:
+        at.without_viewer()
+        show(at, "runs", run)
+        expect(at.page.locator(".ended")).to_contain_text(f"Finished and recorded: {ended['finished_steps']} of {ended['steps']} steps")
+        check_looks(look(at.page, "ended, to be continued"))
+        at.press("Continue the run")
+        at.wait(".preview table")
+        assert run_of(at) != run
+        rest = at.page.request.get(f"http://{service.address}/api/runs/{run_of(at)}").json()
+        assert rest["continues"] == run
+        at.press("STOP")
+        at.wait(".ended")
