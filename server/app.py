@@ -5,9 +5,11 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import AsyncIterator, Callable
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from datetime import datetime
 
+from anyio import to_thread
 from fastapi import Depends, FastAPI
 from fastapi.routing import APIRoute
 
@@ -29,6 +31,9 @@ log = logging.getLogger("heft")
 CHECKER_AFTER_S = 2.0
 """Time in which the service and its planner have the processor to themselves; an upload that comes sooner begins the checker."""
 
+WAITING = 200
+"""Threads that may wait for the database at the same time."""
+
 DESCRIPTION = (
     "Identifies what a robot carries, safely, with people around. Not a safety function. SI units; the unit stands in each field's name. "
     "Every error is application/problem+json (RFC 9457)."
@@ -42,6 +47,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
     @asynccontextmanager
     async def running(_app: FastAPI) -> AsyncIterator[None]:
         start(service)
+        make_room_for_waiting()
         work = (service.conductor, service.diagnoses, service.additions, service.trials, service.deliverer, service.gallery)
         for each in work:
             await each.start()
@@ -93,6 +99,12 @@ def start(service: Service) -> None:
         folder.mkdir(exist_ok=True)
     service.store.migrate()
     service.cells.prepare()
+
+
+def make_room_for_waiting() -> None:
+    """Requests that wait for a database that hangs are to keep nobody from stopping a robot."""
+    to_thread.current_default_thread_limiter().total_tokens = WAITING
+    asyncio.get_running_loop().set_default_executor(ThreadPoolExecutor(WAITING, "waiting"))
 
 
 def operation_id(route: APIRoute) -> str:
