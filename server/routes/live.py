@@ -69,6 +69,9 @@ async def _send(websocket: WebSocket, run: str, here: Service, after: int) -> No
             async with asyncio.timeout(PATIENCE_S):
                 await websocket.send_text(text)
             after = sequence
+        active = here.conductor.of_run(run)
+        if active is not None and active.newest is not None:  # of a robot on hold nothing newer comes
+            await websocket.send_text(active.newest.batch.model_dump_json())
         if not over:
             await drain(subscription, websocket.send_text, after=after)
     except TimeoutError:

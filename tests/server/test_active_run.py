@@ -17,9 +17,10 @@ from core.plan_summary import PlanSummary
 from core.sessions.leased import LEASE_S, Renewal
 from server import run_journal, run_ledger
 from server.control_lease import next_fence
+from server.event_schemas import LiveBatch
 from server.plan_schemas import RunPlan
 from server.roles import Role
-from server.runner.messages import End, Failed, Happened, Hold, Ready, Release, Resume
+from server.runner.messages import End, Failed, Happened, Hold, Ready, Release, Resume, Sampled
 from server.runner.release_hash import release_sha256
 from server.service import Service
 from server.store import Store
@@ -222,6 +223,21 @@ def test_a_journal_without_room_ends_the_motion_and_the_state_is_told_from_memor
     until(lambda: stage.service.conductor.of_run(stage.run) is None)
     assert stage.shown()["state"] == "Stopped"
     assert stage.shown()["finished_steps"] == 1
+
+
+def test_whoever_begins_to_watch_a_robot_on_hold_sees_its_newest_samples(stage):
+    stage.moves()
+    batch = LiveBatch(
+        phase="hold:x+", t_s=[12.0], wrench=[[1.0] * 6], reconstructed=None, phi=[None] * 10, phi_std=[None] * 10, q_rad=[0.0] * 7,
+        nearest=None, progress=0.4, eta_s=20.0,
+    )  # fmt: skip
+    stage.robot.say(Sampled(batch))
+    until(lambda: stage.shown()["progress"] == 0.4)
+    headers = {"origin": "http://testserver"}
+    with stage.operator.websocket_connect(f"/api/runs/{stage.run}/live", headers=headers) as watching:
+        while (message := watching.receive_json())["kind"] != "samples":
+            pass
+    assert message["t_s"] == [12.0]
 
 
 def test_a_command_whose_process_ends_at_once_is_answered_and_kept(stage):
