@@ -29,7 +29,7 @@ class LinkFigures(NamedTuple):
     lost_share: float
     longest_gap_s: float
     answers: int
-    seconds: float
+    window_s: float
     advised: bool
 
 

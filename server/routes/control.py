@@ -50,7 +50,7 @@ class LinkAnswer(Answer):
     lost_share: float
     longest_gap_s: float
     answers: int
-    seconds: float
+    window_s: float
     advised: bool
 
 

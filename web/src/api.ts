@@ -1950,8 +1950,8 @@ export interface components {
             longest_gap_s: number;
             /** Answers */
             answers: number;
-            /** Seconds */
-            seconds: number;
+            /** Window S */
+            window_s: number;
             /** Advised */
             advised: boolean;
         };
