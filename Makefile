@@ -16,7 +16,7 @@ run: $(VENV)/.run $(if $(filter true,$(NODE_FITS)),$(CONSOLE),without-console)
 
 test: check $(CONSOLE)
 	$(BIN)/python -m pytest -n 2 --ignore=tests/web
-	$(BIN)/python -m pytest tests/web  # alone: a browser in control has 220 ms to answer
+	$(BIN)/python -m pytest tests/web  # alone: browsers that draw without a graphics card keep both cores busy
 
 check: $(VENV)/.dev
 	$(BIN)/ruff check .

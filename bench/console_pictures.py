@@ -19,7 +19,6 @@ from tests.web.patient_cells import patient_cells
 from tests.web.screens import show, signed_in
 from tests.web.tablet import LANDSCAPE, PORTRAIT, Tablet, chromium, tablet
 from tests.web.tilted import tilted_recording
-from tests.web.urgency import urgent
 
 FOLDER = ROOT / "docs" / "pictures" / "console"
 COLOURS = 256
@@ -35,7 +34,7 @@ def main() -> None:
     parser.add_argument("--folder", type=Path, default=FOLDER)
     folder: Path = parser.parse_args().folder
     folder.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as data, urgent(), ExitStack() as stack:
+    with tempfile.TemporaryDirectory() as data, ExitStack() as stack:
         patient_cells(Path(data) / "data")
         service, browser = stack.enter_context(real_service(Path(data))), stack.enter_context(chromium())
         first = _run_without_pictures(service)

@@ -21,7 +21,6 @@ from bench.watchers import Reader
 from tests.server.real_service import Console, RealService, real_service
 from tests.web.screens import signed_in
 from tests.web.tablet import chromium
-from tests.web.urgency import urgent
 
 Array = NDArray[np.float64]
 
@@ -44,7 +43,7 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=20.0)
     seconds = parser.parse_args().seconds
     with (
-        tempfile.TemporaryDirectory() as folder, urgent(), real_service(Path(folder)) as service, chromium() as browser,
+        tempfile.TemporaryDirectory() as folder, real_service(Path(folder)) as service, chromium() as browser,
         signed_in(service, browser) as at,
     ):  # fmt: skip
         at.without_viewer()

@@ -22,5 +22,7 @@ class Priority(IntEnum):
 
 def take(priority: Priority) -> None:
     """Of this process, and of those that it begins from now on."""
+    now = os.getpriority(os.PRIO_PROCESS, 0)
+    wanted = min(now, priority) if priority < 0 else max(now, priority)  # who was given more by somebody keeps it
     with suppress(PermissionError):
-        os.setpriority(os.PRIO_PROCESS, 0, priority)
+        os.setpriority(os.PRIO_PROCESS, 0, wanted)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import ExitStack
 
 import pytest
 from playwright.sync_api import Browser
@@ -11,7 +10,6 @@ from playwright.sync_api import Browser
 from tests.server.real_service import ROOT, Console, RealService, real_service
 from tests.web.patient_cells import patient_cells
 from tests.web.tablet import chromium
-from tests.web.urgency import urgent
 from tests.web.way import Way, walked
 
 
@@ -19,11 +17,9 @@ from tests.web.way import Way, walked
 def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
     """`heft serve` with the console that `make web/dist/index.html` has built."""
     assert (ROOT / "web" / "dist" / "index.html").is_file(), "the console has not been built: make web/dist/index.html"
-    with ExitStack() as stack:
-        with urgent():
-            folder = tmp_path_factory.mktemp("console")
-            patient_cells(folder / "data")
-            running = stack.enter_context(real_service(folder))
+    folder = tmp_path_factory.mktemp("console")
+    patient_cells(folder / "data")
+    with real_service(folder) as running:
         yield running
 
 
@@ -40,9 +36,7 @@ def person(service: RealService) -> Iterator[Console]:
 
 @pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
-    with ExitStack() as stack:
-        with urgent():
-            found = stack.enter_context(chromium())
+    with chromium() as found:
         yield found
 
 

@@ -22,7 +22,6 @@ from tests.web.judgement import check_looks
 from tests.web.looks import look
 from tests.web.screens import show, signed_in
 from tests.web.tablet import Tablet
-from tests.web.urgency import urgent
 
 WORDS = ROOT / "web" / "src" / "words"
 OF_THE_SCREEN = {"unreachable", "not-in-control", "control-not-taken"}
@@ -83,8 +82,7 @@ def test_a_diagnosis_is_german_from_its_verdict_to_what_is_to_be_done(german: Ta
 
 def test_results_history_and_comparison_are_german(german: Tablet, service: RealService) -> None:
     person = Console(service)
-    with urgent():
-        person.take_control()
+    person.take_control()
     runs = []
     for seed, tool in ((21, "steel_block"), (22, "cylinder")):
         runs.append(person.queue(seed=seed, payload=tool))

@@ -160,7 +160,7 @@ def test_the_link_is_shown_before_the_release(planned: Tablet) -> None:
 def test_a_poor_link_is_warned_of_before_the_release_and_refuses_nothing(planned: Tablet) -> None:
     page = planned.page
     control = page.request.get(f"http://{planned.service.address}/api/control/lwr4_bench").json()
-    poor = {"round_trip_p50_s": 0.045, "round_trip_p99_s": 0.62, "lost_share": 0.013, "longest_gap_s": 2.61, "answers": 900, "seconds": 60}
+    poor = {"round_trip_p50_s": 0.045, "round_trip_p99_s": 0.62, "lost_share": 0.013, "longest_gap_s": 2.61, "answers": 900, "window_s": 60}
     page.route("**/api/control/lwr4_bench", lambda route: route.fulfill(json=control | {"link": poor | {"advised": False}}))
     told = page.locator(".link-figures")
     expect(told.locator(".abnormal")).to_contain_text("the run would probably be put on hold")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from contextlib import ExitStack
 
 import pytest
 from playwright.sync_api import Browser, expect
@@ -14,7 +13,6 @@ from tests.server.real_service import Console, RealService, real_service
 from tests.web.judgement import check_looks
 from tests.web.looks import glimpse, look
 from tests.web.screens import show, signed_in
-from tests.web.urgency import urgent
 
 PATIENCE_MS = 180_000
 TIED = ("time_delay", "sensor_lowpass")
@@ -23,9 +21,7 @@ TIED = ("time_delay", "sensor_lowpass")
 @pytest.fixture(scope="module")
 def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
     """One of its own: others count the runs of the shared one."""
-    with ExitStack() as stack:
-        with urgent():
-            running = stack.enter_context(real_service(tmp_path_factory.mktemp("motion")))
+    with real_service(tmp_path_factory.mktemp("motion")) as running:
         yield running
 
 
@@ -33,8 +29,7 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
 def first(service: RealService) -> str:
     """A run that somebody made, who has left."""
     person = Console(service)
-    with urgent():
-        person.take_control()
+    person.take_control()
     run = stopped_in_its_first_hold(person)
     person.leave()
     return run

@@ -199,6 +199,8 @@ export const sentences: Record<string, string> = {
     'Befehl {}: braucht die Bedienung der Zelle {}; übernehmen Sie sie',
   'plan {}: void, the plan or the cell has changed since; look at the plan again (GET plan)':
     'Plan {}: gilt nicht mehr, Plan oder Zelle haben sich geändert; sehen Sie ihn noch einmal an',
+  'resume: the database is locked, full or away, and nothing begins to move without it; resume when it is back':
+    'Fortsetzen: Die Datenbank ist gesperrt, voll oder nicht erreichbar, und ohne sie beginnt keine Bewegung; setzen Sie fort, wenn sie wieder da ist',
   'release: the database is locked, full or away, and nothing moves without it; release again when it is back':
     'Freigabe: die Datenbank ist gesperrt, voll oder fort, und ohne sie bewegt sich nichts; geben Sie noch einmal frei, wenn sie wieder da ist',
   'release: the database did not take it, so nothing moves; the run was ended':
