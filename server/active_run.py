@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import os
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from datetime import datetime
@@ -146,7 +147,7 @@ class ActiveRun:
 
     def beat(self, stamp_s: float) -> None:
         """Hands a sign of life of the service on. From any thread."""
-        self._process.tell(Beat(stamp_s))
+        self._process.tell(Beat(stamp_s, os.getpid()))
 
     def note_late_page(self, late_s: float) -> None:
         """Hands on that the page of whoever is in control does not respond."""

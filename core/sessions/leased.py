@@ -10,6 +10,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from types import TracebackType
 from typing import Self
 
@@ -26,8 +27,8 @@ LEASE_S = 1.0
 """How long one renewal lasts where a cell does not say otherwise: over a usual Wi-Fi (round trip below 0.2 s in 99 %, below 0.8 s in
 99.9 % of the answers) nearly every run of a minute comes through."""
 SERVICE_S = 0.22
-"""How long the service may give no sign of life. It is on this machine, so what delays it is no network: a service that is frozen or gone
-stops the robot within 300 ms and its braking."""
+"""After how long without a sign of life the service is looked at. It is on this machine, so what delays it is no network: one that is frozen
+or gone stops the robot within 300 ms and its braking. One that is only slow, on a computer that is busy, has as long as the console."""
 FUTURE_S = 0.005
 """Stamps may be ahead of our clock by this much: clocks are read a moment apart. One from the future would not go stale."""
 AWAY_S = 0.05
@@ -53,19 +54,34 @@ class Renewal:
     stamp_s: float
 
 
+def is_stopped(pid: int) -> bool:
+    """Whether a process of this machine is frozen or gone; also where that cannot be known, on another system than Linux."""
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()[0]
+    except OSError:
+        return True
+    return state in "TtZXx"
+
+
 class Lease:
     """Who may command the robot, and until when. One thread writes, the control loop reads: every attribute is set in one step.
 
     Args:
         length_s: how long one renewal lasts.
         clock: monotonic, the one that stamps the renewals, s.
+        stopped: whether the process of the service, by its number, is frozen or gone.
     """
 
-    def __init__(self, length_s: float = LEASE_S, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self,
+        length_s: float = LEASE_S,
+        clock: Callable[[], float] = time.monotonic,
+        stopped: Callable[[int], bool] = is_stopped,
+    ) -> None:
         self.length_s = length_s
-        self._clock = clock
+        self._clock, self._stopped = clock, stopped
         self._last = Renewal(fence=-1, number=-1, stamp_s=-np.inf)
-        self._beat_s = np.inf  # of the service; it has promised nothing before its first
+        self._beat_s, self._service = np.inf, 0  # of the service; it has promised nothing before its first
         self._page = (-np.inf, 0.0)  # when the page was late last, and by how much
         self._looked_s, self._away_s = np.inf, 0.0
         self._held: Held | None = None
@@ -80,9 +96,9 @@ class Lease:
         self._last = renewal
         return True
 
-    def beat(self, stamp_s: float) -> None:
-        """The service lives, whether or not anybody answers it."""
-        self._beat_s = stamp_s
+    def beat(self, stamp_s: float, service: int) -> None:
+        """The service lives, whether or not anybody answers it; `service` is the number of its process."""
+        self._beat_s, self._service = stamp_s, service
 
     def note_late_page(self, late_s: float) -> None:
         """An answer came, but the page behind it has not responded for so long."""
@@ -134,12 +150,14 @@ class Lease:
         """What is too late now; None while the robot may be commanded."""
         now = self._clock()
         age, silent = now - self._last.stamp_s, now - self._beat_s
-        if silent > SERVICE_S:
+        if silent > SERVICE_S and self._stopped(self._service):
             cause, late, limit = Cause.SERVICE, silent, SERVICE_S
         elif age > self.length_s:
             page_at, page_late = self._page
             answered = now - page_at <= self.length_s
             cause, late, limit = (Cause.PAGE, page_late, self.length_s) if answered else (Cause.NETWORK, age, self.length_s)
+            if silent > 0.5 * age:
+                cause, late = Cause.SERVICE, silent
         else:
             return None
         if self._away_s > 0.5 * late:

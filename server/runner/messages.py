@@ -67,9 +67,10 @@ class Release:
 
 @dataclass(frozen=True)
 class Beat:
-    """The service lives."""
+    """The service lives; `service` is the number of its process."""
 
     stamp_s: float
+    service: int
 
 
 @dataclass(frozen=True)

@@ -44,8 +44,8 @@ class Listener:
         match message:
             case Renewal():
                 self._lease.renew(message)
-            case Beat(stamp_s=stamp_s):
-                self._lease.beat(stamp_s)
+            case Beat(stamp_s=stamp_s, service=service):
+                self._lease.beat(stamp_s, service)
             case PageLate(late_s=late_s):
                 self._lease.note_late_page(late_s)
             case Release(plan_sha256=released):

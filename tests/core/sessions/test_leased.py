@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +15,7 @@ from hypothesis import strategies as st
 from core.cell import load_cell
 from core.errors import Commanded, ControlLost, Held, HoldExpired
 from core.lateness import Cause, Lateness
-from core.sessions.leased import FUTURE_S, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal
+from core.sessions.leased import FUTURE_S, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal, is_stopped
 from core.sessions.simulated import SimulatedSession
 from tests.hand_clock import HandClock
 
@@ -24,7 +27,7 @@ def clock() -> HandClock:
 
 @pytest.fixture
 def lease(clock) -> Lease:
-    return Lease(clock=clock)
+    return Lease(clock=clock, stopped=lambda _: True)
 
 
 @pytest.fixture(scope="module")
@@ -101,7 +104,7 @@ def looked_at(lease: Lease, clock: HandClock, seconds: float, *, beats: bool = T
     for _ in range(round(seconds / every)):
         clock.now += every
         if beats:
-            lease.beat(clock.now)
+            lease.beat(clock.now, 1)
         lease.look()
 
 
@@ -132,6 +135,33 @@ def test_a_service_that_gives_no_sign_of_life_is_late_long_before_the_lease_ends
     assert lease.overdue().limit_s == SERVICE_S
 
 
+def test_a_service_that_is_only_slow_has_as_long_as_the_console(clock):
+    lease = Lease(clock=clock, stopped=lambda _: False)
+    lease.renew(Renewal(1, 0, clock.now))
+    looked_at(lease, clock, 0.1)
+    looked_at(lease, clock, LEASE_S - 0.12, beats=False)
+    assert lease.overdue() is None
+    looked_at(lease, clock, 0.04, beats=False)
+    assert lease.overdue().cause is Cause.SERVICE
+    assert lease.overdue().limit_s == LEASE_S
+
+
+def test_a_process_is_stopped_when_it_is_frozen_or_gone_and_not_while_it_sleeps():
+    process = subprocess.Popen(["sleep", "60"])
+    try:
+        assert not is_stopped(process.pid)
+        process.send_signal(signal.SIGSTOP)
+        os.waitid(os.P_PID, process.pid, os.WSTOPPED)
+        assert is_stopped(process.pid)
+        process.send_signal(signal.SIGCONT)
+        os.waitid(os.P_PID, process.pid, os.WCONTINUED)
+        assert not is_stopped(process.pid)
+    finally:
+        process.kill()
+        process.wait()
+    assert is_stopped(process.pid)
+
+
 def test_a_control_loop_that_got_no_time_does_not_blame_the_network(lease, clock):
     lease.renew(Renewal(1, 0, clock.now))
     looked_at(lease, clock, 0.1)
@@ -144,13 +174,13 @@ def test_a_control_loop_that_got_no_time_does_not_blame_the_network(lease, clock
 
 def test_a_loop_that_was_away_takes_the_renewals_that_came_meanwhile_before_it_judges(lease, clock, robot):
     def comes_in(_: float) -> None:
-        lease.beat(clock.now)
+        lease.beat(clock.now, 1)
 
     session = LeasedSession(robot, lease, sleep=comes_in)
     with session:
         q = session.state().q_cmd
         lease.renew(Renewal(1, 0, clock.now))
-        lease.beat(clock.now)
+        lease.beat(clock.now, 1)
         session.command(q)
         clock.now += 0.29
         session.state()
