@@ -27,8 +27,8 @@ LEASE_S = 1.0
 """How long one renewal lasts where a cell does not say otherwise: over a usual Wi-Fi (round trip below 0.2 s in 99 %, below 0.8 s in
 99.9 % of the answers) nearly every run of a minute comes through."""
 SERVICE_S = 0.22
-"""After how long without a sign of life the service is looked at. It is on this machine, so no network delays it: one that is frozen or gone
-stops the robot within 300 ms and its braking. One that is only slow, on a computer that is busy, has as long as the console."""
+"""After how long without a sign of life the service is looked at. It is on this machine, so no network delays it: one that is frozen or
+gone stops the robot within 300 ms and its braking. One that is only slow, on a computer that is busy, has as long as the console."""
 FUTURE_S = 0.005
 """Stamps may be ahead of our clock by this much: clocks are read a moment apart. One from the future would not go stale."""
 AWAY_S = 0.05
