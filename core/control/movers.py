@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 import numpy as np
 from numpy.typing import NDArray
 
-from core.control.resuming import rest_of
+from core.control.resuming import rest_of, smooth_share
 from core.errors import BadState
 from core.sessions.session import RobotState
 from core.trajectory import JointTrajectory
@@ -70,7 +70,7 @@ class Playback(Mover):
         if self._k >= len(self._q):
             return None
         planned = np.asarray(self._q[self._k])
-        return planned if self._k >= self._fade else planned + self._away * _fading(self._k / self._fade)
+        return planned if self._k >= self._fade else planned + self._away * (1.0 - smooth_share(self._k / self._fade))
 
     def resume(self, q: Array) -> None:
         """See `Mover.resume`: back onto the trajectory where the robot has left it by braking, then along it, slowly at first."""
@@ -89,11 +89,6 @@ class Playback(Mover):
                 value=float(away[j]),
                 limit=START_TOLERANCE,
             )
-
-
-def _fading(s: float) -> float:
-    """From 1 at s = 0 to 0 at s = 1, with two derivatives zero at both ends."""
-    return 1.0 - s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
 
 
 class StandStill(Mover):
