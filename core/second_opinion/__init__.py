@@ -1,0 +1,1 @@
+"""What checks a finished plan: it shares no code with what makes one."""

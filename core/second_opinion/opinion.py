@@ -1,0 +1,163 @@
+"""A second opinion on a plan: every set point measured once more, with another library, other kinematics and finite differences."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell import Box, Cell
+from core.second_opinion.arm import arm_of_cell
+from core.second_opinion.least import least_margin
+from core.second_opinion.pairs import AccountedPair, Kind, Placed, accounted_pairs, placed, standing
+from core.second_opinion.solids import distance
+
+Array = NDArray[np.float64]
+
+NUMERICAL_M = 1e-6
+NUMERICAL = 1e-6
+"""Relative, of speeds."""
+
+
+class JointPath(NamedTuple):
+    """A part of a motion: its name, and the joint positions q (N, n) that are commanded one period after the other, rad."""
+
+    name: str
+    q: Array
+
+
+@dataclass(frozen=True)
+class Approach:
+    """Where a kind of pair comes closest to what it has to keep.
+
+    Args:
+        distance_m: signed, negative where they penetrate.
+        part: name of the part of the motion.
+        time_s: since the beginning of that part.
+    """
+
+    kind: Kind
+    first: str
+    second: str
+    distance_m: float
+    required_m: float
+    part: str
+    time_s: float
+
+
+@dataclass(frozen=True)
+class FastestPoint:
+    """The fastest corner of a box round a link or the payload, over one period.
+
+    Args:
+        body: name of the link, or "payload".
+        time_s: end of that period, since the beginning of the part.
+    """
+
+    speed_m_s: float
+    limit_m_s: float
+    body: str
+    part: str
+    time_s: float
+
+
+@dataclass(frozen=True)
+class Opinion:
+    """What the second opinion found.
+
+    Args:
+        approaches: one for each kind of which there are pairs.
+        pairs: all pairs, with what is asked of each and why.
+    """
+
+    approaches: tuple[Approach, ...]
+    fastest: FastestPoint
+    pairs: tuple[AccountedPair, ...]
+    samples: int
+
+    @property
+    def violations(self) -> tuple[Approach | FastestPoint, ...]:
+        """What does not keep the cell's limits, distances first."""
+        close = [each for each in self.approaches if each.distance_m < each.required_m - NUMERICAL_M]
+        fast = [self.fastest] if self.fastest.speed_m_s > self.fastest.limit_m_s * (1.0 + NUMERICAL) else []
+        return (*close, *fast)
+
+    @property
+    def passes(self) -> bool:
+        """Whether every limit is kept."""
+        return not self.violations
+
+
+class _Times(NamedTuple):
+    """From the samples of a whole motion to its parts."""
+
+    names: list[str]
+    starts: Array
+    period: float
+
+    def of(self, sample: int) -> tuple[str, float]:
+        """Name of the part, and time since its beginning, s."""
+        k = int(np.searchsorted(self.starts, sample, side="right")) - 1
+        return self.names[k], float(self.period * (sample - self.starts[k]))
+
+
+def second_opinion(cell: Cell, payload_box: Box, paths: Sequence[JointPath], period: float) -> Opinion:
+    """Judges the parts of a motion, which follow each other without a step.
+
+    Args:
+        payload_box: sensor frame.
+        period: between samples, s.
+
+    Raises:
+        BadRobot: the second opinion cannot read one of the arm's meshes.
+        ValueError: a set point is not finite.
+    """
+    arm = arm_of_cell(cell, payload_box)
+    q = np.concatenate([path.q for path in paths])
+    if not np.isfinite(q).all():
+        raise ValueError("a set point of the plan is not finite")
+    times = _Times([path.name for path in paths], np.cumsum([0, *(len(path.q) for path in paths[:-1])]), period)
+    pairs = accounted_pairs(cell, arm)
+    bodies = [*placed(arm, q), *standing(cell)]
+    steps = [_steps(body) for body in bodies]
+    ways = [np.concatenate(([0.0], np.cumsum(step))) if len(step) else np.zeros(len(q)) for step in steps]
+    approaches = [_approach(kind, pairs, bodies, ways, times) for kind in Kind if any(_counts(pair, kind) for pair in pairs)]
+    fastest = _fastest(bodies, steps, times, cell.limits.cartesian_speed_m_s)
+    return Opinion(tuple(approaches), fastest, tuple(pairs), len(q))
+
+
+def _counts(pair: AccountedPair, kind: Kind) -> bool:
+    return pair.kind == kind and pair.required_m is not None
+
+
+def _steps(body: Placed) -> Array:
+    """(N - 1,), how far the farthest corner of a body moves in each period, m."""
+    rotation, position = np.diff(body.frames.rotation, axis=0), np.diff(body.frames.position, axis=0)
+    squared = np.zeros(len(position))
+    for corner in body.solid.corners:
+        moved = rotation @ corner + position
+        squared = np.maximum(squared, np.einsum("ni,ni->n", moved, moved))
+    return np.sqrt(squared)
+
+
+def _approach(kind: Kind, pairs: list[AccountedPair], bodies: list[Placed], ways: list[Array], times: _Times) -> Approach:
+    """Where the pairs of a kind come closest to what they have to keep."""
+    counted = [(pair, pair.required_m) for pair in pairs if pair.kind == kind and pair.required_m is not None]
+
+    def margin(k: int, sample: int) -> float:
+        pair, required = counted[k]
+        first, second = (bodies[i] for i in pair.bodies)
+        return distance(first.solid, first.at(sample), second.solid, second.at(sample)) - required
+
+    least = least_margin([ways[i] + ways[k] for i, k in (pair.bodies for pair, _ in counted)], margin)
+    pair, required = counted[least.pair]
+    return Approach(kind, pair.first, pair.second, least.margin + required, required, *times.of(least.sample))
+
+
+def _fastest(bodies: list[Placed], steps: list[Array], times: _Times, limit: float) -> FastestPoint:
+    moving = [(float(step.max()), int(step.argmax()), body.name) for body, step in zip(bodies, steps, strict=True) if len(step)]
+    moved, sample, name = max(moving, default=(0.0, -1, bodies[0].name))
+    return FastestPoint(moved / times.period, limit, name, *times.of(sample + 1))
