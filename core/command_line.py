@@ -34,7 +34,16 @@ from core.robot import RobotModel
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
 from core.stated_friction import knowing_friction
-from core.tables import cells_table, diagnosis_lines, diagnosis_table, parameters_table, plan_table, reason_lines, verification_lines
+from core.tables import (
+    cells_table,
+    diagnosis_lines,
+    diagnosis_table,
+    opinion_lines,
+    parameters_table,
+    plan_table,
+    reason_lines,
+    verification_lines,
+)
 from core.terminal import HELP, answers, enter, messages
 from core.trial.command import trial
 from core.twin import NOMINAL
@@ -186,6 +195,8 @@ def plan(
     if json != "-":
         answers.print(plan_table(found))
         answers.print(f"Robot time {found.robot_s:.0f} s, planned in {found.plan_s:.1f} s.", highlight=False)
+        for line in opinion_lines(found.opinion):
+            answers.print(line, highlight=False)
 
 
 @app.command()

@@ -13,6 +13,7 @@ from core.collision import CollisionModel
 from core.control.bounds import JointLimits
 from core.control.movers import Mover, Playback
 from core.control.rotation import Rotation
+from core.errors import PlanDisputed, Stopped
 from core.robot import RobotModel
 from core.second_opinion.opinion import JointPath
 from core.sessions.session import RobotState
@@ -40,8 +41,7 @@ def commanded_paths(cell: Cell, robot: RobotModel, collision: CollisionModel, mo
     same controller on a robot that follows.
 
     Raises:
-        OutOfLimits: a rotation cannot be carried out.
-        BadState: a trajectory does not start where the motion before it ends.
+        PlanDisputed: a rotation stands still, or a trajectory does not start where the motion before it ends.
     """
     limits = JointLimits.of(cell, robot)
     paths: list[JointPath] = []
@@ -59,7 +59,10 @@ def commanded_paths(cell: Cell, robot: RobotModel, collision: CollisionModel, mo
             )
         else:
             mover = Playback(motion.along)
-        paths.append(JointPath(motion.name, _commanded(mover, here)))
+        try:
+            paths.append(JointPath(motion.name, _commanded(mover, here)))
+        except Stopped as error:
+            raise PlanDisputed(f"the finished plan cannot be carried out in {motion.name}. Plan again with another seed.") from error
         here = paths[-1].q[-1]
     return paths
 

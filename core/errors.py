@@ -9,7 +9,8 @@ HeftError                      exit code 1
 │   └── BadRecording               a recording that cannot be read
 ├── Refused                    3   the cell leaves no safe way to do it; the robot has not moved
 │   ├── NoStartConfiguration       no start configuration for an axis (Algorithm 6)
-│   └── NoPath                     no collision-free path, or none that can be timed
+│   ├── NoPath                     no collision-free path, or none that can be timed
+│   └── PlanDisputed               a finished plan that an independent check does not confirm
 ├── Stopped                    4   the guard stopped the robot; carries the last samples
 │   ├── TooClose                   to an obstacle, a protected zone or itself
 │   ├── TooFast                    a link, a corner of the payload box, or a joint
@@ -154,6 +155,18 @@ class NoPath(Refused):
 
     Args:
         in_the_way: name of the obstacle, zone or link that was nearest, where distances were what kept it from being found.
+    """
+
+    def __init__(self, message: str, in_the_way: str | None = None) -> None:
+        super().__init__(message)
+        self.in_the_way = in_the_way
+
+
+class PlanDisputed(Refused):
+    """A finished plan was measured once more by other code with another collision library, and does not keep a limit there.
+
+    Args:
+        in_the_way: name of the obstacle, zone or link that is too close, where that is what it is about.
     """
 
     def __init__(self, message: str, in_the_way: str | None = None) -> None:

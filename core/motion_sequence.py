@@ -47,6 +47,7 @@ class MotionSequence(Protocol):
 
         Raises:
             NoStartConfiguration, NoPath: the cell leaves no safe way.
+            PlanDisputed: an independent check does not confirm the plan.
         """
 
 

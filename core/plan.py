@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from core.cell import Box, Cell
 from core.collision import CollisionModel
+from core.commanded_path import Motion, commanded_paths
 from core.control.decoupling import decoupling_profile, expected_inertia, repetitions_for
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
@@ -25,6 +26,8 @@ from core.planning.path import one_turn_away
 from core.planning.start_configuration import StartConfiguration, find_start_configuration
 from core.planning.transfer import Transfer, plan_transfer
 from core.robot import RobotModel
+from core.second_opinion.opinion import Opinion, second_opinion
+from core.second_opinion.refusal import refuse_disputed
 from core.trajectory import AngularProfile, JointTrajectory
 
 Array = NDArray[np.float64]
@@ -64,12 +67,17 @@ class Leg:
 
 @dataclass(frozen=True)
 class Plan:
-    """What the robot is going to do, from where it stands back to home."""
+    """What the robot is going to do, from where it stands back to home.
+
+    Args:
+        opinion: of the check that shares no code with the planner, which the plan has passed.
+    """
 
     legs: tuple[Leg, ...]
     home: Transfer
     timing: Timing
     plan_s: float
+    opinion: Opinion
 
     @property
     def robot_s(self) -> float:
@@ -102,6 +110,7 @@ def plan_procedure(
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
+        PlanDisputed: see `confirmed`.
     """
     began = time.perf_counter()
     timing = timing or Timing()
@@ -123,9 +132,29 @@ def plan_procedure(
         Leg(axis, start, transfer, _repeated(cell, payload_box, axis, once, budget, mass_guess_kg, timing), axis[0])
         for axis, start, transfer in reached
     )
-    plan = Plan(legs, back, timing, time.perf_counter() - began)
+    opinion = confirmed(cell, robot, collision, payload_box, legs, back)
+    plan = Plan(legs, back, timing, time.perf_counter() - began, opinion)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
+
+
+def confirmed(cell: Cell, robot: RobotModel, collision: CollisionModel, payload_box: Box, legs: Sequence[Leg], home: Transfer) -> Opinion:
+    """The second opinion on legs and the way home, every set point as it will be commanded.
+
+    Raises:
+        PlanDisputed: it does not confirm them.
+    """
+    motions: list[Motion] = []
+    for leg in legs:
+        motions.append(Motion(f"transfer {leg.axis}", leg.transfer.trajectory))
+        motions += [] if leg.profile is None else [Motion(f"rotation {leg.about}", leg.profile, leg.about)]
+        motions += [] if leg.wave is None else [Motion(f"wave {leg.axis}", leg.wave)]
+    motions.append(Motion("home", home.trajectory))
+    first = legs[0].transfer if legs else home
+    paths = commanded_paths(cell, robot, collision, motions, first.trajectory.q[0])
+    opinion = second_opinion(cell, payload_box, paths, home.trajectory.period)
+    refuse_disputed(opinion)
+    return opinion
 
 
 class Reached(NamedTuple):

@@ -13,6 +13,7 @@ from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.inertia import PHI_NAMES, PHI_UNITS
 from core.plan import Plan
 from core.result import Result
+from core.second_opinion.opinion import Opinion
 from core.verification_words import verification_sentence
 
 Array = NDArray[np.float64]
@@ -96,6 +97,18 @@ def plan_table(plan: Plan) -> Table:
         )
     table.add_row("home", "", "", "", "", f"{plan.home.trajectory.duration:.1f}", f"{plan.home.least_margin_m:.3f}", "")
     return table
+
+
+def opinion_lines(opinion: Opinion) -> list[str]:
+    """What the second opinion found, a line for each kind of pair and one for the fastest point."""
+    lines = [f"A second opinion on {opinion.samples} set points, sharing no code with the planner:"]
+    for each in opinion.approaches:
+        limit = f"limit {each.required_m:.3f} m" if each.kind.is_judged else "no limit"
+        where = f"{each.part!r} after {each.time_s:.3f} s"
+        lines.append(f"  {each.kind}: {each.first!r} {each.distance_m:.3f} m from {each.second!r} ({limit}), {where}")
+    fast = opinion.fastest
+    where = f"{fast.part!r} after {fast.time_s:.3f} s"
+    return [*lines, f"  fastest point: a corner of {fast.body!r} at {fast.speed_m_s:.3f} m/s (limit {fast.limit_m_s:.3f} m/s), {where}"]
 
 
 def cells_table(cells: list[Cell]) -> Table:

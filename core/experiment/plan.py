@@ -18,7 +18,7 @@ from core.control.decoupling import decoupling_profile
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.gap.experiment import HOLD_S, Stop, Swings, wave_shape
-from core.plan import PATH_SECONDS, Leg, Plan
+from core.plan import PATH_SECONDS, Leg, Plan, confirmed
 from core.plan_settings import Planner, Timing
 from core.planning.path import one_turn_away
 from core.planning.start_configuration import Attitude, StartConfiguration, find_attitude
@@ -49,6 +49,7 @@ def plan_experiment(
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
+        PlanDisputed: see `core.plan.confirmed`.
     """
     began = time.perf_counter()
     search = _Search(cell, robot, collision, payload_box, period, planner, seed)
@@ -60,7 +61,8 @@ def plan_experiment(
         here = legs[-1].transfer.goal
     back = plan_transfer(cell, robot, collision, here, home, period=period, planner=planner, seed=seed, seconds=PATH_SECONDS[-1])
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
-    plan = Plan(tuple(legs), back, Timing(hold_s=HOLD_S), time.perf_counter() - began)
+    opinion = confirmed(cell, robot, collision, payload_box, legs, back)
+    plan = Plan(tuple(legs), back, Timing(hold_s=HOLD_S), time.perf_counter() - began, opinion)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
 

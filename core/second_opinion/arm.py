@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -104,7 +103,9 @@ def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
     ]
     n, sensor = carried[cell.robot.sensor_frame]
     bodies.append(Body(PAYLOAD, n, sensor.after(frame_of_pose(payload_box.pose)), box(np.array(payload_box.size_m))))
-    limits = np.array([[float(limit.get(key, "")) for key in ("lower", "upper")] for link in chain for limit in joints[link].findall("limit")])
+    limits = np.array(
+        [[float(limit.get(key, "")) for key in ("lower", "upper")] for link in chain for limit in joints[link].findall("limit")]
+    )
     axes = np.array([_axis(joints[link]) for link in chain])
     return Arm(tuple(placements), axes, sensor, tuple(bodies), *limits.T)
 

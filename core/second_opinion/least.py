@@ -25,11 +25,12 @@ class Least(NamedTuple):
     sample: int
 
 
-def least_margin(ways: Sequence[Array], margin: Callable[[int, int], float]) -> Least:
+def least_margin(ways: Sequence[Array], margin: Callable[[int, int], float], resolution: float = 0.0) -> Least:
     """The least of `margin(pair, sample)` over all pairs and samples.
 
     Args:
         ways: for each pair (N,), a rising length: no margin changes between two samples by more than it rises.
+        resolution: a margin that is less than this below the one returned may be overlooked, unless it is negative and that one is not.
     """
     best = Least(np.inf, -1, -1)
     stretches: list[tuple[float, int, int, int, float, float]] = []
@@ -40,9 +41,12 @@ def least_margin(ways: Sequence[Array], margin: Callable[[int, int], float]) -> 
         best = min(best, Least(found, pair, sample))
         return found
 
+    def matters(bound: float) -> bool:
+        return bound < best.margin - resolution or bound < 0.0 <= best.margin
+
     def keep(pair: int, i: int, k: int, at_i: float, at_k: float) -> None:
         bound = 0.5 * (at_i + at_k - (ways[pair][k] - ways[pair][i]))
-        if k - i > 1 and bound < best.margin:
+        if k - i > 1 and matters(bound):
             heapq.heappush(stretches, (bound, pair, i, k, at_i, at_k))
 
     for pair, way in enumerate(ways):
@@ -50,7 +54,7 @@ def least_margin(ways: Sequence[Array], margin: Callable[[int, int], float]) -> 
         keep(pair, 0, last, look(pair, 0), look(pair, last))
     while stretches:
         bound, pair, i, k, at_i, at_k = heapq.heappop(stretches)
-        if bound >= best.margin:
+        if not matters(bound):
             break
         middle = (i + k) // 2
         at_middle = look(pair, middle)

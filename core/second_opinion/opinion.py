@@ -81,7 +81,8 @@ class Opinion:
     @property
     def violations(self) -> tuple[Approach | FastestPoint, ...]:
         """What does not keep the cell's limits, distances first."""
-        close = [each for each in self.approaches if each.distance_m < each.required_m - NUMERICAL_M]
+        judged = [each for each in self.approaches if each.kind.is_judged]
+        close = [each for each in judged if each.distance_m < each.required_m - NUMERICAL_M]
         fast = [self.fastest] if self.fastest.speed_m_s > self.fastest.limit_m_s * (1.0 + NUMERICAL) else []
         return (*close, *fast)
 
@@ -124,13 +125,10 @@ def second_opinion(cell: Cell, payload_box: Box, paths: Sequence[JointPath], per
     bodies = [*placed(arm, q), *standing(cell)]
     steps = [_steps(body) for body in bodies]
     ways = [np.concatenate(([0.0], np.cumsum(step))) if len(step) else np.zeros(len(q)) for step in steps]
-    approaches = [_approach(kind, pairs, bodies, ways, times) for kind in Kind if any(_counts(pair, kind) for pair in pairs)]
+    kinds = [kind for kind in Kind if kind != Kind.JOINED and any(pair.kind == kind for pair in pairs)]
+    approaches = [_approach(kind, [pair for pair in pairs if pair.kind == kind], bodies, ways, times) for kind in kinds]
     fastest = _fastest(bodies, steps, times, cell.limits.cartesian_speed_m_s)
     return Opinion(tuple(approaches), fastest, tuple(pairs), len(q))
-
-
-def _counts(pair: AccountedPair, kind: Kind) -> bool:
-    return pair.kind == kind and pair.required_m is not None
 
 
 def _steps(body: Placed) -> Array:
@@ -145,16 +143,14 @@ def _steps(body: Placed) -> Array:
 
 def _approach(kind: Kind, pairs: list[AccountedPair], bodies: list[Placed], ways: list[Array], times: _Times) -> Approach:
     """Where the pairs of a kind come closest to what they have to keep."""
-    counted = [(pair, pair.required_m) for pair in pairs if pair.kind == kind and pair.required_m is not None]
 
     def margin(k: int, sample: int) -> float:
-        pair, required = counted[k]
-        first, second = (bodies[i] for i in pair.bodies)
-        return distance(first.solid, first.at(sample), second.solid, second.at(sample)) - required
+        first, second = (bodies[i] for i in pairs[k].bodies)
+        return distance(first.solid, first.at(sample), second.solid, second.at(sample)) - pairs[k].required_m
 
-    least = least_margin([ways[i] + ways[k] for i, k in (pair.bodies for pair, _ in counted)], margin)
-    pair, required = counted[least.pair]
-    return Approach(kind, pair.first, pair.second, least.margin + required, required, *times.of(least.sample))
+    least = least_margin([ways[i] + ways[k] for i, k in (pair.bodies for pair in pairs)], margin, kind.resolution_m)
+    pair = pairs[least.pair]
+    return Approach(kind, pair.first, pair.second, least.margin + pair.required_m, pair.required_m, *times.of(least.sample))
 
 
 def _fastest(bodies: list[Placed], steps: list[Array], times: _Times, limit: float) -> FastestPoint:

@@ -11,7 +11,7 @@ import fcl
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
+from core.cell import Cell, Obstacle, Zone
 from core.second_opinion.arm import PAYLOAD, Arm, Body, Frames, frame_of_pose
 from core.second_opinion.solids import Solid, distance, solid_of_shape
 
@@ -28,10 +28,29 @@ class Kind(StrEnum):
     """What two solids are to each other."""
 
     ENVIRONMENT = "obstacles and zones"
+    FIRST_LINK = "first link against obstacles and zones"
+    """Its distance hardly changes, and would hide what the others do."""
     PAYLOAD = "payload against links"
     LINKS = "links against links"
     NEIGHBOURS = "neighbours in the arm"
-    """Few joints between them: they only may not go into each other."""
+    """Few joints between them, the payload among them: they may not go into each other."""
+    WRIST = "links of one wrist"
+    """Simplified shapes closer at home than links may be: told, not judged."""
+    JOINED = "joined"
+    """Not looked at: they share a joint, or none is between them."""
+
+    @property
+    def is_judged(self) -> bool:
+        """Whether something is asked of its pairs."""
+        return self not in (Kind.WRIST, Kind.JOINED)
+
+    @property
+    def resolution_m(self) -> float:
+        """How far from the least distance its figure may be, m; the verdict is exact.
+
+        Distances that hardly change cannot be told apart but by looking at every sample.
+        """
+        return 0.001 if self in (Kind.FIRST_LINK, Kind.NEIGHBOURS, Kind.WRIST) else 0.0
 
 
 @dataclass(frozen=True)
@@ -52,18 +71,19 @@ class Placed:
 
 @dataclass(frozen=True)
 class AccountedPair:
-    """Two solids, by their places among `Pairs.arm` and `Pairs.standing`, and what they have to keep.
+    """Two solids and what they have to keep.
 
     Args:
         first, second: names.
-        required_m: least signed distance; None where nothing is asked.
-        why: in words, where it is None or not one of the cell's clearances.
+        required_m: least signed distance; 0, and only told against, where the kind is not judged.
+        why: that is asked, or nothing, in words.
+        bodies: their places in the list of the arm's bodies followed by what stands in the cell.
     """
 
     first: str
     second: str
     kind: Kind
-    required_m: float | None
+    required_m: float
     why: str
     bodies: tuple[int, int]
 
@@ -77,26 +97,27 @@ def placed(arm: Arm, q: Array) -> list[Placed]:
 def standing(cell: Cell) -> list[Placed]:
     """Obstacles and zones."""
     found = []
-    for item in (*cell.obstacles, *cell.zones):
+    for item in _things(cell):
         pose = frame_of_pose(item.shape.pose)
         found.append(Placed(item.name, 0, solid_of_shape(item.shape), Frames(pose.rotation[None], pose.position[None])))
     return found
 
 
 def accounted_pairs(cell: Cell, arm: Arm) -> list[AccountedPair]:
-    """All pairs in which something moves, with what is asked of each.
-
-    The second index of a pair with an obstacle or a zone counts on from the arm's bodies.
-    """
-    limits = cell.limits
-    things = [item.name for item in (*cell.obstacles, *cell.zones)]
-    found = [
-        AccountedPair(body.name, thing, Kind.ENVIRONMENT, limits.clearance_m, "the cell's clearance", (i, len(arm.bodies) + k))
-        for i, body in enumerate(arm.bodies)
-        if body.joint > 0
-        for k, thing in enumerate(things)
-    ]
+    """All pairs of the moving bodies with what stands in the cell, and of the arm's bodies with each other."""
+    things = [item.name for item in _things(cell)]
+    found = []
+    for i, body in enumerate(arm.bodies):
+        kind = Kind.FIRST_LINK if body.joint == 1 else Kind.ENVIRONMENT
+        for k, thing in enumerate(things):
+            if body.joint > 0:
+                bodies = i, len(arm.bodies) + k
+                found.append(AccountedPair(body.name, thing, kind, cell.limits.clearance_m, "the cell's clearance", bodies))
     return [*found, *_own_pairs(cell, arm)]
+
+
+def _things(cell: Cell) -> list[Obstacle | Zone]:
+    return [*cell.obstacles, *cell.zones]
 
 
 def _own_pairs(cell: Cell, arm: Arm) -> Iterator[AccountedPair]:
@@ -104,32 +125,28 @@ def _own_pairs(cell: Cell, arm: Arm) -> Iterator[AccountedPair]:
     home = placed(arm, np.array([cell.robot.home_rad]))
     for i, first in enumerate(arm.bodies):
         for k, second in enumerate(arm.bodies):
-            between = first.joint - second.joint
-            if between < 0 or (between == 0 and i <= k):
-                continue
-            kind = Kind.PAYLOAD if PAYLOAD in (first.name, second.name) and between > 1 else Kind.LINKS if between > 1 else Kind.NEIGHBOURS
-            at_home = distance(first.solid, home[i].at(0), second.solid, home[k].at(0))
-            required, why = _required(cell, arm, (first, second), at_home)
-            if between > 1 and required != cell.limits.self_clearance_m:
-                kind = Kind.NEIGHBOURS
-            yield AccountedPair(first.name, second.name, kind, required, why, (i, k))
+            if first.joint > second.joint or (first.joint == second.joint and i > k):
+                at_home = distance(first.solid, home[i].at(0), second.solid, home[k].at(0))
+                yield AccountedPair(first.name, second.name, *_asked(cell, arm, (first, second), at_home), (i, k))
 
 
-def _required(cell: Cell, arm: Arm, pair: tuple[Body, Body], at_home: float) -> tuple[float | None, str]:
-    """What two bodies of the arm have to keep, and why."""
+def _asked(cell: Cell, arm: Arm, pair: tuple[Body, Body], at_home: float) -> tuple[Kind, float, str]:
+    """What two bodies of the arm are to each other, what they have to keep, and why."""
     first, second = pair
     between = first.joint - second.joint
+    keep = cell.limits.self_clearance_m
+    payload = PAYLOAD in (first.name, second.name)
     if between == 0:
-        return None, "no joint between them: they do not move against each other"
-    if between == 1 and PAYLOAD not in (first.name, second.name):
-        return None, "links that share a joint: their shapes meet there"
+        return Kind.JOINED, 0.0, "no joint between them: they do not move against each other"
+    if between == 1 and not payload:
+        return Kind.JOINED, 0.0, "they share a joint: their shapes meet there"
     if between > 2:
-        return cell.limits.self_clearance_m, "the cell's self-clearance"
-    if at_home < -CONTACT_M:
-        return None, f"{1000 * -at_home:.1f} mm into each other at home already: simplified shapes of one wrist"
-    if between == 2 and at_home >= cell.limits.self_clearance_m and _can_touch(arm, pair, np.array(cell.robot.home_rad)):
-        return cell.limits.self_clearance_m, "the cell's self-clearance"
-    return -CONTACT_M, "few joints between them: the planner leaves them out, here they may not go into each other"
+        return Kind.PAYLOAD if payload else Kind.LINKS, keep, "the cell's self-clearance"
+    if at_home < (-CONTACT_M if payload else keep):
+        return Kind.WRIST, 0.0, f"{1000 * at_home:.1f} mm apart at home already: simplified shapes of one wrist"
+    if between == 2 and at_home >= keep and _can_touch(arm, pair, np.array(cell.robot.home_rad)):
+        return Kind.PAYLOAD if payload else Kind.LINKS, keep, "the cell's self-clearance"
+    return Kind.NEIGHBOURS, -CONTACT_M, f"few joints between them: not more than {1000 * CONTACT_M:.0f} mm into each other"
 
 
 def _can_touch(arm: Arm, pair: tuple[Body, Body], home: Array) -> bool:

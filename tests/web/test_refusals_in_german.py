@@ -7,16 +7,20 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from playwright.sync_api import Browser, expect
 
 from core.cell import load_cell
 from core.collision import Nearest
 from core.control.checks import Fault, Numbers
 from core.control.faults import frozen, stopped, too_close
-from core.errors import BadCell, NoStartConfiguration
+from core.errors import BadCell, NoStartConfiguration, PlanDisputed
 from core.lateness import Lateness
 from core.planning.rotation_room import Obstruction
 from core.robot import RobotModel
+from core.second_opinion.opinion import Approach, FastestPoint, Opinion
+from core.second_opinion.pairs import Kind
+from core.second_opinion.refusal import refuse_disputed
 from core.sessions.leased import _LATE, _sentence
 from server.errors import Conflict, NotFound
 from server.job_kinds import ADDITION, DIAGNOSIS, TRIALS
@@ -29,7 +33,8 @@ from tests.web.german_words import german
 from tests.web.screens import show, signed_in
 
 IN_HOLES = {
-    "joint {}", "payload", "start", "goal", "unreachable {}", "too close to {}", "{} too close to {}",
+    "joint {}", "payload", "start", "goal", "transfer {}", "rotation {}", "wave {}", "home",
+    "unreachable {}", "too close to {}", "{} too close to {}",
     "a released load would fly into zone {}", "no room for the rotation: {}", *(f"{each} {HOLE}" for each in Obstruction),
     "{} ms (limit {} ms)", *_LATE.values(), *State, ADDITION, DIAGNOSIS, TRIALS, *(f"{HOLE}: {step}" for _, step in NEXT_STEPS.values()),
 }  # fmt: skip
@@ -53,6 +58,12 @@ def engine_sentences() -> list[str]:
     ]
     near = [replace(CLOSE, second=second) for second in ("operator", "bench", "link3")]
     found += [too_close(each, cell, predicted=predicted, samples=()) for each in near for predicted in (False, True)]
+    near_end = Approach(Kind.ENVIRONMENT, "payload", "bench", 0.025, 0.03, "transfer x+", 1.25)
+    fastest = FastestPoint(0.2575, 0.25, "payload", "home", 0.5)
+    for opinion in (Opinion((near_end,), fastest, (), 100), Opinion((), fastest, (), 100)):
+        with pytest.raises(PlanDisputed) as disputed:
+            refuse_disputed(opinion)
+        found.append(disputed.value)
     reasons = {"unreachable": 30, "too close to 'bench'": 12, "'link5' too close to 'bench'": 2, f"{Obstruction.JOINT_LIMIT}": 1}
     found += [
         frozen(0.3, 0.25, ()),

@@ -113,6 +113,16 @@ export const sentences: Record<string, string> = {
     'der Roboter steht mit {} {} m von {} (Grenze {} m). Räumen Sie die Zelle.',
   'the timed path comes {} m too close ({}) where its corners are rounded. Plan again with another seed, or give the path more room.':
     'der Weg kommt {} m zu nahe ({}), wo seine Ecken gerundet sind. Planen Sie neu mit einem anderen Startwert, oder geben Sie ihm mehr Platz.',
+  'a second look at the finished plan finds {} {} m from {} (limit {} m), {} s after the beginning of {}. Plan again with another seed, or give the robot more room.':
+    'ein zweiter Blick auf den fertigen Plan findet {} {} m von {} (Grenze {} m), {} s nach dem Beginn von {}. Planen Sie neu mit einem anderen Startwert, oder geben Sie dem Roboter mehr Platz.',
+  'a second look at the finished plan finds a corner of {} at {} m/s (limit {} m/s), {} s after the beginning of {}. Plan again with another seed.':
+    'ein zweiter Blick auf den fertigen Plan findet eine Ecke von {} bei {} m/s (Grenze {} m/s), {} s nach dem Beginn von {}. Planen Sie neu mit einem anderen Startwert.',
+  'the finished plan cannot be carried out in {}. Plan again with another seed.':
+    'der fertige Plan lässt sich nicht ausführen: {}. Planen Sie neu mit einem anderen Startwert.',
+  'transfer {}': 'Fahrt nach {}',
+  'rotation {}': 'Drehung um {}',
+  'wave {}': 'Schwingung bei {}',
+  home: 'Heimfahrt',
 
   // why a run, or what was asked for, ended
   '{} was asked for by {}.': '{}, verlangt von {}.',
