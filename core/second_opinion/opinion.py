@@ -17,7 +17,8 @@ from core.second_opinion.solids import distance
 
 Array = NDArray[np.float64]
 
-NUMERICAL_M = 1e-6
+NUMERICAL_M = 1e-5
+"""python-fcl now and then puts boxes some micrometres nearer than they are."""
 NUMERICAL = 1e-6
 """Relative, of speeds."""
 

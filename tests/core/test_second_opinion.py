@@ -1,0 +1,301 @@
+"""The second opinion against Pinocchio and Coal, against a look at every sample, and on plans that are wrong in one place."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import coal
+import fcl
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from core.cell import Box, Cell, Pose, load_cell
+from core.collision import CollisionModel
+from core.commanded_path import Motion, commanded_paths
+from core.errors import BadRobot, PlanDisputed
+from core.plan import Plan, confirmed, plan_procedure
+from core.planning.point_speed import point_speeds
+from core.robot import RobotModel
+from core.second_opinion import solids
+from core.second_opinion.arm import arm_of_cell
+from core.second_opinion.least import least_margin
+from core.second_opinion.opinion import Approach, FastestPoint, JointPath, Opinion, second_opinion
+from core.second_opinion.pairs import Kind, accounted_pairs, placed, standing
+from core.second_opinion.refusal import refuse_disputed
+from core.trial.draw import returned
+
+Array = NDArray[np.float64]
+CELLS = Path(__file__).parents[2] / "cells"
+NAMES = ("lwr4_bench", "ur5e_line")
+PERIOD = 0.001
+
+
+@dataclass(frozen=True)
+class Bench:
+    cell: Cell
+    robot: RobotModel
+    collision: CollisionModel
+
+    @property
+    def home(self) -> Array:
+        return np.array(self.cell.robot.home_rad)
+
+
+@cache
+def bench(name: str) -> Bench:
+    cell = load_cell(CELLS / name)
+    robot = RobotModel.of_cell(cell)
+    return Bench(cell, robot, CollisionModel(cell, robot, cell.payload_box))
+
+
+@cache
+def planned(name: str) -> Plan:
+    at = bench(name)
+    return returned(plan_procedure(at.cell, at.robot, at.collision, at.cell.payload_box, start=at.home, poses=("x-", "x+")))
+
+
+def postures(robot: RobotModel, count: int) -> Array:
+    return np.random.default_rng(3).uniform(robot.lower, robot.upper, (count, robot.n))
+
+
+def there_and_back(home: Array, away: Array, seconds: float) -> Array:
+    """(N, n), from home by `away` (n,) and back, smoothly."""
+    share = 0.5 - 0.5 * np.cos(np.linspace(0.0, 2.0 * np.pi, round(seconds / PERIOD)))
+    return np.asarray(home + share[:, None] * away)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_its_kinematics_are_pinocchios(name: str) -> None:
+    at = bench(name)
+    arm, q = arm_of_cell(at.cell, at.cell.payload_box), postures(at.robot, 50)
+    own, theirs = arm.sensor_frames(q), at.robot.sensor_poses(q)
+    np.testing.assert_allclose(own.rotation, theirs.rotation, atol=1e-12)
+    np.testing.assert_allclose(own.position, theirs.position, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_its_distances_are_coals_for_every_pair_that_the_planner_watches(name: str) -> None:
+    at = bench(name)
+    arm = arm_of_cell(at.cell, at.cell.payload_box)
+    q = postures(at.robot, 40)
+    bodies = [*placed(arm, q), *standing(at.cell)]
+    number = {body.name: i for i, body in enumerate(bodies)}
+    watched = [pair for group in at.collision.pairs for pair in group]
+    required = [at.cell.limits.clearance_m] * len(at.collision.pairs[0]) + [at.cell.limits.self_clearance_m] * len(at.collision.pairs[1])
+    errors = []
+    for k, row in enumerate(q):
+        theirs = at.collision.margins(row)[at.collision.watched] + required
+        own = []
+        for first, second in watched:
+            a, b = bodies[number[first.name]], bodies[number[second.name]]
+            own.append(solids.distance(a.solid, a.at(k), b.solid, b.at(k)))
+        errors.append(np.array(own) - theirs)
+    assert np.percentile(np.abs(errors), 99) < 1e-9
+    assert np.max(errors) < 1e-9
+    assert np.min(errors) > -1e-5  # libccd now and then ends its iteration early, on the near side
+
+
+def test_round_solids_are_exact_where_python_fcl_by_itself_is_not() -> None:
+    rng = np.random.default_rng(1)
+    for own, theirs in (
+        (solids.ball(0.1), coal.Sphere(0.1)),
+        (solids.capsule(0.06, 0.3), coal.Capsule(0.06, 0.3)),
+        (solids.hull(Box(size_m=(0.1, 0.2, 0.3)).corners), coal.Box(0.1, 0.2, 0.3)),
+    ):
+        for _ in range(200):
+            turns, places = Rotation.random(2, rng=rng).as_matrix(), rng.uniform(-0.4, 0.4, (2, 3))
+            between = _distance_of(own, solids.box(np.array([0.1, 0.2, 0.15])), turns, places)
+            there = [coal.Transform3s(turn, place) for turn, place in zip(turns, places, strict=True)]
+            coals = coal.distance(theirs, there[0], coal.Box(0.1, 0.2, 0.15), there[1], coal.DistanceRequest(), coal.DistanceResult())
+            assert between == pytest.approx(coals, abs=1e-6)
+
+
+def test_a_cylinder_is_never_seen_farther_than_it_is() -> None:
+    rng = np.random.default_rng(2)
+    for _ in range(200):
+        turns, places = Rotation.random(2, rng=rng).as_matrix(), rng.uniform(-0.4, 0.4, (2, 3))
+        between = _distance_of(solids.cylinder(0.08, 0.3), solids.box(np.full(3, 0.1)), turns, places)
+        there = [coal.Transform3s(turn, place) for turn, place in zip(turns, places, strict=True)]
+        coals = coal.distance(
+            coal.Cylinder(0.08, 0.3), there[0], coal.Box(0.1, 0.1, 0.1), there[1], coal.DistanceRequest(), coal.DistanceResult()
+        )
+        assert -0.0013 * 0.08 - 1e-6 < between - coals < 1e-6
+
+
+def _distance_of(first: solids.Solid, second: solids.Solid, turns: Array, places: Array) -> float:
+    objects = [fcl.CollisionObject(s.core, fcl.Transform(R, p)) for s, R, p in zip((first, second), turns, places, strict=True)]
+    return solids.distance(first, objects[0], second, objects[1])
+
+
+def test_a_mesh_counts_as_its_hull_and_one_that_cannot_be_read_is_refused(tmp_path: Path) -> None:
+    trimesh.creation.box(extents=(2.0, 4.0, 6.0)).export(tmp_path / "box.stl")
+    (tmp_path / "box.txt").write_text("no mesh")
+    scaled = ET.fromstring('<geometry><mesh filename="box.stl" scale="0.1 0.1 0.1"/></geometry>')
+    found = solids.solid_of_geometry(scaled, tmp_path)
+    np.testing.assert_allclose(found.corners.max(axis=0), [0.1, 0.2, 0.3], atol=1e-9)
+    with pytest.raises(BadRobot, match="an STL or OBJ file"):
+        solids.solid_of_geometry(ET.fromstring('<geometry><mesh filename="box.txt"/></geometry>'), tmp_path)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_it_finds_is_what_a_look_at_every_sample_finds(name: str) -> None:
+    at = bench(name)
+    q = there_and_back(at.home, np.linspace(1.0, -0.6, at.robot.n), 0.6)
+    opinion = second_opinion(at.cell, at.cell.payload_box, [JointPath("first", q[:250]), JointPath("second", q[250:])], PERIOD)
+    bodies = [*placed(arm_of_cell(at.cell, at.cell.payload_box), q), *standing(at.cell)]
+    for found in opinion.approaches:
+        pairs = [pair for pair in opinion.pairs if pair.kind == found.kind]
+        margins = np.array(
+            [
+                [solids.distance(a.solid, a.at(k), b.solid, b.at(k)) - pair.required_m for k in range(len(q))]
+                for pair in pairs
+                for a, b in [[bodies[i] for i in pair.bodies]]
+            ]
+        )
+        margin = found.distance_m - found.required_m
+        assert margins.min() <= margin <= margins.min() + found.kind.resolution_m
+        sample = round(found.time_s / PERIOD) + (250 if found.part == "second" else 0)
+        pair = next(i for i, each in enumerate(pairs) if (each.first, each.second) == (found.first, found.second))
+        assert margins[pair, sample] == margin
+
+
+def test_a_least_margin_just_below_zero_is_found_however_coarse_the_figures_may_be() -> None:
+    margins = np.full((3, 1000), 0.0005)
+    margins[1, 617] = -0.0001
+    ways = [np.linspace(0.0, 1.0, 1000)] * 3
+    found = least_margin(ways, lambda pair, sample: float(margins[pair, sample]), resolution=0.01)
+    assert (found.pair, found.sample) == (1, 617)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_plan_of_a_shipped_cell_passes_with_its_rotation_and_says_no_other_distance_than_the_planner(name: str) -> None:
+    at, plan = bench(name), planned(name)
+    assert plan.opinion.passes
+    assert plan.opinion.samples > plan.robot_s / PERIOD * 0.5
+    around = [each for each in plan.opinion.approaches if each.kind == Kind.ENVIRONMENT]
+    assert around[0].distance_m <= min(leg.start.least_clearance_m for leg in plan.legs) + 1e-4
+    assert around[0].distance_m >= at.cell.limits.clearance_m
+    assert plan.opinion.fastest.speed_m_s == pytest.approx(0.96 * at.cell.limits.cartesian_speed_m_s, rel=0.01)
+
+
+def approach(opinion: Opinion, kind: Kind) -> Approach:
+    return next(each for each in opinion.approaches if each.kind == kind)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_path_bent_into_an_obstacle_by_5_mm_is_found_at_its_deepest_place(name: str) -> None:
+    at = bench(name)
+    down = np.eye(at.robot.n)[1]  # the second joint carries the arm down to what it stands on
+    near = [angle for angle in np.arange(0.0, 2.4, 0.01) if at.collision.obstacle_distance(at.home + angle * down).distance_m < -0.005]
+    low, high = near[0] - 0.01, near[0]  # Coal says how far
+    while high - low > 1e-10:
+        middle = 0.5 * (low + high)
+        free = at.collision.obstacle_distance(at.home + middle * down).distance_m > -0.005
+        low, high = (middle, high) if free else (low, middle)
+    theirs = at.collision.obstacle_distance(at.home + low * down)
+    q = there_and_back(at.home, low * down, 6.0)
+    opinion = second_opinion(at.cell, at.cell.payload_box, [JointPath("transfer x+", q[:2000]), JointPath("home", q[2000:])], PERIOD)
+    found = approach(opinion, Kind.ENVIRONMENT)
+    assert opinion.violations[0] == found
+    assert (found.first, found.second, found.part) == (theirs.first, theirs.second, "home")
+    assert found.distance_m == pytest.approx(-0.005, abs=2e-6)
+    assert found.time_s == pytest.approx(1.0, abs=2.5 * PERIOD)
+    with pytest.raises(PlanDisputed, match=rf"'{theirs.first}' -0.0050 m from '{theirs.second}' \(limit 0.030 m\).*of home") as refused:
+        refuse_disputed(opinion)
+    assert refused.value.in_the_way == theirs.second
+
+
+def test_a_payload_box_that_turns_into_the_wrist_is_found_where_the_planner_does_not_look() -> None:
+    at = bench("lwr4_bench")
+    beside = Box(size_m=(0.03, 0.03, 0.2), pose=Pose(xyz_m=(0.085, 0.0, -0.05)))  # 5 mm beside the cube of link6, which is 130 mm wide
+    watched = {(first.name, second.name) for first, second in CollisionModel(at.cell, at.robot, beside).pairs[1]}
+    assert ("payload", "link6") not in watched
+    share = np.linspace(0.0, 1.0, 2001)
+    q = at.home + 0.5 * np.pi * share[:, None] * np.eye(7)[6]
+    opinion = second_opinion(at.cell, beside, [JointPath("rotation z", q)], PERIOD)
+    found = approach(opinion, Kind.NEIGHBOURS)
+    assert found in opinion.violations
+    assert (found.first, found.second) == ("payload", "link6")
+    assert found.distance_m == pytest.approx(0.07 - 0.065 * np.sqrt(2.0), abs=1e-3)  # an edge of the cube, at 45 degrees
+    assert found.time_s == pytest.approx(1.0, abs=0.1)
+
+
+def test_a_payload_bent_back_into_the_forearm_is_found() -> None:
+    at = bench("lwr4_bench")
+    away = np.array([0.0, 0.0, 0.0, 0.0, 0.0, -2.09 - at.home[5], 0.0])
+    opinion = second_opinion(at.cell, at.cell.payload_box, [JointPath("transfer y-", there_and_back(at.home, away, 10.0))], PERIOD)
+    found = approach(opinion, Kind.PAYLOAD)
+    assert found in opinion.violations
+    assert (found.first, found.second, found.part, found.required_m) == ("payload", "link5", "transfer y-", 0.01)
+    assert found.time_s == pytest.approx(5.0, abs=0.1)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_speed_3_percent_over_the_limit_is_found_with_its_body_and_time(name: str) -> None:
+    at = bench(name)
+    turn = np.eye(at.robot.n)[0]
+    speeds = point_speeds(at.robot.chain, at.collision.points, at.home[None], turn[None])[0]
+    rate = 1.03 * at.cell.limits.cartesian_speed_m_s / speeds.max()
+    angle = 0.6  # rad, first half of there and back: fastest in its middle
+    seconds = 0.5 * np.pi * angle / rate
+    q = there_and_back(at.home, angle * turn, 2.0 * seconds)
+    opinion = second_opinion(at.cell, at.cell.payload_box, [JointPath("home", q[: len(q) // 2])], PERIOD)
+    (found,) = opinion.violations
+    assert isinstance(found, FastestPoint)
+    assert found.speed_m_s == pytest.approx(1.03 * 0.25, rel=2e-3)
+    assert found.body == at.collision.points.owner[int(np.argmax(speeds))]
+    assert found.time_s == pytest.approx(0.5 * seconds, abs=2.5 * PERIOD)
+    with pytest.raises(PlanDisputed, match=rf"'{found.body}' at 0.257\d m/s \(limit 0.250 m/s\)"):
+        refuse_disputed(opinion)
+
+
+def test_a_step_between_two_parts_is_a_speed() -> None:
+    at = bench("ur5e_line")
+    apart = [JointPath("transfer x-", at.home[None]), JointPath("home", at.home[None] + 1e-3)]
+    found = second_opinion(at.cell, at.cell.payload_box, apart, PERIOD).violations[-1]
+    assert isinstance(found, FastestPoint)
+    assert (found.part, found.time_s) == ("home", 0.0)
+
+
+def test_a_set_point_that_is_no_number_is_not_judged() -> None:
+    at = bench("ur5e_line")
+    with pytest.raises(ValueError, match="not finite"):
+        second_opinion(at.cell, at.cell.payload_box, [JointPath("home", np.full((3, 6), np.nan))], PERIOD)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_pair_is_accounted_for_once_and_each_that_the_planner_watches_is_judged(name: str) -> None:
+    at = bench(name)
+    pairs = accounted_pairs(at.cell, arm_of_cell(at.cell, at.cell.payload_box))
+    names = [frozenset((pair.first, pair.second)) for pair in pairs]
+    assert len(set(names)) == len(names)
+    judged = {name for name, pair in zip(names, pairs, strict=True) if pair.kind.is_judged}
+    assert {frozenset((first.name, second.name)) for group in at.collision.pairs for first, second in group} <= judged
+    assert all(pair.why for pair in pairs)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_rotation_is_judged_as_the_controller_will_command_it(name: str) -> None:
+    at, plan = bench(name), planned(name)
+    leg = plan.legs[-1]
+    assert leg.profile is not None
+    (path,) = commanded_paths(at.cell, at.robot, at.collision, [Motion("rotation x", leg.profile, "x")], leg.start.q)
+    poses = at.robot.sensor_poses(path.q)
+    about = Rotation.from_matrix(poses.rotation[0].T @ poses.rotation).as_rotvec()
+    assert np.abs(poses.position - poses.position[0]).max() < 1e-5
+    assert np.abs(about[:, 1:]).max() < 1e-4
+    assert np.abs(about[:, 0]).max() == pytest.approx(np.abs(leg.profile.angle).max(), rel=1e-3)
+
+
+def test_a_plan_that_is_not_confirmed_is_not_offered() -> None:
+    at = bench("ur5e_line")
+    slower = at.cell.model_copy(update={"limits": at.cell.limits.model_copy(update={"cartesian_speed_m_s": 0.2})})
+    plan = planned("ur5e_line")
+    with pytest.raises(PlanDisputed, match=r"limit 0\.200 m/s"):
+        confirmed(slower, at.robot, at.collision, at.cell.payload_box, plan.legs, plan.home)
