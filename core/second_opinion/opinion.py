@@ -18,7 +18,7 @@ from core.second_opinion.solids import distance
 Array = NDArray[np.float64]
 
 NUMERICAL_M = 1e-5
-"""python-fcl now and then puts boxes some micrometres nearer than they are."""
+"""python-fcl now and then puts solids some micrometres nearer than they are."""
 NUMERICAL = 1e-6
 """Relative, of speeds."""
 
@@ -147,7 +147,7 @@ def _approach(kind: Kind, pairs: list[AccountedPair], bodies: list[Placed], ways
 
     def margin(k: int, sample: int) -> float:
         first, second = (bodies[i] for i in pairs[k].bodies)
-        return distance(first.solid, first.at(sample), second.solid, second.at(sample)) - pairs[k].required_m
+        return distance(first.at(sample), second.at(sample)) - pairs[k].required_m
 
     least = least_margin([ways[i] + ways[k] for i, k in (pair.bodies for pair in pairs)], margin, kind.resolution_m)
     pair = pairs[least.pair]

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
 
-import fcl
 import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Cell, Obstacle, Zone
 from core.second_opinion.arm import PAYLOAD, Arm, Body, Frames, frame_of_pose
-from core.second_opinion.solids import Solid, distance, solid_of_shape
+from core.second_opinion.solids import PlacedSolid, Solid, distance, place, solid_of_shape
 
 Array = NDArray[np.float64]
 
@@ -62,11 +60,11 @@ class Placed:
     solid: Solid
     frames: Frames
 
-    def at(self, k: int) -> Any:
-        """Its core as python-fcl's object at sample k."""
+    def at(self, k: int) -> PlacedSolid:
+        """Where it is at sample k."""
         if len(self.frames.position) == 1:
             k = 0
-        return fcl.CollisionObject(self.solid.core, fcl.Transform(self.frames.rotation[k], self.frames.position[k]))
+        return place(self.solid, self.frames.rotation[k], self.frames.position[k])
 
 
 @dataclass(frozen=True)
@@ -126,7 +124,7 @@ def _own_pairs(cell: Cell, arm: Arm) -> Iterator[AccountedPair]:
     for i, first in enumerate(arm.bodies):
         for k, second in enumerate(arm.bodies):
             if first.joint > second.joint or (first.joint == second.joint and i > k):
-                at_home = distance(first.solid, home[i].at(0), second.solid, home[k].at(0))
+                at_home = distance(home[i].at(0), home[k].at(0))
                 yield AccountedPair(first.name, second.name, *_asked(cell, arm, (first, second), at_home), (i, k))
 
 
@@ -158,4 +156,4 @@ def _can_touch(arm: Arm, pair: tuple[Body, Body], home: Array) -> bool:
     q[:, joints] = np.stack(np.meshgrid(*np.linspace(low, high, ANGLES).T), axis=-1).reshape(-1, 2)
     frames = arm.frames(q)
     a, b = (Placed(body.name, body.joint, body.solid, frames[body.joint].after(body.placement)) for body in (first, second))
-    return any(distance(a.solid, a.at(k), b.solid, b.at(k)) < CONTACT_M for k in range(len(q)))
+    return any(distance(a.at(k), b.at(k)) < CONTACT_M for k in range(len(q)))

@@ -1,7 +1,9 @@
-"""Convex solids for python-fcl, each as a core and a radius round it.
+"""Convex solids for python-fcl, each as a polyhedron and a radius round it, and distances that are certified.
 
-python-fcl puts round shapes up to some millimetres farther away than they are; between boxes and polyhedra it is right to well below a
-micrometre. A ball is therefore a point with a radius, a capsule a line with a radius, and a cylinder a prism that contains it.
+python-fcl puts round shapes up to some millimetres farther away than they are. A ball is therefore a point with a radius, a capsule a line
+with a radius, and a cylinder a prism that contains it. Boxes that are nearly parallel it now and then (some in ten thousand) puts too far
+away as well, by centimetres at worst: each of its answers is held against the gap along its own direction, which no two convex bodies can
+be nearer than, and where the two differ the least distance is found from the corners.
 """
 
 from __future__ import annotations
@@ -9,12 +11,13 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import fcl
 import numpy as np
 import trimesh
 from numpy.typing import NDArray
+from scipy.optimize import nnls
 from scipy.spatial import ConvexHull
 
 from core.cell import Box, Capsule, Shape, Sphere
@@ -25,7 +28,10 @@ Array = NDArray[np.float64]
 SIDES = 64
 """Of the prism round a cylinder: its edges stand out by 0.12 % of the radius."""
 
-_REQUEST = fcl.DistanceRequest(enable_signed_distance=True)
+CERTAIN_M = 1e-7
+"""How far python-fcl's answer may be from what its direction proves."""
+
+_REQUEST = fcl.DistanceRequest(enable_nearest_points=True, enable_signed_distance=True)
 
 
 @dataclass(frozen=True)
@@ -34,28 +40,50 @@ class Solid:
 
     Args:
         core: python-fcl's geometry, about the solid's own origin.
+        points: (k, 3), corners of the core, in the same frame, m.
         corners: (8, 3), corners of a box round the solid, in its own frame, m.
     """
 
     core: Any
+    points: Array
     radius_m: float
     corners: Array
 
 
+class PlacedSolid(NamedTuple):
+    """A solid somewhere in the world.
+
+    Args:
+        core: python-fcl's object.
+        rotation, position: (3, 3) and (3,), m.
+    """
+
+    solid: Solid
+    core: Any
+    rotation: Array
+    position: Array
+
+    @property
+    def points(self) -> Array:
+        """(k, 3), corners of the core in the world, m."""
+        return np.asarray(self.solid.points @ self.rotation.T + self.position)
+
+
 def box(size: Array) -> Solid:
     """A cuboid of that size (3,) about its origin, m."""
-    return Solid(fcl.Box(*size), 0.0, _corners(-0.5 * size, 0.5 * size))
+    corners = _corners(-0.5 * size, 0.5 * size)
+    return Solid(fcl.Box(*size), corners, 0.0, corners)
 
 
 def ball(radius: float) -> Solid:
     """About its origin, m."""
-    return Solid(fcl.Box(0.0, 0.0, 0.0), radius, _corners(np.full(3, -radius), np.full(3, radius)))
+    return Solid(fcl.Box(0.0, 0.0, 0.0), np.zeros((1, 3)), radius, _corners(np.full(3, -radius), np.full(3, radius)))
 
 
 def capsule(radius: float, length: float) -> Solid:
     """Along z; `length` without the round ends, m."""
-    half = np.array([radius, radius, 0.5 * length + radius])
-    return Solid(fcl.Box(0.0, 0.0, length), radius, _corners(-half, half))
+    ends = np.array([[0.0, 0.0, -0.5 * length], [0.0, 0.0, 0.5 * length]])
+    return Solid(fcl.Box(0.0, 0.0, length), ends, radius, _corners(ends[0] - radius, ends[1] + radius))
 
 
 def cylinder(radius: float, length: float) -> Solid:
@@ -76,7 +104,7 @@ def hull(points: Array) -> Solid:
         outward = np.cross(b - a, c - a) @ equation[:3] > 0.0
         faces += [3, *(number[int(k)] for k in (corners if outward else corners[::-1]))]
     core = fcl.Convex(points[found.vertices], len(found.simplices), np.array(faces))
-    return Solid(core, 0.0, _corners(points.min(axis=0), points.max(axis=0)))
+    return Solid(core, points[found.vertices], 0.0, _corners(points.min(axis=0), points.max(axis=0)))
 
 
 def solid_of_shape(shape: Shape) -> Solid:
@@ -109,14 +137,39 @@ def solid_of_geometry(geometry: ET.Element, folder: Path) -> Solid:
     return hull(_mesh_points(folder / shape.get("filename", "")) * numbers(shape.get("scale", "1 1 1")))
 
 
-def distance(first: Solid, first_object: Any, second: Solid, second_object: Any) -> float:
-    """Signed distance of two placed solids, negative where they penetrate, m.
+def place(solid: Solid, rotation: Array, position: Array) -> PlacedSolid:
+    """A solid with its origin at `position` (3,), turned by `rotation` (3, 3)."""
+    return PlacedSolid(solid, fcl.CollisionObject(solid.core, fcl.Transform(rotation, position)), rotation, position)
 
-    Args:
-        first_object, second_object: their cores, placed.
+
+def distance(first: PlacedSolid, second: PlacedSolid) -> float:
+    """Signed distance, negative where they penetrate, m; never more than `CERTAIN_M` too far."""
+    found = fcl.DistanceResult()
+    between_cores = float(fcl.distance(first.core, second.core, _REQUEST, found))
+    if between_cores > CERTAIN_M:
+        a, b = first.points, second.points
+        if between_cores - _gap(a, b, np.subtract(*reversed(found.nearest_points))) > CERTAIN_M:
+            between_cores = max(0.0, _gap(a, b, _shortest(a, b)))
+    return between_cores - first.solid.radius_m - second.solid.radius_m
+
+
+def _gap(a: Array, b: Array, direction: Array) -> float:
+    """How far hulls of points are apart along a direction (3,) from a to b: never more than their distance."""
+    length = np.sqrt(direction @ direction)
+    return float(((b @ direction).min() - (a @ direction).max()) / length) if length > 0.0 else 0.0
+
+
+def _shortest(a: Array, b: Array) -> Array:
+    """(3,), the shortest way from the hull of points a (k, 3) to that of b: least squares with weights that are not negative.
+
+    That the weights of each hull add up to one is asked for with a large factor.
     """
-    between_cores = fcl.distance(first_object, second_object, _REQUEST, fcl.DistanceResult())
-    return float(between_cores) - first.radius_m - second.radius_m
+    factor = 1e4
+    sums = np.zeros((2, len(a) + len(b)))
+    sums[0, : len(a)] = sums[1, len(a) :] = factor
+    weights, _ = nnls(np.vstack([np.hstack([-a.T, b.T]), sums]), np.array([0.0, 0.0, 0.0, factor, factor]))
+    of_a, of_b = weights[: len(a)], weights[len(a) :]
+    return np.asarray(of_b @ b / of_b.sum() - of_a @ a / of_a.sum())
 
 
 def numbers(text: str) -> Array:

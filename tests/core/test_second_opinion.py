@@ -83,7 +83,7 @@ def test_its_kinematics_are_pinocchios(name: str) -> None:
 def test_its_distances_are_coals_for_every_pair_that_the_planner_watches(name: str) -> None:
     at = bench(name)
     arm = arm_of_cell(at.cell, at.cell.payload_box)
-    q = postures(at.robot, 40)
+    q = postures(at.robot, 200)
     bodies = [*placed(arm, q), *standing(at.cell)]
     number = {body.name: i for i, body in enumerate(bodies)}
     watched = [pair for group in at.collision.pairs for pair in group]
@@ -94,10 +94,10 @@ def test_its_distances_are_coals_for_every_pair_that_the_planner_watches(name: s
         own = []
         for first, second in watched:
             a, b = bodies[number[first.name]], bodies[number[second.name]]
-            own.append(solids.distance(a.solid, a.at(k), b.solid, b.at(k)))
+            own.append(solids.distance(a.at(k), b.at(k)))
         errors.append(np.array(own) - theirs)
     assert np.percentile(np.abs(errors), 99) < 1e-9
-    assert np.max(errors) < 1e-9
+    assert np.max(errors) < 1e-7
     assert np.min(errors) > -1e-5  # libccd now and then ends its iteration early, on the near side
 
 
@@ -129,8 +129,23 @@ def test_a_cylinder_is_never_seen_farther_than_it_is() -> None:
 
 
 def _distance_of(first: solids.Solid, second: solids.Solid, turns: Array, places: Array) -> float:
-    objects = [fcl.CollisionObject(s.core, fcl.Transform(R, p)) for s, R, p in zip((first, second), turns, places, strict=True)]
-    return solids.distance(first, objects[0], second, objects[1])
+    return solids.distance(solids.place(first, turns[0], places[0]), solids.place(second, turns[1], places[1]))
+
+
+def test_boxes_nearly_parallel_are_no_farther_than_they_are_where_python_fcl_puts_them_farther() -> None:
+    rng = np.random.default_rng(4)
+    size = np.array([0.13, 0.12, 0.2])
+    farther = []
+    for _ in range(3000):
+        turns = Rotation.from_euler("xyz", rng.uniform(-3e-3, 3e-3, (2, 3)) * rng.integers(0, 2, (2, 3))).as_matrix()
+        places = np.array([[0.0, 0.0, 0.0], [*rng.uniform(-0.1, 0.1, 2), rng.uniform(0.25, 0.6)]])
+        there = [coal.Transform3s(turn, place) for turn, place in zip(turns, places, strict=True)]
+        shapes = coal.Box(*size), coal.Box(*size)
+        coals = coal.distance(shapes[0], there[0], shapes[1], there[1], coal.DistanceRequest(), coal.DistanceResult())
+        by_itself = [fcl.CollisionObject(fcl.Box(*size), fcl.Transform(turn, place)) for turn, place in zip(turns, places, strict=True)]
+        farther.append(fcl.distance(*by_itself, fcl.DistanceRequest(), fcl.DistanceResult()) - coals)
+        assert _distance_of(solids.box(size), solids.box(size), turns, places) == pytest.approx(coals, abs=1e-6)
+    assert max(farther) > 1e-5
 
 
 def test_a_mesh_counts_as_its_hull_and_one_that_cannot_be_read_is_refused(tmp_path: Path) -> None:
@@ -153,7 +168,7 @@ def test_what_it_finds_is_what_a_look_at_every_sample_finds(name: str) -> None:
         pairs = [pair for pair in opinion.pairs if pair.kind == found.kind]
         margins = np.array(
             [
-                [solids.distance(a.solid, a.at(k), b.solid, b.at(k)) - pair.required_m for k in range(len(q))]
+                [solids.distance(a.at(k), b.at(k)) - pair.required_m for k in range(len(q))]
                 for pair in pairs
                 for a, b in [[bodies[i] for i in pair.bodies]]
             ]
@@ -191,7 +206,8 @@ def approach(opinion: Opinion, kind: Kind) -> Approach:
 @pytest.mark.parametrize("name", NAMES)
 def test_a_path_bent_into_an_obstacle_by_5_mm_is_found_at_its_deepest_place(name: str) -> None:
     at = bench(name)
-    down = np.eye(at.robot.n)[1]  # the second joint carries the arm down to what it stands on
+    down = np.zeros(at.robot.n)
+    down[1], down[3] = 1.0, -0.6 if name == "lwr4_bench" else 0.0  # carries the arm down to what it stands on
     near = [angle for angle in np.arange(0.0, 2.4, 0.01) if at.collision.obstacle_distance(at.home + angle * down).distance_m < -0.005]
     low, high = near[0] - 0.01, near[0]  # Coal says how far
     while high - low > 1e-10:
