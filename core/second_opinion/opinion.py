@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ from core.cell import Box, Cell
 from core.second_opinion.arm import arm_of_cell
 from core.second_opinion.least import least_margin
 from core.second_opinion.pairs import AccountedPair, Kind, Placed, accounted_pairs, placed, standing
-from core.second_opinion.solids import distance
+from core.second_opinion.solids import PlacedSolid, distance
 
 Array = NDArray[np.float64]
 
@@ -127,7 +128,8 @@ def second_opinion(cell: Cell, payload_box: Box, paths: Sequence[JointPath], per
     steps = [_steps(body) for body in bodies]
     ways = [np.concatenate(([0.0], np.cumsum(step))) if len(step) else np.zeros(len(q)) for step in steps]
     kinds = [kind for kind in Kind if kind != Kind.JOINED and any(pair.kind == kind for pair in pairs)]
-    approaches = [_approach(kind, [pair for pair in pairs if pair.kind == kind], bodies, ways, times) for kind in kinds]
+    at = cache(lambda body, sample: bodies[body].at(sample))
+    approaches = [_approach(kind, [pair for pair in pairs if pair.kind == kind], at, ways, times) for kind in kinds]
     fastest = _fastest(bodies, steps, times, cell.limits.cartesian_speed_m_s)
     return Opinion(tuple(approaches), fastest, tuple(pairs), len(q))
 
@@ -142,12 +144,16 @@ def _steps(body: Placed) -> Array:
     return np.sqrt(squared)
 
 
-def _approach(kind: Kind, pairs: list[AccountedPair], bodies: list[Placed], ways: list[Array], times: _Times) -> Approach:
-    """Where the pairs of a kind come closest to what they have to keep."""
+def _approach(kind: Kind, pairs: list[AccountedPair], at: Callable[[int, int], PlacedSolid], ways: list[Array], times: _Times) -> Approach:
+    """Where the pairs of a kind come closest to what they have to keep.
+
+    Args:
+        at: where a body, by its number, is at a sample.
+    """
 
     def margin(k: int, sample: int) -> float:
-        first, second = (bodies[i] for i in pairs[k].bodies)
-        return distance(first.at(sample), second.at(sample)) - pairs[k].required_m
+        first, second = pairs[k].bodies
+        return distance(at(first, sample), at(second, sample)) - pairs[k].required_m
 
     least = least_margin([ways[i] + ways[k] for i, k in (pair.bodies for pair in pairs)], margin, kind.resolution_m)
     pair = pairs[least.pair]

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 CONTACT_M = 0.001
 """How deep solids of one wrist may go into each other: their shapes are simplified."""
 
-ANGLES = 32
+ANGLES = 24
 """Of each of two joints, to tell whether solids with these joints between them can touch."""
 
 

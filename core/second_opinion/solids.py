@@ -55,18 +55,12 @@ class PlacedSolid(NamedTuple):
 
     Args:
         core: python-fcl's object.
-        rotation, position: (3, 3) and (3,), m.
+        points: (k, 3), corners of the solid's core in the world, m.
     """
 
     solid: Solid
     core: Any
-    rotation: Array
-    position: Array
-
-    @property
-    def points(self) -> Array:
-        """(k, 3), corners of the core in the world, m."""
-        return np.asarray(self.solid.points @ self.rotation.T + self.position)
+    points: Array
 
 
 def box(size: Array) -> Solid:
@@ -139,7 +133,8 @@ def solid_of_geometry(geometry: ET.Element, folder: Path) -> Solid:
 
 def place(solid: Solid, rotation: Array, position: Array) -> PlacedSolid:
     """A solid with its origin at `position` (3,), turned by `rotation` (3, 3)."""
-    return PlacedSolid(solid, fcl.CollisionObject(solid.core, fcl.Transform(rotation, position)), rotation, position)
+    core = fcl.CollisionObject(solid.core, fcl.Transform(rotation, position))
+    return PlacedSolid(solid, core, solid.points @ rotation.T + position)
 
 
 def distance(first: PlacedSolid, second: PlacedSolid) -> float:

@@ -1,0 +1,40 @@
+"""Seconds that the second opinion on a finished plan takes, beside the planning of it: `python -m bench.second_opinion`."""
+
+from __future__ import annotations
+
+import argparse
+from time import perf_counter
+
+import numpy as np
+
+from core.cell import find_cell, load_cell
+from core.collision import CollisionModel
+from core.plan import confirmed, plan_procedure
+from core.robot import RobotModel
+from core.trial.draw import returned
+
+
+def main() -> None:
+    """Prints the median for each cell, set points included."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=7)
+    parser.add_argument("cells", nargs="*", default=["lwr4_bench", "ur5e_line"])
+    arguments = parser.parse_args()
+    for name in arguments.cells:
+        cell = load_cell(find_cell(name))
+        robot = RobotModel.of_cell(cell)
+        collision = CollisionModel(cell, robot, cell.payload_box)
+        plan = returned(plan_procedure(cell, robot, collision, cell.payload_box, start=np.array(cell.robot.home_rad)))
+        seconds = []
+        for _ in range(arguments.count):
+            began = perf_counter()
+            opinion = confirmed(cell, robot, collision, cell.payload_box, plan.legs, plan.home)
+            seconds.append(perf_counter() - began)
+        taken = float(np.median(seconds))
+        print(
+            f"{name}: {opinion.samples} set points checked in {taken:.2f} s (median, worst {max(seconds):.2f} s), planned in {plan.plan_s:.1f} s"
+        )
+
+
+if __name__ == "__main__":
+    main()
