@@ -10,6 +10,7 @@ BENCHES = (
     ("sns_step",),
     ("plant_speed",),
     ("start_search",),
+    ("second_opinion",),
     ("diagnosis",),
     ("procedure", "--seeds", "20"),
     ("coverage", "--count", "1000", "--seeds", "20"),

@@ -31,9 +31,8 @@ def main() -> None:
             opinion = confirmed(cell, robot, collision, cell.payload_box, plan.legs, plan.home)
             seconds.append(perf_counter() - began)
         taken = float(np.median(seconds))
-        print(
-            f"{name}: {opinion.samples} set points checked in {taken:.2f} s (median, worst {max(seconds):.2f} s), planned in {plan.plan_s:.1f} s"
-        )
+        checked = f"{opinion.samples} points checked in {taken:.2f} s (median), {max(seconds):.2f} s at most"
+        print(f"{name}: {checked}; planned in {plan.plan_s:.1f} s")
 
 
 if __name__ == "__main__":

@@ -27,6 +27,11 @@ class Frames(NamedTuple):
         """Placements that are given in these frames, in the frame that these are given in."""
         return Frames(self.rotation @ following.rotation, self.position + np.einsum("...ij,...j->...i", self.rotation, following.position))
 
+    def seen_from(self, other: Frames) -> Frames:
+        """These placements in other frames, both in the world."""
+        back = np.swapaxes(other.rotation, -1, -2)
+        return Frames(back @ self.rotation, np.einsum("...ij,...j->...i", back, self.position - other.position))
+
 
 IDENTITY = Frames(np.eye(3), np.zeros(3))
 

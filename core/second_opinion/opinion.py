@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Box, Cell
-from core.second_opinion.arm import arm_of_cell
+from core.second_opinion.arm import Frames, arm_of_cell
 from core.second_opinion.least import least_margin
 from core.second_opinion.pairs import AccountedPair, Kind, Placed, accounted_pairs, placed, standing
 from core.second_opinion.solids import PlacedSolid, distance
@@ -125,23 +125,38 @@ def second_opinion(cell: Cell, payload_box: Box, paths: Sequence[JointPath], per
     times = _Times([path.name for path in paths], np.cumsum([0, *(len(path.q) for path in paths[:-1])]), period)
     pairs = accounted_pairs(cell, arm)
     bodies = [*placed(arm, q), *standing(cell)]
-    steps = [_steps(body) for body in bodies]
-    ways = [np.concatenate(([0.0], np.cumsum(step))) if len(step) else np.zeros(len(q)) for step in steps]
+    steps = [_steps(body.frames, body.solid.corners) for body in bodies]
+    alone = [_way(step, len(q)) for step in steps]
     kinds = [kind for kind in Kind if kind != Kind.JOINED and any(pair.kind == kind for pair in pairs)]
     at = cache(lambda body, sample: bodies[body].at(sample))
-    approaches = [_approach(kind, [pair for pair in pairs if pair.kind == kind], at, ways, times) for kind in kinds]
+    approaches = []
+    for kind in kinds:
+        these = [pair for pair in pairs if pair.kind == kind]
+        ways = [_way_between(bodies, pair) if kind.is_close else alone[pair.bodies[0]] + alone[pair.bodies[1]] for pair in these]
+        approaches.append(_approach(kind, these, at, ways, times))
     fastest = _fastest(bodies, steps, times, cell.limits.cartesian_speed_m_s)
     return Opinion(tuple(approaches), fastest, tuple(pairs), len(q))
 
 
-def _steps(body: Placed) -> Array:
-    """(N - 1,), how far the farthest corner of a body moves in each period, m."""
-    rotation, position = np.diff(body.frames.rotation, axis=0), np.diff(body.frames.position, axis=0)
+def _steps(frames: Frames, corners: Array) -> Array:
+    """(N - 1,), how far the farthest of a body's corners (k, 3) moves in each period, m."""
+    rotation, position = np.diff(frames.rotation, axis=0), np.diff(frames.position, axis=0)
     squared = np.zeros(len(position))
-    for corner in body.solid.corners:
+    for corner in corners:
         moved = rotation @ corner + position
         squared = np.maximum(squared, np.einsum("ni,ni->n", moved, moved))
     return np.sqrt(squared)
+
+
+def _way(steps: Array, samples: int) -> Array:
+    """(samples,), the sum of the steps so far; of what stands, nothing."""
+    return np.concatenate(([0.0], np.cumsum(steps))) if len(steps) else np.zeros(samples)
+
+
+def _way_between(bodies: list[Placed], pair: AccountedPair) -> Array:
+    """(N,), how far the first body of a pair has moved as seen from the second."""
+    first, second = (bodies[k] for k in pair.bodies)
+    return _way(_steps(first.frames.seen_from(second.frames), first.solid.corners), len(first.frames.position))
 
 
 def _approach(kind: Kind, pairs: list[AccountedPair], at: Callable[[int, int], PlacedSolid], ways: list[Array], times: _Times) -> Approach:
@@ -149,13 +164,14 @@ def _approach(kind: Kind, pairs: list[AccountedPair], at: Callable[[int, int], P
 
     Args:
         at: where a body, by its number, is at a sample.
+        ways: of each pair, see `least_margin`.
     """
 
     def margin(k: int, sample: int) -> float:
         first, second = pairs[k].bodies
         return distance(at(first, sample), at(second, sample)) - pairs[k].required_m
 
-    least = least_margin([ways[i] + ways[k] for i, k in (pair.bodies for pair in pairs)], margin, kind.resolution_m)
+    least = least_margin(ways, margin, kind.resolution_m)
     pair = pairs[least.pair]
     return Approach(kind, pair.first, pair.second, least.margin + pair.required_m, pair.required_m, *times.of(least.sample))
 

@@ -48,7 +48,12 @@ class Kind(StrEnum):
 
         Distances that hardly change cannot be told apart but by looking at every sample.
         """
-        return 0.001 if self in (Kind.FIRST_LINK, Kind.NEIGHBOURS, Kind.WRIST) else 0.0
+        return 0.001 if self == Kind.FIRST_LINK or self.is_close else 0.0
+
+    @property
+    def is_close(self) -> bool:
+        """Whether few joints are between its pairs, which move little against each other however far the arm moves."""
+        return self in (Kind.NEIGHBOURS, Kind.WRIST)
 
 
 @dataclass(frozen=True)
