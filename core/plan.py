@@ -21,7 +21,7 @@ from core.control.decoupling import decoupling_profile, expected_inertia, repeti
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.plan_settings import Planner, Timing
-from core.plan_summary import PlannedPose, PlanSummary
+from core.plan_summary import ClosestPair, FastestCorner, PlannedPose, PlanSummary, SecondOpinion
 from core.planning.path import one_turn_away
 from core.planning.start_configuration import StartConfiguration, find_start_configuration
 from core.planning.transfer import Transfer, plan_transfer
@@ -271,4 +271,25 @@ def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:
         robot_s=plan.robot_s,
         plan_s=plan.plan_s,
         least_margin_m=plan.least_margin_m,
+        second_opinion=_opinion_summary(plan.opinion),
+    )
+
+
+def _opinion_summary(opinion: Opinion) -> SecondOpinion:
+    fast = opinion.fastest
+    return SecondOpinion(
+        closest=[
+            ClosestPair(
+                kind=each.kind,
+                first=each.first,
+                second=each.second,
+                distance_m=each.distance_m,
+                required_m=each.required_m if each.kind.is_judged else None,
+                part=each.part,
+                time_s=each.time_s,
+            )
+            for each in opinion.approaches
+        ],
+        fastest=FastestCorner(body=fast.body, speed_m_s=fast.speed_m_s, limit_m_s=fast.limit_m_s, part=fast.part, time_s=fast.time_s),
+        samples=opinion.samples,
     )

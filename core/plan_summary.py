@@ -21,6 +21,48 @@ class PlannedPose(BaseModel):
     rotation_s: float | None
 
 
+class ClosestPair(BaseModel):
+    """Where the second opinion finds a kind of pair closest to what it has to keep, for JSON.
+
+    Args:
+        kind: in words, as in `core.second_opinion.pairs.Kind`.
+        required_m: None where nothing is asked of that kind.
+        part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
+    """
+
+    model_config = ConfigDict(frozen=True)
+
+    kind: str
+    first: str
+    second: str
+    distance_m: float
+    required_m: float | None
+    part: str
+    time_s: float
+
+
+class FastestCorner(BaseModel):
+    """The fastest corner of a box round a link or the payload, for JSON."""
+
+    model_config = ConfigDict(frozen=True)
+
+    body: str
+    speed_m_s: float
+    limit_m_s: float
+    part: str
+    time_s: float
+
+
+class SecondOpinion(BaseModel):
+    """What a check that shares no code with the planner measured at every set point, for JSON."""
+
+    model_config = ConfigDict(frozen=True)
+
+    closest: list[ClosestPair]
+    fastest: FastestCorner
+    samples: int
+
+
 class PlanSummary(BaseModel):
     """A plan for JSON."""
 
@@ -32,3 +74,5 @@ class PlanSummary(BaseModel):
     robot_s: float
     plan_s: float
     least_margin_m: float
+    second_opinion: SecondOpinion | None = None
+    """None in plans made before there was one."""

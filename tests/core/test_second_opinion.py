@@ -19,7 +19,7 @@ from core.cell import Box, Cell, Pose, load_cell
 from core.collision import CollisionModel
 from core.commanded_path import Motion, commanded_paths
 from core.errors import BadRobot, PlanDisputed
-from core.plan import Plan, confirmed, plan_procedure
+from core.plan import Plan, confirmed, plan_procedure, plan_summary
 from core.planning.point_speed import point_speeds
 from core.robot import RobotModel
 from core.second_opinion import solids
@@ -307,6 +307,15 @@ def test_a_rotation_is_judged_as_the_controller_will_command_it(name: str) -> No
     assert np.abs(poses.position - poses.position[0]).max() < 1e-5
     assert np.abs(about[:, 1:]).max() < 1e-4
     assert np.abs(about[:, 0]).max() == pytest.approx(np.abs(leg.profile.angle).max(), rel=1e-3)
+
+
+def test_what_it_says_stands_in_the_plans_summary_beside_the_planners_own_figures() -> None:
+    plan = planned("ur5e_line")
+    told = plan_summary(bench("ur5e_line").cell, plan).second_opinion
+    assert told is not None and told.samples == plan.opinion.samples
+    assert [(each.first, each.second) for each in told.closest] == [(each.first, each.second) for each in plan.opinion.approaches]
+    assert {each.kind for each in told.closest if each.required_m is None} == {"links of one wrist"}
+    assert told.fastest.speed_m_s == plan.opinion.fastest.speed_m_s
 
 
 def test_a_plan_that_is_not_confirmed_is_not_offered() -> None:

@@ -1353,6 +1353,31 @@ export interface components {
             std: number;
         };
         /**
+         * ClosestPair
+         * @description Where the second opinion finds a kind of pair closest to what it has to keep, for JSON.
+         *
+         *     Args:
+         *         kind: in words, as in `core.second_opinion.pairs.Kind`.
+         *         required_m: None where nothing is asked of that kind.
+         *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
+         */
+        ClosestPair: {
+            /** Kind */
+            kind: string;
+            /** First */
+            first: string;
+            /** Second */
+            second: string;
+            /** Distance M */
+            distance_m: number;
+            /** Required M */
+            required_m: number | null;
+            /** Part */
+            part: string;
+            /** Time S */
+            time_s: number;
+        };
+        /**
          * CommandBody
          * @description A command; `sent` may be left out of stop and abort.
          */
@@ -1749,6 +1774,22 @@ export interface components {
             frame: string;
             /** Targets */
             targets: components["schemas"]["ExportListed"][];
+        };
+        /**
+         * FastestCorner
+         * @description The fastest corner of a box round a link or the payload, for JSON.
+         */
+        FastestCorner: {
+            /** Body */
+            body: string;
+            /** Speed M S */
+            speed_m_s: number;
+            /** Limit M S */
+            limit_m_s: number;
+            /** Part */
+            part: string;
+            /** Time S */
+            time_s: number;
         };
         /**
          * Finished
@@ -2377,6 +2418,7 @@ export interface components {
             plan_s: number;
             /** Least Margin M */
             least_margin_m: number;
+            second_opinion?: components["schemas"]["SecondOpinion"] | null;
         };
         /**
          * Planned
@@ -2828,6 +2870,17 @@ export interface components {
             seed: number;
             /** Sha256 */
             sha256: string;
+        };
+        /**
+         * SecondOpinion
+         * @description What a check that shares no code with the planner measured at every set point, for JSON.
+         */
+        SecondOpinion: {
+            /** Closest */
+            closest: components["schemas"]["ClosestPair"][];
+            fastest: components["schemas"]["FastestCorner"];
+            /** Samples */
+            samples: number;
         };
         /**
          * SecondsPart
@@ -3668,6 +3721,7 @@ export type CellShown = components['schemas']['CellShown'];
 export type CellTaken = components['schemas']['CellTaken'];
 export type Change = components['schemas']['Change'];
 export type ChannelOverlay = components['schemas']['ChannelOverlay'];
+export type ClosestPair = components['schemas']['ClosestPair'];
 export type CommandBody = components['schemas']['CommandBody'];
 export type Commanded = components['schemas']['Commanded'];
 export type Comparison = components['schemas']['Comparison'];
@@ -3686,6 +3740,7 @@ export type Experiment = components['schemas']['Experiment'];
 export type Explanation = components['schemas']['Explanation'];
 export type ExportListed = components['schemas']['ExportListed'];
 export type ExportsAnswer = components['schemas']['ExportsAnswer'];
+export type FastestCorner = components['schemas']['FastestCorner'];
 export type Finished = components['schemas']['Finished'];
 export type Flaw = components['schemas']['Flaw'];
 export type Friction = components['schemas']['Friction'];
@@ -3737,6 +3792,7 @@ export type RunOrder = components['schemas']['RunOrder'];
 export type RunPlan = components['schemas']['RunPlan'];
 export type SafetyPart = components['schemas']['SafetyPart'];
 export type Seal = components['schemas']['Seal'];
+export type SecondOpinion = components['schemas']['SecondOpinion'];
 export type SecondsPart = components['schemas']['SecondsPart'];
 export type Sensor = components['schemas']['Sensor'];
 export type Sent = components['schemas']['Sent'];
