@@ -7,19 +7,15 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser
 
-from tests.server.real_service import ROOT, Console, RealService, real_service
-from tests.web.patient_cells import patient_cells
+from tests.server.real_service import Console, RealService
+from tests.web.patient_cells import console_service
 from tests.web.tablet import chromium
 from tests.web.way import Way, walked
 
 
 @pytest.fixture(scope="package")
 def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
-    """`heft serve` with the console that `make web/dist/index.html` has built."""
-    assert (ROOT / "web" / "dist" / "index.html").is_file(), "the console has not been built: make web/dist/index.html"
-    folder = tmp_path_factory.mktemp("console")
-    patient_cells(folder / "data")
-    with real_service(folder) as running:
+    with console_service(tmp_path_factory.mktemp("console")) as running:
         yield running
 
 

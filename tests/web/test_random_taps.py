@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 
 import pytest
 from playwright.sync_api import Browser
 
 from tests.server.real_service import Console, RealService, wait_for
+from tests.web.patient_cells import console_service
 from tests.web.random_hands import RandomHands
 from tests.web.tablet import tablet
 
@@ -23,6 +25,13 @@ UNREADABLE = re.compile(r"Failed .* a status of 422 .* at http://[^/]+/api/(runs
 """The same of an order or a zone's place of nonsense, as of 1e9 kg; of nothing else that a page asks."""
 NOT_RELEASED = {"Resetting", "Idle", "Stopped"}
 """States of a run that nobody has released; it may be stopped from there."""
+
+
+@pytest.fixture(scope="module")
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
+    """One that nobody uses afterwards: hands like these leave zones and runs wherever they like."""
+    with console_service(tmp_path_factory.mktemp("taps")) as running:
+        yield running
 
 
 @pytest.fixture(scope="module")
