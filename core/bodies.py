@@ -16,6 +16,7 @@ from core.robot import RobotModel
 Array = NDArray[np.float64]
 
 PAYLOAD = "payload"
+FLOOR = "floor"
 
 
 @dataclass(frozen=True)
@@ -44,12 +45,14 @@ class Body:
         joint: number of the joint that carries it as Pinocchio counts, 0 for what does not move.
         geometry: Coal's shape.
         placement: in that joint's frame, or in the world.
+        carried: whether the arm carries it: the payload, or a tool.
     """
 
     name: str
     joint: int
     geometry: Any
     placement: Any
+    carried: bool = False
 
     @property
     def corners(self) -> Array:
@@ -80,12 +83,17 @@ def _convex(geometry: Any) -> Any:
 def payload_body(robot: RobotModel, box: Box) -> Body:
     """The payload box, given in the sensor frame."""
     placement = robot.model.frames[robot.sensor_frame_id].placement * pin.SE3(box.pose.rotation, box.pose.translation)
-    return Body(PAYLOAD, robot.n, coal.Box(*box.size_m), placement)
+    return Body(PAYLOAD, robot.n, coal.Box(*box.size_m), placement, carried=True)
 
 
 def fixed_body(name: str, shape: Shape) -> Body:
     """An obstacle or a zone."""
     return Body(name, 0, _coal(shape), pin.SE3(shape.pose.rotation, shape.pose.translation))
+
+
+def floor_body(floor_z_m: float) -> Body:
+    """Everything below that height in the world."""
+    return Body(FLOOR, 0, coal.Halfspace(np.array([0.0, 0.0, 1.0]), floor_z_m), pin.SE3.Identity())
 
 
 def _coal(shape: Shape) -> Any:

@@ -74,6 +74,8 @@ class Robot(Model):
     friction: Friction | None = None
     """None where nobody has said."""
     base: Pose = Pose()
+    adjacent: tuple[tuple[str, str], ...] = ()
+    """Pairs of links that are close to each other by construction: no distance between them is watched."""
 
 
 class Sensor(Model):
@@ -264,6 +266,9 @@ def check_robot(cell: Cell, urdf: Urdf) -> None:
     for key in ("base_frame", "sensor_frame"):
         if getattr(robot, key) not in urdf.links:
             raise BadCell(f"{where}.{key}", repr(getattr(robot, key)), f"a link of {robot.urdf}, {list(urdf.links)}")
+    for link in (link for pair in robot.adjacent for link in pair):
+        if link not in urdf.links:
+            raise BadCell(f"{where}.adjacent", repr(link), f"a link of {robot.urdf}, {list(urdf.links)}")
     joints = urdf.hinges(robot.base_frame, robot.sensor_frame)
     for key in ("home_rad", "acceleration_rad_s2", "velocity_rad_s"):
         values = getattr(robot, key)

@@ -16,18 +16,19 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.bodies import Body, SpeedPoints, corners_of, fixed_body, link_bodies, payload_body, reach_of
+from core.bodies import FLOOR, PAYLOAD, Body, SpeedPoints, corners_of, fixed_body, floor_body, link_bodies, payload_body, reach_of
 from core.cell import Box, Cell, Obstacle, Pose, Zone
 from core.cell_contradictions import BASE_IN_OBSTACLE
 from core.errors import BadCell
 from core.robot import RobotModel
+from core.watched_pairs import CONTACT_M, LeftOut, OwnPairs, Rule, Watch, may_be_near, rule_of_standing
+
+MOUNT_M = 0.002
+"""A base this near to something is mounted on it."""
 
 __all__ = ["Body", "CollisionModel", "Nearest", "SpeedPoints"]
 
 Array = NDArray[np.float64]
-
-CONTACT_M = 0.001  # links that provably stay this far apart cannot touch
-MOST_DIVISIONS = 20_000  # of the joints' ranges in such a proof; a pair that needs more is kept
 
 
 @dataclass(frozen=True)
@@ -58,14 +59,11 @@ class Nearest:
 class CollisionModel:
     """Distances of one robot with one payload box in one cell.
 
-    Pairs are the moving links and the payload box against all obstacles and zones, and links (with the base) that have
-    at least two joints between them. Left out are pairs that can never matter and would hide what the others do: a link
-    that only the first joint moves with an obstacle that it clears at every angle of that joint (`move` looks at those
-    pairs again), and links with two joints between them that cannot touch at any angles of the two, or that are closer
-    than the self-clearance at home already: bodies of one wrist whose simplified shapes overlap.
+    Pairs are the moving links, the payload box and the tools against all obstacles, zones and the floor, and against each other and the
+    base. Which of them are watched, and what each has to keep, says `core.watched_pairs`; the others are in `left_out`.
 
     Args:
-        cell: obstacles, zones and clearances.
+        cell: obstacles, zones, floor and clearances.
         robot: the kinematics of the same cell.
         payload_box: in the sensor frame.
 
@@ -78,57 +76,74 @@ class CollisionModel:
         self.robot = robot
         self.payload_box = payload_box
         bodies = [*link_bodies(cell, robot), payload_body(robot, payload_box)]
-        things = [fixed_body(item.name, item.shape) for item in _standing(cell)]
+        things = [*(fixed_body(item.name, item.shape) for item in _standing(cell)), floor_body(cell.floor_z_m)]
+        self._zones = {zone.name for zone in cell.zones}
+        self._base = [body for body in bodies if body.joint == 0]
         self.points = corners_of(bodies)
         self.reach = reach_of(robot, self.points)
         """(n,), the largest distance from axis i of any point behind joint i over all configurations, m."""
-        self._environment = _Pairs(robot, cell.limits.clearance_m, [(body, thing) for body in bodies if body.joint > 0 for thing in things])
-        links = [(a, b) for a in bodies for b in bodies if a.joint - b.joint >= 2]
-        self._self = _Pairs(robot, cell.limits.self_clearance_m, [pair for pair in links if _can_collide(cell, robot, pair)])
+        self._why: dict[tuple[str, str], str] = {}
+        standing = [(body, thing) for body in bodies if body.joint > 0 for thing in things]
+        near = [k for k, (body, thing) in enumerate(standing) if may_be_near(body) and thing.name not in self._zones]
+        apart, close = self._own_pairs(bodies)
+        self._environment = _Pairs(robot, cell.limits.clearance_m, standing)
+        self._self = _Pairs(robot, cell.limits.self_clearance_m, apart)
+        self._close = _Pairs(robot, CONTACT_M, [*(standing[k] for k in near), *close])
+        self._index_of_close = {k: i for i, k in enumerate(near)}
         for thing in things:
-            self._choose_pairs(thing.name)
+            self._watch_standing(thing.name)
         _check_base(cell, bodies, things)
         _check_home(cell, self)
 
     @property
-    def pairs(self) -> tuple[list[tuple[Body, Body]], list[tuple[Body, Body]]]:
-        """The pairs that are watched: against obstacles and zones, and between links."""
-        return self._environment.active, self._self.active
+    def pairs(self) -> tuple[list[tuple[Body, Body]], ...]:
+        """The pairs that are watched: those against obstacles, zones and floor, those within the arm, and those of both kinds that are
+        always close by construction and must not touch."""
+        return tuple(group.active for group in self._groups)
 
     @property
     def watched(self) -> NDArray[np.bool_]:
         """Which pairs are watched: `move` may change it."""
-        return np.concatenate((self._environment.watched, self._self.watched))
+        return np.concatenate([group.watched for group in self._groups])
+
+    @property
+    def left_out(self) -> list[LeftOut]:
+        """The pairs that are not watched, and why."""
+        return [LeftOut(*names, why) for names, why in self._why.items()]
+
+    @property
+    def _groups(self) -> tuple[_Pairs, ...]:
+        return self._environment, self._self, self._close
 
     def nearest(self, q: Array) -> Nearest:
         """The pair with the smallest margin at q (n,)."""
-        return min(self._environment.nearest(q), self._self.nearest(q), key=lambda pair: pair.margin_m)
+        return min((group.nearest(q) for group in self._groups), key=lambda pair: pair.margin_m)
 
     def margin(self, q: Array) -> float:
         """Smallest distance minus required distance over all pairs at q (n,), m; negative if q is not finite."""
-        return min(self._environment.margin(q), self._self.margin(q))
+        return min(group.margin(q) for group in self._groups)
 
     def margins(self, q: Array) -> Array:
         """Distance minus required distance at q (n,) of every pair, obstacles and zones first, m; infinite where it is not watched.
 
         `margins(q)[watched]` are those of `pairs`, in their order.
         """
-        return np.concatenate((self._environment.margins(q), self._self.margins(q)))
+        return np.concatenate([group.margins(q) for group in self._groups])
 
     def is_free(self, q: Array, extra_m: float = 0.0) -> bool:
         """Whether every margin at q (n,) exceeds `extra_m`; cheaper than `margin`."""
-        return self._environment.is_free(q, extra_m) and self._self.is_free(q, extra_m)
+        return all(group.is_free(q, extra_m) for group in self._groups)
 
     def obstacle_distance(self, q: Array) -> Nearest:
-        """The smallest distance to obstacles and protected zones at q (n,); infinite when the cell has none."""
+        """The smallest distance to obstacles, protected zones and the floor at q (n,)."""
         return self._environment.nearest(q)
 
     def obstacle_margin(self, q: Array) -> float:
-        """Smallest margin to obstacles and zones at q (n,), m; infinite when the cell has none."""
+        """Smallest margin to obstacles, zones and the floor at q (n,), m."""
         return self._environment.margin(q)
 
     def self_margin(self, q: Array) -> float:
-        """Smallest margin between links at q (n,), m."""
+        """Smallest margin within the arm, payload included, at q (n,), m."""
         return self._self.margin(q)
 
     def motion_bound(self, q_a: Array, q_b: Array) -> float:
@@ -148,19 +163,49 @@ class CollisionModel:
         names = [item.name for item in _standing(self.cell)]
         if name not in names:
             raise BadCell(f"{self.cell.folder.name}/cell.toml: obstacles and zones", repr(name), f"one of {names}")
-        self._environment.move(name, pin.SE3(pose.rotation, pose.translation))
-        self._choose_pairs(name)
+        for group in (self._environment, self._close):
+            group.move(name, pin.SE3(pose.rotation, pose.translation))
+        self._watch_standing(name)
 
-    def _choose_pairs(self, name: str) -> None:
-        """Leaves out, or takes back, the pairs of `name` with links that only the first joint moves."""
+    def _own_pairs(self, bodies: list[Body]) -> tuple[list[tuple[Body, Body]], list[tuple[Body, Body]]]:
+        """The pairs within the arm that have to keep the self-clearance, and those that only must not touch."""
+        rules = OwnPairs(self.cell, self.robot, bodies)
+        found: dict[Watch, list[tuple[Body, Body]]] = {watch: [] for watch in Watch}
+        for i, first in enumerate(bodies):
+            for k, second in enumerate(bodies):
+                if (first.joint, i) > (second.joint, k):
+                    rule = rules.rule(first, second, _Pairs(self.robot, 0.0, [(first, second)]).margin)
+                    found[rule.watch].append((first, second))
+                    self._note((first, second), rule)
+        return found[Watch.CLEARANCE], found[Watch.CONTACT]
+
+    def _watch_standing(self, name: str) -> None:
+        """Chooses what the moving bodies have to keep from an obstacle, a zone or the floor where it is now."""
         for k, (body, thing) in enumerate(self._environment.bodies):
-            if thing.name == name and body.joint == 1:
+            if thing.name == name:
                 there = replace(thing, placement=self._environment.placement(name))
-                self._environment.use(k, not _keeps(self.robot, (body, there), self.cell.limits.clearance_m))
+                pair, is_mount = (body, there), name not in self._zones and self._is_mount(there)
+                distance = _Pairs(self.robot, 0.0, [pair]).margin
+                rule = rule_of_standing(self.robot, pair, distance, self.cell.limits.clearance_m, is_mount=is_mount)
+                self._environment.use(k, rule.watch is Watch.CLEARANCE)
+                if k in self._index_of_close:
+                    self._close.use(self._index_of_close[k], rule.watch is Watch.CONTACT)
+                self._note(pair, rule)
+
+    def _is_mount(self, thing: Body) -> bool:
+        """Whether the robot's base stands on a thing, hangs from it or is bolted to it."""
+        return any(_distance(base.geometry, base.placement, thing.geometry, thing.placement) <= MOUNT_M for base in self._base)
+
+    def _note(self, pair: tuple[Body, Body], rule: Rule) -> None:
+        """That nobody watches a pair, or that it is watched again."""
+        names = pair[0].name, pair[1].name
+        self._why.pop(names, None)
+        if rule.watch is Watch.NOTHING:
+            self._why[names] = rule.why
 
 
 class _Pairs:
-    """Pairs that share one required distance, so that a single call returns the one that matters."""
+    """Pairs that share one required distance, so that a single call returns the one that matters; all of them are watched at first."""
 
     def __init__(self, robot: RobotModel, required_m: float, bodies: list[tuple[Body, Body]]) -> None:
         self.required_m = required_m
@@ -226,60 +271,22 @@ class _Pairs:
         """The pairs that are taken into the computation."""
         return [pair for pair, watched in zip(self.bodies, self.watched, strict=True) if watched]
 
-    def _object(self, name: str) -> Any:
-        """Geometry object of a fixed body."""
-        thing = next(second for _, second in self.bodies if second.name == name)
-        return self._geometry.geometryObjects[self._add(thing)]
+    def _objects(self, name: str) -> list[Any]:
+        """Geometry objects of a fixed body; none where no pair has it."""
+        things = {id(second): second for _, second in self.bodies if second.name == name and second.joint == 0}
+        return [self._geometry.geometryObjects[self._add(thing)] for thing in things.values()]
 
     def placement(self, name: str) -> Any:
-        return self._object(name).placement
+        return self._objects(name)[0].placement
 
     def move(self, name: str, placement: Any) -> None:
-        self._object(name).placement = placement
+        for each in self._objects(name):
+            each.placement = placement
 
 
 def _standing(cell: Cell) -> list[Obstacle | Zone]:
     """Everything that the robot must keep away from."""
     return [*cell.obstacles, *cell.zones]
-
-
-def _can_collide(cell: Cell, robot: RobotModel, pair: tuple[Body, Body]) -> bool:
-    """Whether two links need watching; see `CollisionModel`."""
-    first, second = pair
-    if first.joint - second.joint > 2:
-        return True
-    at_home = _Pairs(robot, cell.limits.self_clearance_m, [pair]).margin(np.array(cell.robot.home_rad))
-    return at_home >= 0.0 and not _keeps(robot, pair, CONTACT_M)
-
-
-def _keeps(robot: RobotModel, pair: tuple[Body, Body], required_m: float) -> bool:
-    """Whether two bodies keep a distance at all angles of the joints between them, proven by dividing their ranges.
-
-    Within a box of angles no distance is smaller than the one at its centre minus the largest motion from there.
-    """
-    first, second = pair
-    between = np.arange(second.joint, first.joint)
-    reach = reach_of(robot, corners_of([first]))[between]
-    low = robot.lower[between]
-    margin = _Pairs(robot, required_m, [pair]).margin
-    q = pin.neutral(robot.model)
-    boxes = [(low, np.minimum(robot.upper[between], low + 2.0 * np.pi))]
-    for _ in range(MOST_DIVISIONS):
-        if not boxes:
-            return True
-        low, high = boxes.pop()
-        q[between] = middle = 0.5 * (low + high)
-        least = margin(q)
-        widths = (high - low) * reach
-        if least < 0.0:
-            return False
-        if least < 0.5 * widths.sum():
-            k = int(np.argmax(widths))
-            for part in (np.array([low[k], middle[k]]), np.array([middle[k], high[k]])):
-                ends = np.array([low, high])
-                ends[:, k] = part
-                boxes.append((ends[0], ends[1]))
-    return False
 
 
 def _distance(first: Any, first_placement: Any, second: Any, second_placement: Any) -> float:
@@ -307,6 +314,15 @@ def _check_home(cell: Cell, collision: CollisionModel) -> None:
         raise BadCell(
             f"{cell.folder.name}/cell.toml: robot.home_rad",
             f"{nearest.first!r} {nearest.distance_m:.3f} m from {nearest.second!r}",
-            f"at least {nearest.required_m:.3f} m at home",
+            _wanted_at_home(cell, nearest),
             nearest.second,
         )
+
+
+def _wanted_at_home(cell: Cell, nearest: Nearest) -> str:
+    """With the keys that would change it."""
+    if nearest.second in {FLOOR, *(item.name for item in _standing(cell))}:
+        return f"at least {nearest.required_m:.3f} m at home (limits.clearance_m)"
+    if nearest.first == PAYLOAD:
+        return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or a smaller payload box)"
+    return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or the pair in robot.adjacent)"

@@ -142,7 +142,7 @@ class NoStartConfiguration(Refused):
         super().__init__(
             f"no start configuration with sensor axis {axis} along gravity: rejected {counts or 'nothing, no candidate'}"
             + met
-            + ". Move what is in the way, reduce the payload box or the clearance, and plan again."
+            + ". Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, and plan again."
         )
         self.axis = axis
         self.reasons = reasons

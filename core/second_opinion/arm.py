@@ -44,12 +44,14 @@ class Body:
         name: of the link, or "payload".
         joint: how many joints of the arm move it.
         placement: in the frame after the last of them, or in the world.
+        carried: whether the arm carries it, as the payload.
     """
 
     name: str
     joint: int
     placement: Frames
     solid: Solid
+    carried: bool = False
 
 
 @dataclass(frozen=True)
@@ -62,6 +64,7 @@ class Arm:
         sensor: in the frame after the last joint.
         bodies: those of the links and, last, the payload box.
         lower, upper: (n,), limits of the joints, rad.
+        joined: pairs of links with bodies that one joint of the chain joins, with no other body between them.
     """
 
     placements: tuple[Frames, ...]
@@ -70,6 +73,7 @@ class Arm:
     bodies: tuple[Body, ...]
     lower: Array
     upper: Array
+    joined: tuple[tuple[str, str], ...]
 
     def frames(self, q: Array) -> list[Frames]:
         """The world's frame, then the one after each joint, at joint positions q (N, n)."""
@@ -107,12 +111,25 @@ def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
         for geometry in collision.findall("geometry")
     ]
     n, sensor = carried[cell.robot.sensor_frame]
-    bodies.append(Body(PAYLOAD, n, sensor.after(frame_of_pose(payload_box.pose)), box(np.array(payload_box.size_m))))
+    bodies.append(Body(PAYLOAD, n, sensor.after(frame_of_pose(payload_box.pose)), box(np.array(payload_box.size_m)), carried=True))
     limits = np.array(
         [[float(limit.get(key, "")) for key in ("lower", "upper")] for link in chain for limit in joints[link].findall("limit")]
     )
     axes = np.array([_axis(joints[link]) for link in chain])
-    return Arm(tuple(placements), axes, sensor, tuple(bodies), *limits.T)
+    lower, upper = limits.T
+    return Arm(tuple(placements), axes, sensor, tuple(bodies), lower, upper, _joined(joints, chain, {body.name for body in bodies}))
+
+
+def _joined(joints: dict[str, ET.Element], chain: list[str], solid: set[str]) -> tuple[tuple[str, str], ...]:
+    """Pairs of links with a solid that are joined by one joint of the chain; links without a solid between them do not count."""
+    found = []
+    for link in solid & set(joints):
+        upwards = [link]
+        while upwards[-1] in joints and (len(upwards) == 1 or upwards[-1] not in solid):
+            upwards.append(_link(joints[upwards[-1]], "parent"))
+        if upwards[-1] in solid and sum(each in chain for each in upwards[:-1]) == 1:
+            found.append((link, upwards[-1]))
+    return tuple(found)
 
 
 def frame_of_pose(pose: Pose) -> Frames:

@@ -10,37 +10,49 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Cell, Obstacle, Zone
-from core.second_opinion.arm import PAYLOAD, Arm, Body, Frames, frame_of_pose
-from core.second_opinion.solids import PlacedSolid, Solid, distance, place, solid_of_shape
+from core.second_opinion.arm import Arm, Body, Frames, frame_of_pose
+from core.second_opinion.solids import PlacedSolid, Solid, box, distance, place, solid_of_shape
 
 Array = NDArray[np.float64]
 
+FLOOR = "floor"
+
 CONTACT_M = 0.001
-"""How deep solids of one wrist may go into each other: their shapes are simplified."""
+"""How deep solids that are near by construction may go into each other: their shapes are simplified."""
+
+MOUNT_M = 0.002
+"""Between the base and what it is mounted on, at most."""
 
 ANGLES = 24
-"""Of each of two joints, to tell whether solids with these joints between them can touch."""
+"""Of each of two joints, to tell how near and how far solids with these joints between them can be."""
+
+FEW_JOINTS = 2
+"""Between two solids whose whole relative motion can be looked at."""
+
+BELOW_M = 1.0
+ACROSS_M = 40.0
+"""Of the block that stands for the floor: farther than any arm reaches."""
 
 
 class Kind(StrEnum):
     """What two solids are to each other."""
 
-    ENVIRONMENT = "obstacles and zones"
-    FIRST_LINK = "first link against obstacles and zones"
+    ENVIRONMENT = "obstacles, zones and floor"
+    FIRST_LINK = "first link against obstacles, zones and floor"
     """Its distance hardly changes, and would hide what the others do."""
+    MOUNT = "first links against what the robot is mounted on"
+    """Always nearer than the clearance: they may not go into it."""
     PAYLOAD = "payload against links"
     LINKS = "links against links"
-    NEIGHBOURS = "neighbours in the arm"
-    """Few joints between them, the payload among them: they may not go into each other."""
-    WRIST = "links of one wrist"
-    """Simplified shapes closer at home than links may be: told, not judged."""
-    JOINED = "joined"
-    """Not looked at: they share a joint, or none is between them."""
+    NEAR = "near each other by construction"
+    """Never as far apart as links must be, or never in touch: they may not go into each other."""
+    JOINED = "left out"
+    """Not looked at: they belong together."""
 
     @property
     def is_judged(self) -> bool:
         """Whether something is asked of its pairs."""
-        return self not in (Kind.WRIST, Kind.JOINED)
+        return self != Kind.JOINED
 
     @property
     def resolution_m(self) -> float:
@@ -48,12 +60,12 @@ class Kind(StrEnum):
 
         Distances that hardly change cannot be told apart but by looking at every sample.
         """
-        return 0.001 if self == Kind.FIRST_LINK or self.is_close else 0.0
+        return 0.001 if self in (Kind.FIRST_LINK, Kind.MOUNT) or self.is_close else 0.0
 
     @property
     def is_close(self) -> bool:
         """Whether few joints are between its pairs, which move little against each other however far the arm moves."""
-        return self in (Kind.NEIGHBOURS, Kind.WRIST)
+        return self == Kind.NEAR
 
 
 @dataclass(frozen=True)
@@ -98,24 +110,28 @@ def placed(arm: Arm, q: Array) -> list[Placed]:
 
 
 def standing(cell: Cell) -> list[Placed]:
-    """Obstacles and zones."""
+    """Obstacles, zones and, last, the floor."""
     found = []
     for item in _things(cell):
         pose = frame_of_pose(item.shape.pose)
         found.append(Placed(item.name, 0, solid_of_shape(item.shape), Frames(pose.rotation[None], pose.position[None])))
+    x, y, _ = cell.robot.base.xyz_m
+    middle = np.array([[x, y, cell.floor_z_m - 0.5 * BELOW_M]])
+    found.append(Placed(FLOOR, 0, box(np.array([ACROSS_M, ACROSS_M, BELOW_M])), Frames(np.eye(3)[None], middle)))
     return found
 
 
 def accounted_pairs(cell: Cell, arm: Arm) -> list[AccountedPair]:
     """All pairs of the moving bodies with what stands in the cell, and of the arm's bodies with each other."""
-    things = [item.name for item in _things(cell)]
+    things = standing(cell)
+    zones = {zone.name for zone in cell.zones}
+    mounts = {thing.name for thing in things if thing.name not in zones and _is_mount(arm, thing)}
     found = []
     for i, body in enumerate(arm.bodies):
-        kind = Kind.FIRST_LINK if body.joint == 1 else Kind.ENVIRONMENT
         for k, thing in enumerate(things):
             if body.joint > 0:
-                bodies = i, len(arm.bodies) + k
-                found.append(AccountedPair(body.name, thing, kind, cell.limits.clearance_m, "the cell's clearance", bodies))
+                asked = _asked_of_standing(cell, arm, body, thing, is_mount=thing.name in mounts)
+                found.append(AccountedPair(body.name, thing.name, *asked, (i, len(arm.bodies) + k)))
     return [*found, *_own_pairs(cell, arm)]
 
 
@@ -123,42 +139,70 @@ def _things(cell: Cell) -> list[Obstacle | Zone]:
     return [*cell.obstacles, *cell.zones]
 
 
+def _is_mount(arm: Arm, thing: Placed) -> bool:
+    """Whether the base is there where a thing is."""
+    at = place(thing.solid, thing.frames.rotation[0], thing.frames.position[0])
+    bases = [place(body.solid, body.placement.rotation, body.placement.position) for body in arm.bodies if body.joint == 0]
+    return any(distance(base, at) <= MOUNT_M for base in bases)
+
+
+def _asked_of_standing(cell: Cell, arm: Arm, body: Body, thing: Placed, *, is_mount: bool) -> tuple[Kind, float, str]:
+    clearance = cell.limits.clearance_m
+    if is_mount and body.joint <= FEW_JOINTS and not body.carried and _range(arm, (body, thing))[1] < clearance + CONTACT_M:
+        return Kind.MOUNT, -CONTACT_M, "never as far apart as the clearance: the robot is mounted there"
+    return Kind.FIRST_LINK if body.joint == 1 else Kind.ENVIRONMENT, clearance, "the cell's clearance"
+
+
 def _own_pairs(cell: Cell, arm: Arm) -> Iterator[AccountedPair]:
     """Of the arm with itself and the payload."""
-    home = placed(arm, np.array([cell.robot.home_rad]))
     for i, first in enumerate(arm.bodies):
         for k, second in enumerate(arm.bodies):
-            if first.joint > second.joint or (first.joint == second.joint and i > k):
-                at_home = distance(home[i].at(0), home[k].at(0))
-                yield AccountedPair(first.name, second.name, *_asked(cell, arm, (first, second), at_home), (i, k))
+            if (first.joint, i) > (second.joint, k):
+                yield AccountedPair(first.name, second.name, *_asked(cell, arm, (first, second)), (i, k))
 
 
-def _asked(cell: Cell, arm: Arm, pair: tuple[Body, Body], at_home: float) -> tuple[Kind, float, str]:
+def _asked(cell: Cell, arm: Arm, pair: tuple[Body, Body]) -> tuple[Kind, float, str]:
     """What two bodies of the arm are to each other, what they have to keep, and why."""
     first, second = pair
-    between = first.joint - second.joint
-    keep = cell.limits.self_clearance_m
-    payload = PAYLOAD in (first.name, second.name)
-    if between == 0:
-        return Kind.JOINED, 0.0, "no joint between them: they do not move against each other"
-    if between == 1 and not payload:
-        return Kind.JOINED, 0.0, "they share a joint: their shapes meet there"
-    if between > 2:
-        return Kind.PAYLOAD if payload else Kind.LINKS, keep, "the cell's self-clearance"
-    if at_home < (-CONTACT_M if payload else keep):
-        return Kind.WRIST, 0.0, f"{1000 * at_home:.1f} mm apart at home already: simplified shapes of one wrist"
-    if between == 2 and at_home >= keep and _can_touch(arm, pair, np.array(cell.robot.home_rad)):
-        return Kind.PAYLOAD if payload else Kind.LINKS, keep, "the cell's self-clearance"
-    return Kind.NEIGHBOURS, -CONTACT_M, f"few joints between them: not more than {1000 * CONTACT_M:.0f} mm into each other"
+    names = {first.name, second.name}
+    keep = Kind.PAYLOAD if first.carried else Kind.LINKS, cell.limits.self_clearance_m, "the cell's self-clearance"
+    joined = _why_joined(cell, arm, pair, names)
+    if joined is not None:
+        return Kind.JOINED, 0.0, joined
+    least, most = _range(arm, pair) if first.joint - second.joint <= FEW_JOINTS else (-np.inf, np.inf)
+    if least >= CONTACT_M:
+        return Kind.NEAR, -CONTACT_M, "they cannot touch, as a grid of the angles between them says"
+    if first.carried or most >= keep[1] + CONTACT_M:
+        return keep
+    if most < CONTACT_M:
+        return Kind.JOINED, 0.0, "their shapes overlap at every angle: by construction"
+    return Kind.NEAR, -CONTACT_M, "never as far apart as the self-clearance"
 
 
-def _can_touch(arm: Arm, pair: tuple[Body, Body], home: Array) -> bool:
-    """Whether two bodies with two joints between them come closer than `CONTACT_M` at some of a grid of their angles."""
+def _why_joined(cell: Cell, arm: Arm, pair: tuple[Body, Body], names: set[str]) -> str | None:
+    """Why two bodies of the arm belong together; None where they do not."""
     first, second = pair
-    joints = [second.joint, second.joint + 1]
-    q = np.tile(home, (ANGLES * ANGLES, 1))
+    if first.joint == second.joint:
+        return "no joint between them: they do not move against each other"
+    if names in map(set, cell.robot.adjacent):
+        return "declared in the cell: robot.adjacent"
+    if not first.carried and names in map(set, arm.joined):
+        return "neighbours: one joint joins them"
+    return None
+
+
+def _range(arm: Arm, pair: tuple[Body, Body | Placed]) -> tuple[float, float]:
+    """Least and largest distance of two bodies over a grid of the one or two joints between them."""
+    first, second = pair
+    joints = list(range(second.joint, first.joint))
     low, high = arm.lower[joints], np.minimum(arm.upper[joints], arm.lower[joints] + 2.0 * np.pi)
-    q[:, joints] = np.stack(np.meshgrid(*np.linspace(low, high, ANGLES).T), axis=-1).reshape(-1, 2)
+    angles = np.stack(np.meshgrid(*np.linspace(low, high, ANGLES).T), axis=-1).reshape(-1, len(joints))
+    q = np.zeros((len(angles), len(arm.axes)))
+    q[:, joints] = angles
     frames = arm.frames(q)
-    a, b = (Placed(body.name, body.joint, body.solid, frames[body.joint].after(body.placement)) for body in (first, second))
-    return any(distance(a.at(k), b.at(k)) < CONTACT_M for k in range(len(q)))
+    a, b = (
+        body if isinstance(body, Placed) else Placed(body.name, body.joint, body.solid, frames[body.joint].after(body.placement))
+        for body in pair
+    )
+    found = [distance(a.at(k), b.at(k)) for k in range(len(q))]
+    return min(found), max(found)

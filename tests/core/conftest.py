@@ -56,14 +56,24 @@ class FclScene:
         return placed
 
     def to_environment(self, q: np.ndarray) -> dict[tuple[str, str], float]:
-        """Distance of every body to every obstacle and zone; negative or 0 where they touch."""
+        """Distance of every body to every obstacle, zone and the floor; negative or 0 where they touch."""
         distances = {}
         for item in (*self.cell.obstacles, *self.cell.zones):
             size, radius = (item.shape.size_m, 0.0) if item.shape.kind == "box" else ((1e-9,) * 3, item.shape.radius_m)
             thing = _fcl_box(size, item.shape.pose.rotation, item.shape.pose.translation)
             for name, body in self._placed(q).items():
                 distances[name, item.name] = _distance(body, thing) - radius
+        distances |= {(name, "floor"): height - self.cell.floor_z_m for name, height in self._lowest(q).items()}
         return distances
+
+    def _lowest(self, q: np.ndarray) -> dict[str, float]:
+        """Height of the lowest corner of every body."""
+        pin.framesForwardKinematics(self.model, self.data, q)
+        found = {}
+        for name, frame, size, local in self.bodies:
+            T = self.world * self.data.oMf[self.model.getFrameId(frame)] * local
+            found[name] = float(T.translation[2] - 0.5 * np.abs(T.rotation[2]) @ np.array(size, dtype=float))
+        return found
 
     def between(self, q: np.ndarray, first: str, second: str) -> float:
         placed = self._placed(q)

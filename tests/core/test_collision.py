@@ -65,11 +65,12 @@ def test_distances_between_links_are_those_of_another_library(cell, fcl_scene):
             assert margin == pytest.approx(least - cell.limits.self_clearance_m, abs=2e-6)
 
 
-def test_the_margin_is_the_smallest_of_both_kinds(cell):
+def test_the_margin_is_the_smallest_of_all_kinds(cell):
     collision = model_of(cell)
     for q in random_q(collision, 100, seed=2):
         obstacles = collision.obstacle_distance(q).distance_m - cell.limits.clearance_m
-        assert collision.margin(q) == pytest.approx(min(obstacles, collision.self_margin(q)), abs=1e-9)
+        close = min(collision.margins(q)[-len(collision.pairs[2]) :]) if collision.pairs[2] else np.inf
+        assert collision.margin(q) == pytest.approx(min(obstacles, collision.self_margin(q), close), abs=1e-9)
         assert collision.nearest(q).margin_m == pytest.approx(collision.margin(q), abs=1e-9)
 
 
@@ -192,11 +193,12 @@ def test_a_configuration_that_is_not_finite_is_not_free(cell):
     assert collision.is_free(q) is False
 
 
-def test_a_cell_with_nothing_in_it_has_only_the_robot_itself(cell):
+def test_a_cell_with_nothing_in_it_has_only_the_robot_itself_and_the_floor(cell):
     collision = model_of(cell.model_copy(update={"obstacles": (), "zones": ()}))
     home = np.array(cell.robot.home_rad)
-    assert collision.obstacle_distance(home).distance_m == np.inf
-    assert collision.margin(home) == collision.self_margin(home) > 0.0
+    assert {thing.name for _, thing in collision.pairs[0]} == {"floor"}
+    assert collision.obstacle_distance(home).second == "floor"
+    assert collision.margin(home) > 0.0
     assert collision.is_free(home)
 
 

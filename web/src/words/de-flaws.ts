@@ -135,7 +135,11 @@ export const flaws: Record<string, string> = {
   "the robot's base outside (at most {} m sunk into what it is mounted on)":
     'die Basis des Roboters außerhalb (höchstens {} m eingelassen in das, was sie trägt)',
   '{} {} m from {}': '{} {} m von {}',
-  'at least {} m at home': 'mindestens {} m in der Grundstellung',
+  'at least {} m at home (limits.clearance_m)': 'mindestens {} m in der Grundstellung (limits.clearance_m)',
+  'at least {} m at home (limits.self_clearance_m, or a smaller payload box)':
+    'mindestens {} m in der Grundstellung (limits.self_clearance_m oder ein kleinerer Hüllquader)',
+  'at least {} m at home (limits.self_clearance_m, or the pair in robot.adjacent)':
+    'mindestens {} m in der Grundstellung (limits.self_clearance_m oder das Paar in robot.adjacent)',
   'less than a tenth of sensor.range, {}': 'weniger als ein Zehntel von sensor.range, {}',
   'more than the weight of {} puts on it, {} {}': 'mehr, als das Gewicht von {} darauf bringt, {} {}',
   '{} {} for {}': '{} {} für {}',

@@ -79,10 +79,10 @@ export const sentences: Record<string, string> = {
   ' and the recording so far closed in {}': ', die Aufzeichnung bis dahin steht in {}',
 
   // no safe way
-  'no start configuration with sensor axis {} along gravity: rejected {}. Move what is in the way, reduce the payload box or the clearance, and plan again.':
-    'keine Startstellung mit der Sensorachse {} längs der Schwerkraft; ausgeschieden: {}. Räumen Sie weg, was im Weg ist, verkleinern Sie Hüllquader oder Abstand und planen Sie neu.',
-  'no start configuration with sensor axis {} along gravity: rejected {}; the best clearance met was {} m to {}. Move what is in the way, reduce the payload box or the clearance, and plan again.':
-    'keine Startstellung mit der Sensorachse {} längs der Schwerkraft; ausgeschieden: {}; der größte Abstand, der sich fand, war {} m zu {}. Räumen Sie weg, was im Weg ist, verkleinern Sie Hüllquader oder Abstand und planen Sie neu.',
+  'no start configuration with sensor axis {} along gravity: rejected {}. Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, and plan again.':
+    'keine Startstellung mit der Sensorachse {} längs der Schwerkraft; ausgeschieden: {}. Räumen Sie weg, was im Weg ist, verkleinern Sie den Hüllquader, limits.clearance_m oder limits.self_clearance_m und planen Sie neu.',
+  'no start configuration with sensor axis {} along gravity: rejected {}; the best clearance met was {} m to {}. Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, and plan again.':
+    'keine Startstellung mit der Sensorachse {} längs der Schwerkraft; ausgeschieden: {}; der größte Abstand, der sich fand, war {} m zu {}. Räumen Sie weg, was im Weg ist, verkleinern Sie den Hüllquader, limits.clearance_m oder limits.self_clearance_m und planen Sie neu.',
   'nothing, no candidate': 'nichts, es gab keine Stellung',
   'unreachable {}': 'unerreichbar {}',
   'too close to {}': 'zu nah an {}',
