@@ -84,22 +84,24 @@ class CollisionModel:
         """(n,), the largest distance from axis i of any point behind joint i over all configurations, m."""
         self._why: dict[tuple[str, str], str] = {}
         standing = [(body, thing) for body in bodies if body.joint > 0 for thing in things]
-        near = [k for k, (body, thing) in enumerate(standing) if may_be_near(body) and thing.name not in self._zones]
-        apart, close = self._own_pairs(bodies)
-        self._environment = _Pairs(robot, cell.limits.clearance_m, standing)
-        self._self = _Pairs(robot, cell.limits.self_clearance_m, apart)
-        self._close = _Pairs(robot, CONTACT_M, [*(standing[k] for k in near), *close])
-        self._index_of_close = {k: i for i, k in enumerate(near)}
+        near = [pair for pair in standing if may_be_near(pair[0]) and pair[1].name not in self._zones]
+        asked = {Watch.CLEARANCE: cell.limits.clearance_m, Watch.TIGHT: cell.limits.clearance_m, Watch.CONTACT: CONTACT_M}
+        self._standing = {
+            watch: _Pairs(robot, required_m, standing if watch is Watch.CLEARANCE else near) for watch, required_m in asked.items()
+        }
+        own, keep = self._own_pairs(bodies), cell.limits.self_clearance_m
+        asked = {Watch.CLEARANCE: keep, Watch.TIGHT: keep, Watch.CONTACT: CONTACT_M}
+        self._own = {watch: _Pairs(robot, required_m, own[watch]) for watch, required_m in asked.items()}
         for thing in things:
             self._watch_standing(thing.name)
         _check_base(cell, bodies, things)
         _check_home(cell, self)
 
     @property
-    def pairs(self) -> tuple[list[tuple[Body, Body]], ...]:
-        """The pairs that are watched: those against obstacles, zones and floor, those within the arm, and those of both kinds that are
-        always close by construction and must not touch."""
-        return tuple(group.active for group in self._groups)
+    def pairs(self) -> tuple[list[tuple[Body, Body]], list[tuple[Body, Body]]]:
+        """The pairs that are watched: those with obstacles, zones and the floor, and those within the arm."""
+        standing, own = ([pair for group in groups.values() for pair in group.active] for groups in (self._standing, self._own))
+        return standing, own
 
     @property
     def watched(self) -> NDArray[np.bool_]:
@@ -107,13 +109,24 @@ class CollisionModel:
         return np.concatenate([group.watched for group in self._groups])
 
     @property
+    def required_m(self) -> Array:
+        """(n_pairs,), what each of `pairs` has to keep, m."""
+        return np.concatenate([np.full(len(group.active), group.required_m) for group in self._groups])
+
+    @property
+    def share(self) -> Array:
+        """(n_pairs,), how much of the room beyond the required distances can be asked of each of `pairs`."""
+        groups = [(watch, group) for each in (self._standing, self._own) for watch, group in each.items()]
+        return np.concatenate([np.full(len(group.active), watch.share) for watch, group in groups])
+
+    @property
     def left_out(self) -> list[LeftOut]:
         """The pairs that are not watched, and why."""
         return [LeftOut(*names, why) for names, why in self._why.items()]
 
     @property
-    def _groups(self) -> tuple[_Pairs, ...]:
-        return self._environment, self._self, self._close
+    def _groups(self) -> list[_Pairs]:
+        return [*self._standing.values(), *self._own.values()]
 
     def nearest(self, q: Array) -> Nearest:
         """The pair with the smallest margin at q (n,)."""
@@ -136,15 +149,27 @@ class CollisionModel:
 
     def obstacle_distance(self, q: Array) -> Nearest:
         """The smallest distance to obstacles, protected zones and the floor at q (n,)."""
-        return self._environment.nearest(q)
+        return min((group.nearest(q) for group in self._standing.values()), key=lambda pair: pair.distance_m)
 
     def obstacle_margin(self, q: Array) -> float:
         """Smallest margin to obstacles, zones and the floor at q (n,), m."""
-        return self._environment.margin(q)
+        return min(group.margin(q) for group in self._standing.values())
 
     def self_margin(self, q: Array) -> float:
         """Smallest margin within the arm, payload included, at q (n,), m."""
-        return self._self.margin(q)
+        return min(group.margin(q) for group in self._own.values())
+
+    def obstacle_room(self, q: Array) -> float:
+        """`obstacle_margin`, those of pairs whose construction leaves them little room counted larger by as much."""
+        return min(group.margin(q) / watch.share for watch, group in self._standing.items())
+
+    def self_room(self, q: Array) -> float:
+        """`self_margin`, counted likewise."""
+        return min(group.margin(q) / watch.share for watch, group in self._own.items())
+
+    def room(self, q: Array) -> float:
+        """`margin`, counted likewise: what is compared with the room that planning asks for beyond the required distances, m."""
+        return min(self.obstacle_room(q), self.self_room(q))
 
     def motion_bound(self, q_a: Array, q_b: Array) -> float:
         """Upper bound of how far any point moves on the straight line between two configurations, m.
@@ -163,12 +188,12 @@ class CollisionModel:
         names = [item.name for item in _standing(self.cell)]
         if name not in names:
             raise BadCell(f"{self.cell.folder.name}/cell.toml: obstacles and zones", repr(name), f"one of {names}")
-        for group in (self._environment, self._close):
+        for group in self._standing.values():
             group.move(name, pin.SE3(pose.rotation, pose.translation))
         self._watch_standing(name)
 
-    def _own_pairs(self, bodies: list[Body]) -> tuple[list[tuple[Body, Body]], list[tuple[Body, Body]]]:
-        """The pairs within the arm that have to keep the self-clearance, and those that only must not touch."""
+    def _own_pairs(self, bodies: list[Body]) -> dict[Watch, list[tuple[Body, Body]]]:
+        """The pairs within the arm, by what they have to keep."""
         rules = OwnPairs(self.cell, self.robot, bodies)
         found: dict[Watch, list[tuple[Body, Body]]] = {watch: [] for watch in Watch}
         for i, first in enumerate(bodies):
@@ -177,20 +202,19 @@ class CollisionModel:
                     rule = rules.rule(first, second, _Pairs(self.robot, 0.0, [(first, second)]).margin)
                     found[rule.watch].append((first, second))
                     self._note((first, second), rule)
-        return found[Watch.CLEARANCE], found[Watch.CONTACT]
+        return found
 
     def _watch_standing(self, name: str) -> None:
         """Chooses what the moving bodies have to keep from an obstacle, a zone or the floor where it is now."""
-        for k, (body, thing) in enumerate(self._environment.bodies):
+        for body, thing in self._standing[Watch.CLEARANCE].bodies:
             if thing.name == name:
-                there = replace(thing, placement=self._environment.placement(name))
-                pair, is_mount = (body, there), name not in self._zones and self._is_mount(there)
-                distance = _Pairs(self.robot, 0.0, [pair]).margin
-                rule = rule_of_standing(self.robot, pair, distance, self.cell.limits.clearance_m, is_mount=is_mount)
-                self._environment.use(k, rule.watch is Watch.CLEARANCE)
-                if k in self._index_of_close:
-                    self._close.use(self._index_of_close[k], rule.watch is Watch.CONTACT)
-                self._note(pair, rule)
+                there = replace(thing, placement=self._standing[Watch.CLEARANCE].placement(name))
+                is_mount = name not in self._zones and self._is_mount(there)
+                distance = _Pairs(self.robot, 0.0, [(body, there)]).margin
+                rule = rule_of_standing(self.robot, (body, there), distance, self.cell.limits.clearance_m, is_mount=is_mount)
+                for watch, group in self._standing.items():
+                    group.use((body, thing), rule.watch is watch)
+                self._note((body, thing), rule)
 
     def _is_mount(self, thing: Body) -> bool:
         """Whether the robot's base stands on a thing, hangs from it or is bolted to it."""
@@ -210,6 +234,7 @@ class _Pairs:
     def __init__(self, robot: RobotModel, required_m: float, bodies: list[tuple[Body, Body]]) -> None:
         self.required_m = required_m
         self.bodies = bodies
+        self._index = {_key(pair): k for k, pair in enumerate(bodies)}
         self._model, self._data = robot.model, robot.model.createData()
         self._geometry = pin.GeometryModel()
         self._ids: dict[str, int] = {}
@@ -261,8 +286,11 @@ class _Pairs:
             self._extra_m = extra_m
         return not pin.computeCollisions(self._model, self._data, self._geometry, self._results, q, True)
 
-    def use(self, k: int, wanted: bool) -> None:
-        """Takes pair k into the computation or leaves it out."""
+    def use(self, pair: tuple[Body, Body], wanted: bool) -> None:
+        """Takes a pair into the computation or leaves it out; nothing where this group does not have it."""
+        k = self._index.get(_key(pair))
+        if k is None:
+            return
         (self._results.activateCollisionPair if wanted else self._results.deactivateCollisionPair)(k)
         self.watched[k] = wanted
 
@@ -282,6 +310,10 @@ class _Pairs:
     def move(self, name: str, placement: Any) -> None:
         for each in self._objects(name):
             each.placement = placement
+
+
+def _key(pair: tuple[Body, Body]) -> tuple[int, int]:
+    return id(pair[0]), id(pair[1])
 
 
 def _standing(cell: Cell) -> list[Obstacle | Zone]:

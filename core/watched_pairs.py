@@ -34,6 +34,9 @@ ANGLES = {1: 96, 2: 24}
 _MOST_DIVISIONS = 20_000
 """Of the joints' ranges in a proof; a pair that needs more is watched."""
 
+ROOM_M = 0.01
+"""What planning asks for beyond the required distances, for stopping and for the controller's tracking error."""
+
 Distance = Callable[[Array], float]
 """Of one pair at joint positions (n,), m."""
 
@@ -42,8 +45,14 @@ class Watch(Enum):
     """What a pair has to keep."""
 
     CLEARANCE = "the cell's clearance"
-    CONTACT = "not to touch: their construction never lets them be farther apart than the cell's clearance"
+    TIGHT = "the cell's clearance, and hardly more: their construction never lets them be much farther apart"
+    CONTACT = "not to touch: their construction never lets them be as far apart as the cell's clearance"
     NOTHING = "nothing"
+
+    @property
+    def share(self) -> float:
+        """Of the room beyond the required distance that is asked of other pairs."""
+        return 1.0 if self is Watch.CLEARANCE else 0.1
 
 
 class Rule(NamedTuple):
@@ -89,11 +98,11 @@ class OwnPairs:
         least, most = _range(self._robot, pair, distance, np.inf)
         if least >= CONTACT_M and keeps(self._robot, pair, distance, CONTACT_M):
             return Rule(Watch.NOTHING, "they cannot touch, whatever the joints between them do")
-        if pair[0].carried or most >= self._cell.limits.self_clearance_m:
-            return KEPT
-        if most < CONTACT_M:
+        if not pair[0].carried and most < CONTACT_M:
             return Rule(Watch.NOTHING, "their shapes overlap whatever the joints between them do: by construction")
-        return Rule(Watch.CONTACT)
+        if not pair[0].carried and most < self._cell.limits.self_clearance_m:
+            return Rule(Watch.CONTACT)
+        return KEPT if most >= self._cell.limits.self_clearance_m + 2.0 * ROOM_M else Rule(Watch.TIGHT)
 
 
 def rule_of_standing(robot: RobotModel, pair: tuple[Body, Body], distance: Distance, clearance_m: float, *, is_mount: bool) -> Rule:
@@ -106,9 +115,9 @@ def rule_of_standing(robot: RobotModel, pair: tuple[Body, Body], distance: Dista
         return Rule(Watch.NOTHING, "only the first joint moves it, and it keeps the clearance at every angle")
     if not (is_mount and may_be_near(body)):
         return KEPT
-    least, most = _range(robot, pair, distance, clearance_m)
+    least, most = _range(robot, pair, distance, clearance_m + 2.0 * ROOM_M)
     if most >= clearance_m:
-        return KEPT
+        return KEPT if most >= clearance_m + 2.0 * ROOM_M else Rule(Watch.TIGHT)
     if least >= CONTACT_M and keeps(robot, pair, distance, CONTACT_M):
         return Rule(Watch.NOTHING, "always nearer than the clearance, and they cannot touch: the robot is mounted there")
     return Rule(Watch.CONTACT)

@@ -43,7 +43,7 @@ class Candidates:
         vertex: (N,), index of the vertex they belong to.
         objective: (N,), Eq. (6).
         score: (N,), the objective minus what the way there costs.
-        clearance: (N,), smallest distance to obstacles and zones, m.
+        clearance: (N,), smallest distance to obstacles, zones and the floor, m; that of links near their mount counted larger.
         manipulability: (N,), smallest over largest singular value of the Jacobian.
         tried: how many inverse kinematics problems were posed.
     """
@@ -103,7 +103,7 @@ class CandidateSearch:
         """Eq. (6) and the way there."""
         weights = self._weights
         required = self._collision.cell.limits.clearance_m
-        clearance = np.array([self._collision.obstacle_margin(row) for row in q]) + required
+        clearance = np.array([self._collision.obstacle_room(row) for row in q]) + required
         manipulability = self._manipulability(q)
         normalized = np.minimum(clearance / self._diameter, 1.0)
         objective = weights.distance * normalized + weights.manipulability * manipulability

@@ -81,11 +81,15 @@ class Sample:
 
 
 def is_clear(margins: PairMargins, q: Array, spare: Spare | float = 0.0) -> bool:
-    """Whether the polyline q (N, n) keeps every required distance everywhere, and `spare` more at the samples that are looked at."""
+    """Whether the polyline q (N, n) keeps every required distance everywhere, and `spare` more at the samples that are looked at.
+
+    Of pairs whose construction leaves them little room a part of `spare` is asked.
+    """
     swept = Swept(margins, q)
 
     def is_enough(sample: Sample) -> bool:
-        return sample.margin_m >= 0.0 and sample.margin_m >= (spare(sample.q) if callable(spare) else spare)
+        asked = spare(sample.q) if callable(spare) else spare
+        return sample.margin_m >= 0.0 and bool((sample.margins >= asked * margins.share).all())
 
     first, last = swept.ends()
     if not (is_enough(first) and is_enough(last)):

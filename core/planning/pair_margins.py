@@ -21,12 +21,15 @@ class PairMargins:
 
     Attributes:
         reach: (n_pairs, n); the margin of pair k changes by at most `reach[k] @ |dq|` along a straight joint-space line.
+        share: (n_pairs,), how much of the room beyond its required distance can be asked of each pair.
     """
 
     def __init__(self, collision: CollisionModel) -> None:
         self._collision, self._watched = collision, collision.watched
-        pairs = [pair for group in collision.pairs for pair in group]
-        self.reach = np.array([_pair_reach(collision.robot, *pair) for pair in pairs]).reshape(-1, collision.robot.n)
+        self.share = collision.share
+        self.reach = np.array([_pair_reach(collision.robot, *pair) for pairs in collision.pairs for pair in pairs]).reshape(
+            -1, collision.robot.n
+        )
 
     def __call__(self, q: Array) -> Array:
         """(n_pairs,), distance minus required distance of every pair at q (n,), m."""

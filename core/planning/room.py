@@ -33,7 +33,7 @@ class Room:
         self.lower = np.minimum(robot.lower + LIMIT_ROOM_RAD, ends.min(axis=0))
         self.upper = np.maximum(robot.upper - LIMIT_ROOM_RAD, ends.max(axis=0))
         self._spare_m = spare_m
-        self._tight = [(q, margin) for q in ends if (margin := collision.margin(q)) < 2.0 * spare_m]
+        self._tight = [(q, margin) for q in ends if (margin := collision.room(q)) < 2.0 * spare_m]
 
     def spare(self, q: Array) -> float:
         """Margin that is wanted at q (n,), m."""
@@ -43,7 +43,7 @@ class Room:
     def has(self, q: Array) -> bool:
         """Whether the robot may be at q (n,)."""
         within = bool((q >= self.lower).all() and (q <= self.upper).all())
-        return within and self._collision.is_free(q) and self._collision.margin(q) >= self.spare(q)
+        return within and self._collision.is_free(q) and self._collision.room(q) >= self.spare(q)
 
     def has_all(self, q: Array) -> bool:
         """Whether the robot may move along the polyline q (N, n); what is cheap to refuse is refused first."""

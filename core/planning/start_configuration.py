@@ -25,14 +25,12 @@ from core.planning.rotation_room import Obstruction, RotationCheck, Turn
 from core.planning.throw import Throw, ThrowCheck, loads_of
 from core.robot import RobotModel
 from core.trajectory import AngularProfile
+from core.watched_pairs import ROOM_M
 
 Array = NDArray[np.float64]
 
 LIMIT_MARGIN_RAD = 0.05
 """Start configurations and rotations keep this far from the joint limits."""
-
-ROOM_M = 0.01
-"""Margin on top of the required distances, for stopping and for the controller's tracking error."""
 
 
 @dataclass(frozen=True)
@@ -132,7 +130,7 @@ class Checks:
         """The path of the rotation (K, n) and the worst throw, or the reason for the refusal."""
         if clearance < self._cell.limits.clearance_m + ROOM_M:
             return f"too close to {self._collision.obstacle_distance(q).second!r}"
-        if self._collision.self_margin(q) < ROOM_M:
+        if self._collision.self_room(q) < ROOM_M:
             return _too_close(self._collision, q[None])
         self._with_room += 1
         pose = self._robot.sensor_pose(q)

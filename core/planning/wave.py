@@ -13,11 +13,12 @@ from core.errors import NoPath
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
 from core.planning.rotation_room import SHARE
-from core.planning.start_configuration import LIMIT_MARGIN_RAD, ROOM_M
+from core.planning.start_configuration import LIMIT_MARGIN_RAD
 from core.planning.throw import ThrowCheck, loads_along
 from core.planning.timing import MotionLimits, limit_usage
 from core.robot import RobotModel
 from core.trajectory import JointTrajectory
+from core.watched_pairs import ROOM_M
 
 Array = NDArray[np.float64]
 

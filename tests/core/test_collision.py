@@ -65,12 +65,11 @@ def test_distances_between_links_are_those_of_another_library(cell, fcl_scene):
             assert margin == pytest.approx(least - cell.limits.self_clearance_m, abs=2e-6)
 
 
-def test_the_margin_is_the_smallest_of_all_kinds(cell):
+def test_the_margin_is_the_smallest_of_both_kinds(cell):
     collision = model_of(cell)
     for q in random_q(collision, 100, seed=2):
         obstacles = collision.obstacle_distance(q).distance_m - cell.limits.clearance_m
-        close = min(collision.margins(q)[-len(collision.pairs[2]) :]) if collision.pairs[2] else np.inf
-        assert collision.margin(q) == pytest.approx(min(obstacles, collision.self_margin(q), close), abs=1e-9)
+        assert collision.margin(q) == pytest.approx(min(obstacles, collision.self_margin(q)), abs=1e-9)
         assert collision.nearest(q).margin_m == pytest.approx(collision.margin(q), abs=1e-9)
 
 

@@ -87,10 +87,9 @@ def test_its_distances_are_coals_for_every_pair_that_the_planner_watches(name: s
     bodies = [*placed(arm, q), *standing(at.cell)]
     number = {body.name: i for i, body in enumerate(bodies)}
     watched = [pair for group in at.collision.pairs for pair in group]
-    required = [at.cell.limits.clearance_m] * len(at.collision.pairs[0]) + [at.cell.limits.self_clearance_m] * len(at.collision.pairs[1])
     errors = []
     for k, row in enumerate(q):
-        theirs = at.collision.margins(row)[at.collision.watched] + required
+        theirs = at.collision.margins(row)[at.collision.watched] + at.collision.required_m
         own = []
         for first, second in watched:
             a, b = bodies[number[first.name]], bodies[number[second.name]]
