@@ -1,8 +1,8 @@
-"""Convex parts that together contain a solid: one hull where that takes no more room than the solid needs, else several.
+"""Convex parts that together contain a solid's surface: one hull where that takes hardly more room than the solid, else several.
 
-A plane cuts a solid into two solids, and each of them lies in the hull of what it has of the surface and of the outline of the cut. The
-surface is therefore clipped by planes into pieces, and pieces whose common hull takes hardly more room are put together again: whatever is
-cut and joined, the hulls contain the solid. There is no chance in it.
+The surface is clipped by planes into pieces, and pieces whose common hull takes hardly more room are put together again: whatever is cut
+and joined, every point of the surface is in the hull of its piece. What is inside is contained as far as hulls of the pieces close over it;
+nothing gets there but through the surface. There is no chance in it.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def convex_parts(vertices: Array, triangles: Triangles) -> list[Array]:
         return []
     if stand_off(vertices[triangles], whole) <= STANDS_OFF_M:
         return [whole]
-    return _joined(_pieces(vertices[triangles], DEPTH), HARDLY * _volume(whole))
+    return _joined(_pieces(vertices[triangles], 0), HARDLY * _volume(whole))
 
 
 def stand_off(soup: Array, hull: Array) -> float:
@@ -84,14 +84,16 @@ def _volume(points: Array) -> float:
 
 
 def _pieces(soup: Array, depth: int) -> list[Array]:
-    """Hulls' corners, or all points of a flat piece, of triangles (m, 3, 3) that are cut `depth` times."""
+    """Hulls' corners, or all points of a flat piece, of triangles (m, 3, 3) that have been cut `depth` times."""
     points = np.unique(soup.reshape(-1, 3), axis=0)
     corners = hull_points(points)
-    if depth == 0 or corners is None:
-        return [points if corners is None else corners]
+    if corners is None:
+        return [points]
+    if depth == DEPTH or (depth > 0 and stand_off(soup, corners) <= STANDS_OFF_M):
+        return [corners]
     axis, height = _best_cut(soup, points)
     sides = [_clipped(soup, axis, height, sign) for sign in (1.0, -1.0)]
-    return [piece for side in sides if len(side) for piece in _pieces(side, depth - 1)]
+    return [piece for side in sides if len(side) for piece in _pieces(side, depth + 1)]
 
 
 def _best_cut(soup: Array, points: Array) -> tuple[int, float]:

@@ -64,9 +64,7 @@ def _check(corners: Array, where: str) -> None:
         raise BadRobot(where, "a vertex that is no number (NaN or infinite)", "finite coordinates")
     size = float(np.abs(corners).max())
     if size > LARGEST_M:
-        raise BadRobot(
-            where, f"a vertex {size:.4g} m from the origin", f"at most {LARGEST_M:g} m; a file in millimetres has the scale 0.001"
-        )
+        raise BadRobot(where, f"a vertex {size:.4g} m from the origin", f"at most {LARGEST_M:g} m; millimetres have the scale 0.001")
 
 
 def _check_count(count: int, where: str) -> None:

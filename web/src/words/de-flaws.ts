@@ -121,7 +121,7 @@ export const flaws: Record<string, string> = {
     'etwas, woran die Prüfung endete (zu wenig Speicher, oder ein Netz, das sich nicht lesen lässt)',
 
   // cell.toml
-  'box, sphere or capsule': 'box, sphere oder capsule',
+  'box, sphere, capsule or cylinder': 'box, sphere, capsule oder cylinder',
   'the name {} {} times': 'der Name {} {}-mal',
   'each name once': 'jeder Name einmal',
   'the name of its folder, {}': 'der Name ihres Ordners, {}',
