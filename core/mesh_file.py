@@ -22,6 +22,7 @@ Triangles = NDArray[np.int64]
 KINDS = (".stl", ".obj", ".dae")
 MOST_TRIANGLES = 500_000
 LARGEST_M = 20.0
+MOST_NODES = 20_000
 MOST_DEPTH = 32
 """Of nodes in a DAE."""
 
@@ -116,6 +117,7 @@ class _Collada:
     root: ET.Element
     named: dict[str, ET.Element]
     where: str
+    nodes: int = 0
     count: int = 0
 
     def of(self, link: str | None) -> ET.Element:
@@ -129,8 +131,9 @@ class _Collada:
         """(m, 3, 3) each, of a node and the nodes in it, where `placement` (4, 4) puts it."""
         if depth > MOST_DEPTH:
             raise BadRobot(self.where, f"nodes nested more than {MOST_DEPTH} deep", "a scene without rings")
-        self.count += 1
-        _check_count(self.count, self.where)
+        self.nodes += 1
+        if self.nodes > MOST_NODES:
+            raise BadRobot(self.where, f"more than {MOST_NODES} nodes", "a scene of fewer")
         for element in node:
             match element.tag:
                 case "matrix" | "translate" | "rotate" | "scale":
