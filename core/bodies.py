@@ -10,8 +10,11 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.cell import Box, Capsule, Cell, Shape, Sphere
+from core.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
+from core.meshes import WantedMesh, read_meshes
 from core.robot import RobotModel
+from core.urdf import check_urdf
+from core.urdf_elements import UrdfShape
 
 Array = NDArray[np.float64]
 
@@ -63,21 +66,90 @@ class Body:
         return np.asarray(corners @ self.placement.rotation.T + self.placement.translation)
 
 
+@dataclass(frozen=True)
+class LinkShape:
+    """A shape of a link, for collisions or for the eye.
+
+    Args:
+        joint: number of the joint that carries it as Pinocchio counts, 0 for what does not move.
+        parts: of a mesh the corners (k, 3) of the convex parts that together contain it, m.
+    """
+
+    link: str
+    joint: int
+    placement: Any
+    shape: UrdfShape
+    parts: tuple[Array, ...] = ()
+
+
 def link_bodies(cell: Cell, robot: RobotModel) -> list[Body]:
-    """The collision bodies of the URDF; those of the base are in the world frame, as the model's frames are."""
-    geometry = pin.buildGeomFromUrdfString(robot.model, cell.urdf, pin.GeometryType.COLLISION, None, str(cell.folder))
+    """The bodies of the robot's links, several for some; those of the base are in the world frame, as the model's frames are.
+
+    Raises:
+        BadRobot: a mesh that cannot be used, also among those that are only looked at.
+    """
     return [
-        Body(robot.model.frames[body.parentFrame].name, body.parentJoint, _convex(body.geometry), body.placement)
-        for body in geometry.geometryObjects
+        Body(each.link, each.joint, geometry, each.placement) for each in collision_shapes(cell, robot) for geometry in _geometries(each)
     ]
 
 
-def _convex(geometry: Any) -> Any:
-    """The convex hull of a mesh; other shapes as they are."""
-    if not isinstance(geometry, coal.BVHModelBase):
-        return geometry
-    geometry.buildConvexHull(True, "Qt")
-    return geometry.convex
+def collision_shapes(cell: Cell, robot: RobotModel) -> list[LinkShape]:
+    """The shapes that something can run into: those of <collision>, of <visual> where the cell says so.
+
+    Raises:
+        BadRobot: as `link_bodies`.
+    """
+    return _link_shapes(cell, robot)[0]
+
+
+def visual_shapes(cell: Cell, robot: RobotModel) -> list[LinkShape]:
+    """What the robot looks like.
+
+    Raises:
+        BadRobot: as `link_bodies`.
+    """
+    return _link_shapes(cell, robot)[1]
+
+
+def _link_shapes(cell: Cell, robot: RobotModel) -> tuple[list[LinkShape], list[LinkShape]]:
+    """Shapes for collisions and for the eye; all meshes are read at once, so that a plan is not made for a robot that cannot be drawn."""
+    urdf = check_urdf(cell.urdf, str(cell.folder / cell.robot.urdf))
+    shapes = [(link.name, shape, True) for link in urdf.bodies for shape in link.collision]
+    shapes += [(link.name, shape, True) for link in urdf.bodies if link.name in cell.robot.visual_shapes for shape in link.visual]
+    shapes += [(link.name, shape, False) for link in urdf.bodies for shape in link.visual]
+    meshed = [each for each in shapes if each[1].kind == "mesh"]
+    wanted = [WantedMesh(f"{urdf.where}: link {name!r}", shape, solid) for name, shape, solid in meshed]
+    meshes = iter(read_meshes(cell.folder, wanted))
+    found: tuple[list[LinkShape], list[LinkShape]] = [], []
+    for name, shape, solid in shapes:
+        frame = robot.model.frames[robot.model.getFrameId(name, pin.FrameType.BODY)]
+        placement = frame.placement * pin.SE3(pin.rpy.rpyToMatrix(shape.rpy), shape.xyz)
+        parts = next(meshes).parts if shape.kind == "mesh" else ()
+        found[0 if solid else 1].append(LinkShape(name, frame.parentJoint, placement, shape, parts))
+    return found
+
+
+def _geometries(each: LinkShape) -> list[Any]:
+    """Coal's shapes."""
+    sizes = each.shape.sizes
+    match each.shape.kind:
+        case "box":
+            return [coal.Box(*sizes)]
+        case "sphere":
+            return [coal.Sphere(*sizes)]
+        case "capsule":
+            return [coal.Capsule(*sizes)]
+        case "cylinder":
+            return [coal.Cylinder(*sizes)]
+    return [_hull(part) for part in each.parts]
+
+
+def _hull(corners: Array) -> Any:
+    """Coal's convex polyhedron of corners (k, 3) that are in no plane."""
+    points = coal.StdVec_Vec3s()
+    for corner in corners:
+        points.append(corner)
+    return coal.ConvexBase.convexHull(points, True, "Qt")
 
 
 def payload_body(robot: RobotModel, box: Box) -> Body:
@@ -104,6 +176,8 @@ def _coal(shape: Shape) -> Any:
             return coal.Sphere(shape.radius_m)
         case Capsule():
             return coal.Capsule(shape.radius_m, shape.length_m)
+        case Cylinder():
+            return coal.Cylinder(shape.radius_m, shape.length_m)
 
 
 def corners_of(bodies: list[Body]) -> SpeedPoints:

@@ -21,13 +21,13 @@ from core.errors import BadCell, BadInput, BadRobot, refuse, together
 from core.inertia import InertialParameters
 from core.jail import read_inside
 from core.schema_flaw import SchemaFlaw, schema_flaw
-from core.shapes import Angle, Box, Capsule, Model, NotNegative, Number, Pose, Positive, Shape, Six, SixPositive, Sphere, Vector3
+from core.shapes import Angle, Box, Capsule, Cylinder, Model, NotNegative, Number, Pose, Positive, Shape, Six, SixPositive, Sphere, Vector3
 from core.urdf import Urdf, check_urdf
 from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 
 __all__ = [
-    "Box", "Capsule", "Cell", "CellRead", "Control", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape",
-    "Sphere", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
+    "Box", "Capsule", "Cell", "CellRead", "Control", "Cylinder", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor",
+    "Shape", "Sphere", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -76,6 +76,8 @@ class Robot(Model):
     base: Pose = Pose()
     adjacent: tuple[tuple[str, str], ...] = ()
     """Pairs of links that are close to each other by construction: no distance between them is watched."""
+    visual_shapes: tuple[str, ...] = ()
+    """Links whose <visual> counts as their shape, since the URDF gives them no <collision>."""
 
 
 class Sensor(Model):
@@ -251,7 +253,18 @@ def _check_urdf(cell: Cell) -> None:
     urdf = check_urdf(cell.urdf, str(cell.folder / cell.robot.urdf))
     check_robot(cell, urdf)
     urdf.check_bodies(cell.robot.base_frame, cell.robot.sensor_frame)
+    _check_visual_shapes(cell, urdf)
+    urdf.check_shapes(cell.robot.base_frame, cell.robot.sensor_frame, cell.robot.visual_shapes)
     urdf.check_meshes(cell.folder)
+
+
+def _check_visual_shapes(cell: Cell, urdf: Urdf) -> None:
+    """Those that the cell names have looks, and nothing else that could count."""
+    usable = [body.name for body in urdf.bodies if body.visual and not body.collision]
+    for name in cell.robot.visual_shapes:
+        if name not in usable:
+            where = f"{cell.folder / CELL_FILE}: robot.visual_shapes"
+            raise BadCell(where, repr(name), f"a link of {cell.robot.urdf} with a <visual> and without a <collision>, one of {usable}")
 
 
 def check_robot(cell: Cell, urdf: Urdf) -> None:
@@ -293,13 +306,13 @@ def _sentence(error: ErrorDetails, where: str) -> BadCell:
             flaw = flaw._replace(expected=f"{close!r}, if that is what was meant")
     elif error["type"] in ("union_tag_not_found", "union_tag_invalid"):
         found = repr(error["input"].get("kind")) if isinstance(error["input"], dict) else flaw.found
-        flaw = SchemaFlaw(f"{flaw.key}.kind", found, "box, sphere or capsule")
+        flaw = SchemaFlaw(f"{flaw.key}.kind", found, "box, sphere, capsule or cylinder")
     return BadCell(*flaw.at(where))
 
 
 def _keys() -> list[str]:
     """Every key of the format."""
-    models = (Cell, Robot, Friction, Sensor, Limits, Control, Payload, Obstacle, Zone, Box, Sphere, Capsule, Pose)
+    models = (Cell, Robot, Friction, Sensor, Limits, Control, Payload, Obstacle, Zone, Box, Sphere, Capsule, Cylinder, Pose)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})
 
 

@@ -98,4 +98,18 @@ class Capsule(Model):
         return float(self.radius_m - np.linalg.norm([x, y, z - np.clip(z, -half, half)]))
 
 
-Shape = Annotated[Box | Sphere | Capsule, Field(discriminator="kind")]
+class Cylinder(Model):
+    """A cylinder along the z axis of `pose`, with its centre there."""
+
+    kind: Literal["cylinder"]
+    radius_m: Positive
+    length_m: Positive
+    pose: Pose = Pose()
+
+    def depth(self, point: Array) -> float:
+        """How far a point (3,) is below the surface, m; negative outside."""
+        x, y, z = self.pose.local(point)
+        return float(min(self.radius_m - np.hypot(x, y), 0.5 * self.length_m - abs(z)))
+
+
+Shape = Annotated[Box | Sphere | Capsule | Cylinder, Field(discriminator="kind")]

@@ -8,7 +8,7 @@ of a recording may name meshes that nobody loads, and may leave out masses that 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
@@ -93,6 +93,31 @@ class Urdf:
         bodies = {body.name: body for body in self.bodies}
         for joint in self.hinges(base, tip):
             _check_body(bodies[joint.child], f"{self.where}: link {joint.child!r}")
+
+    def moved(self, base: str, tip: str) -> tuple[UrdfLink, ...]:
+        """The links that the joints of the chain move: those of the chain and all that is carried by them.
+
+        Raises:
+            BadRobot: as `hinges`.
+        """
+        names = set(_descendants(self, self.hinges(base, tip)[0].child))
+        return tuple(body for body in self.bodies if body.name in names)
+
+    def check_shapes(self, base: str, tip: str, visual_shapes: Collection[str]) -> None:
+        """Every link that moves has a shape that something can run into; links without mass and looks are frames and need none.
+
+        Args:
+            visual_shapes: links whose looks may count as their shape.
+
+        Raises:
+            BadRobot: one has none.
+        """
+        for body in self.moved(base, tip):
+            if body.collision or (body.name in visual_shapes and body.visual) or not (body.mass or body.visual):
+                continue
+            looks = f"<collision>, or {body.name!r} in robot.visual_shapes of cell.toml, where its looks are to count"
+            expected = looks if body.visual else "<collision>, or neither mass nor shape where it is only a frame"
+            raise BadRobot(f"{self.where}: link {body.name!r}", "a link that moves without a shape for collisions", expected)
 
     def check_meshes(self, folder: Path) -> None:
         """Every mesh is a file inside the folder, named by a relative path.

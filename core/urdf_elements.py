@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,17 +27,39 @@ _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 
 
 @dataclass(frozen=True)
+class UrdfShape:
+    """What a <collision> or a <visual> of a link holds.
+
+    Args:
+        kind: box, cylinder, sphere, capsule or mesh.
+        sizes: edges of a box; radius and length along z; radius; m. Factors along the axes of a mesh.
+        file: of a mesh, else empty.
+        xyz, rpy: (3,), its place in the link's frame, m, and its turns about the fixed axes, rad.
+    """
+
+    kind: str
+    sizes: tuple[float, ...]
+    file: str
+    xyz: Array
+    rpy: Array
+
+
+@dataclass(frozen=True)
 class UrdfLink:
     """One body.
 
     Args:
         mass: kg, None where the URDF gives no inertial.
         inertia: (3, 3) about the centre of mass, kg m2, None where not given.
+        collision: what may run into something.
+        visual: what it looks like.
     """
 
     name: str
     mass: float | None
     inertia: Array | None
+    collision: tuple[UrdfShape, ...] = ()
+    visual: tuple[UrdfShape, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -116,12 +139,13 @@ def _check_geometry(geometry: ET.Element, where: str) -> None:
 
 
 def read_link(link: ET.Element, where: str) -> UrdfLink:
-    """A link with its mass and inertia, neither of them negative."""
+    """A link with its shapes and with its mass and inertia, neither of them negative; `check_elements` has seen it."""
     name = link.get("name", "")
     where = f"{where}: link {name!r}"
+    collision, visual = (tuple(_read_shapes(link, kind, where)) for kind in ("collision", "visual"))
     inertial = link.find("inertial")
     if inertial is None:
-        return UrdfLink(name, None, None)
+        return UrdfLink(name, None, None, collision, visual)
     mass_element, inertia_element = inertial.find("mass"), inertial.find("inertia")
     if mass_element is None or inertia_element is None:
         raise BadRobot(f"{where}: inertial", f"no {'mass' if mass_element is None else 'inertia'}", "mass and inertia")
@@ -131,7 +155,17 @@ def read_link(link: ET.Element, where: str) -> UrdfLink:
     six = [float(_numbers(inertia_element, key, 1, f"{where}: inertia")[0]) for key in INERTIA]
     if min(six[0], six[3], six[5]) < 0:
         raise BadRobot(f"{where}: inertia", f"a negative moment among ixx, iyy, izz = {six[0]:g}, {six[3]:g}, {six[5]:g}", "none")
-    return UrdfLink(name, mass, symmetric(six))
+    return UrdfLink(name, mass, symmetric(six), collision, visual)
+
+
+def _read_shapes(link: ET.Element, kind: str, where: str) -> Iterator[UrdfShape]:
+    for owner in link.findall(kind):
+        origin = owner.find("origin")
+        xyz, rpy = (np.zeros(3) if origin is None else _numbers(origin, key, 3, where, "0 0 0") for key in ("xyz", "rpy"))
+        for shape in (geometry[0] for geometry in owner.findall("geometry")):
+            keys, count = SIZES.get(shape.tag, ("scale", 3))
+            sizes = [float(size) for key in keys.split() for size in _numbers(shape, key, count, where, "1 1 1")]
+            yield UrdfShape(shape.tag, tuple(sizes), shape.get("filename", ""), xyz, rpy)
 
 
 def read_joint(joint: ET.Element, where: str) -> UrdfJoint:

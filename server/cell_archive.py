@@ -15,8 +15,8 @@ from server.zip_file import opened_zip, write_entry
 MAX_FILES = 200
 MAX_BYTES = 60_000_000  # of all files together, unpacked
 MAX_DEPTH = 4
-KINDS = (".toml", ".urdf", ".stl", ".json", ".md", ".txt")
-"""What a cell is made of. Other mesh formats name further files or are XML that somebody else parses."""
+KINDS = (".toml", ".urdf", ".stl", ".obj", ".dae", ".json", ".md", ".txt")
+"""What a cell is made of."""
 
 UPLOAD, CELL = "upload.zip", "cell"
 """In the folder of one upload: the archive, and what it is unpacked to."""

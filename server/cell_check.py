@@ -16,17 +16,16 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import pinocchio as pin
-
 from core.cell import Cell, load_cell
 from core.collision import CollisionModel
+from core.confinement import stay_here
 from core.effects.library import library
 from core.errors import BadInput, BadRobot
 from core.robot import RobotModel
 from core.twin_file import read_twin
 from server.cell_archive import CELL, UPLOAD, unpack
 
-SECONDS = 4.0
+SECONDS = 15.0
 MEMORY = 512_000_000  # bytes of private data
 MOST_FLAWS = 50  # told of one cell
 FORBIDDEN = ("socket.", "subprocess.", "os.exec", "os.fork", "os.posix_spawn", "os.system", "ctypes.", "os.symlink", "os.link")
@@ -54,7 +53,6 @@ def _build(cell: Cell) -> None:
     try:
         robot = RobotModel.of_cell(cell)
         CollisionModel(cell, robot, cell.payload_box)
-        pin.buildGeomFromUrdfString(robot.model, cell.urdf, pin.GeometryType.VISUAL, None, str(cell.folder))
     except (ValueError, RuntimeError, IndexError, ArithmeticError) as error:  # Pinocchio's and Coal's own
         raise BadRobot(cell.robot.urdf, f"a model that cannot be built ({str(error)[:200]})", "links and meshes that can") from error
 
@@ -65,6 +63,7 @@ def confine(folder: Path) -> None:
     resource.setrlimit(resource.RLIMIT_CPU, (round(SECONDS) + 1,) * 2)
     resource.setrlimit(resource.RLIMIT_NOFILE, (64, 64))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    stay_here()
     inside = folder.resolve()
 
     def watch(event: str, arguments: tuple[Any, ...]) -> None:

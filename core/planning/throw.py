@@ -14,7 +14,7 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from core.cell import Box, Capsule, Cell, Zone
+from core.cell import Box, Capsule, Cell, Cylinder, Sphere, Zone
 from core.trajectory import AngularProfile
 
 Array = NDArray[np.float64]
@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 PAD_M = 0.005
 """Added to everything that flies, for the moments between those that are looked at."""
 
+_KIND = {"box": 0, "sphere": 1, "capsule": 1, "cylinder": 2}
 _MOMENTS = 24
 _LONGEST_FALL_S = 3.0
 _SHORTEST_STEP_S = 0.001
@@ -95,10 +96,15 @@ def _flying(box: Box) -> tuple[Array, Array]:
 
 @njit(cache=True)
 def _distance(kind: int, size: Array, x: float, y: float, z: float) -> float:
-    """Signed distance of a point in a shape's own frame: 0 box with half sides `size`; 1 capsule of radius size[0], half length size[2]."""
+    """Signed distance of a point in a shape's own frame.
+
+    0 box with half sides `size`; 1 capsule, 2 cylinder, both of radius size[0] and half length size[2], the cylinder with size[1] infinite.
+    """
     if kind == 1:
         z -= min(max(z, -size[2]), size[2])
         return float(np.sqrt(x * x + y * y + z * z) - size[0])
+    if kind == 2:  # a box of the plane through its axis and the point
+        x, y = np.sqrt(x * x + y * y), 0.0
     dx, dy, dz = abs(x) - size[0], abs(y) - size[1], abs(z) - size[2]
     outside = np.sqrt(max(dx, 0.0) ** 2 + max(dy, 0.0) ** 2 + max(dz, 0.0) ** 2)
     return float(outside + min(max(dx, dy, dz), 0.0))
@@ -160,7 +166,7 @@ class ThrowCheck:
         self._zones = cell.zones
         self._gravity = cell.gravity
         self._floor_z = cell.floor_z_m
-        self._kind = np.array([0 if isinstance(zone.shape, Box) else 1 for zone in cell.zones], dtype=np.int64)
+        self._kind = np.array([_KIND[zone.shape.kind] for zone in cell.zones], dtype=np.int64)
         self._size = np.array([_half_size(zone) for zone in cell.zones]).reshape(-1, 3)
         self._R = np.array([zone.shape.pose.rotation for zone in cell.zones]).reshape(-1, 3, 3)
         self._p = np.array([zone.shape.pose.translation for zone in cell.zones]).reshape(-1, 3)
@@ -186,7 +192,9 @@ def _half_size(zone: Zone) -> tuple[float, float, float]:
         case Box():
             x, y, z = shape.size_m
             return 0.5 * x, 0.5 * y, 0.5 * z
+        case Sphere():
+            return shape.radius_m, 0.0, 0.0
         case Capsule():
             return shape.radius_m, 0.0, 0.5 * shape.length_m
-        case _:
-            return shape.radius_m, 0.0, 0.0
+        case Cylinder():
+            return shape.radius_m, np.inf, 0.5 * shape.length_m

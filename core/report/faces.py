@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any
 
-import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
-from core.cell import Box, Capsule, Cell, Shape, Sphere
+from core.bodies import LinkShape, collision_shapes, visual_shapes
+from core.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
 from core.robot import RobotModel
 
 Array = NDArray[np.float64]
@@ -102,6 +101,8 @@ def shape_faces(shape: Shape) -> Faces:
             faces = sphere_faces(shape.radius_m)
         case Capsule():
             faces = capsule_faces(shape.radius_m, shape.length_m)
+        case Cylinder():
+            faces = cylinder_faces(shape.radius_m, shape.length_m)
     return placed(faces, shape.pose.rotation, shape.pose.translation)
 
 
@@ -113,14 +114,8 @@ def arm_faces(cell: Cell, robot: RobotModel, q: Array) -> Faces:
 
 def arm_parts(cell: Cell, robot: RobotModel) -> list[tuple[int, Faces]]:
     """The robot's bodies, each with the number of the joint that carries it (0 for the base) and its faces in that joint's frame."""
-    for kind in (pin.GeometryType.VISUAL, pin.GeometryType.COLLISION):
-        model = pin.buildGeomFromUrdfString(robot.model, cell.urdf, kind, None, str(cell.folder))
-        if len(model.geometryObjects):
-            break
-    return [
-        (body.parentJoint, placed(_coal_faces(body.geometry), body.placement.rotation, body.placement.translation))
-        for body in model.geometryObjects
-    ]
+    shapes = visual_shapes(cell, robot) or collision_shapes(cell, robot)
+    return [(each.joint, placed(_faces(each), each.placement.rotation, each.placement.translation)) for each in shapes]
 
 
 def joint_poses(robot: RobotModel, q: Array) -> list[tuple[Array, Array]]:
@@ -130,15 +125,16 @@ def joint_poses(robot: RobotModel, q: Array) -> list[tuple[Array, Array]]:
     return [(np.array(pose.rotation), np.array(pose.translation)) for pose in data.oMi]
 
 
-def _coal_faces(geometry: Any) -> Faces:
-    match geometry:
-        case coal.Box():
-            return box_faces(2.0 * np.asarray(geometry.halfSide))
-        case coal.Sphere():
-            return sphere_faces(float(geometry.radius))
-        case coal.Cylinder():
-            return cylinder_faces(float(geometry.radius), 2.0 * float(geometry.halfLength))
-        case coal.Capsule():
-            return capsule_faces(float(geometry.radius), 2.0 * float(geometry.halfLength))
-        case _:
-            return faces_of_points(np.asarray(geometry.vertices()))
+def _faces(each: LinkShape) -> Faces:
+    """Of a link's shape; of a mesh those of its hull or of its parts, none where it is flat."""
+    sizes = each.shape.sizes
+    match each.shape.kind:
+        case "box":
+            return box_faces(np.array(sizes))
+        case "sphere":
+            return sphere_faces(*sizes)
+        case "cylinder":
+            return cylinder_faces(*sizes)
+        case "capsule":
+            return capsule_faces(*sizes)
+    return [face for part in each.parts for face in faces_of_points(part)]

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Box, Cell, Pose
-from core.second_opinion.solids import Solid, box, numbers, solid_of_geometry
+from core.second_opinion.solids import Solid, box, numbers, solids_of_geometries
 
 Array = NDArray[np.float64]
 
@@ -103,12 +103,17 @@ def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
     names = [element.get("name", "") for element in root.findall("link")]
     carried = {name: _carrier(joints, chain, world, name) for name in names}
     placements = [carried[_link(joints[link], "parent")][1].after(_origin(joints[link])) for link in chain]
-    bodies = [
-        Body(name, carried[name][0], carried[name][1].after(_origin(collision)), solid_of_geometry(geometry, cell.folder))
+    shapes = [
+        (name, owner, geometry)
         for element in root.findall("link")
         for name in [element.get("name", "")]
-        for collision in element.findall("collision")
-        for geometry in collision.findall("geometry")
+        for owner in element.findall("visual" if name in cell.robot.visual_shapes else "collision")
+        for geometry in owner.findall("geometry")
+    ]
+    solids = solids_of_geometries([geometry for _, _, geometry in shapes], cell.folder)
+    bodies = [
+        Body(name, carried[name][0], carried[name][1].after(_origin(owner)), solid)
+        for (name, owner, _), solid in zip(shapes, solids, strict=True)
     ]
     n, sensor = carried[cell.robot.sensor_frame]
     bodies.append(Body(PAYLOAD, n, sensor.after(frame_of_pose(payload_box.pose)), box(np.array(payload_box.size_m)), carried=True))

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.cell import Box, Capsule, Pose, Shape, Sphere, contradictions_of, find_cell, list_cells, load_cell, read_cell
+from core.cell import Box, Capsule, Cylinder, Pose, Shape, Sphere, contradictions_of, find_cell, list_cells, load_cell, read_cell
 from core.errors import BadCell, BadInput, BadRobot
 
 CELLS = Path(__file__).parents[2] / "cells"
@@ -76,7 +76,10 @@ BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
     "four sizes": (swap("[1.6, 1.6, 0.1]", "[1.6, 0.1, 1, 1]"), "size_m: found"),
     "kilometres": (swap("[1.6, 1.6, 0.1]", "[1.6, 2000, 0.1]"), "size_m.1: found 2000, expected less than or equal to 1000"),
     "unknown shape": (swap('kind = "box", size_m = [1.6', 'kind = "cone", size_m = [1.6'), "shape.kind: found 'cone', expected box"),
-    "no shape kind": (swap('kind = "box", size_m = [1.6', "size_m = [1.6"), "shape.kind: found None, expected box, sphere or capsule"),
+    "no shape kind": (
+        swap('kind = "box", size_m = [1.6', "size_m = [1.6"),
+        "shape.kind: found None, expected box, sphere, capsule or cylinder",
+    ),
     "angle in degrees": (swap("base_frame", "base.rpy_rad = [0, 0, 90]\nbase_frame"), "robot.base.rpy_rad.2: found 90"),
     "name twice": (swap('name = "wall_left"', 'name = "wall_back"'), "the name 'wall_back' 2 times"),
     "zone named like an obstacle": (swap('name = "operator"', 'name = "bench"'), "the name 'bench' 2 times"),
@@ -253,6 +256,7 @@ shapes = st.one_of(
     st.builds(Box, size_m=st.tuples(size, size, size), pose=poses),
     st.builds(Sphere, kind=st.just("sphere"), radius_m=size, pose=poses),
     st.builds(Capsule, kind=st.just("capsule"), radius_m=size, length_m=size, pose=poses),
+    st.builds(Cylinder, kind=st.just("cylinder"), radius_m=size, length_m=size, pose=poses),
 )
 
 
@@ -263,6 +267,8 @@ def is_inside(shape: Shape, p: np.ndarray) -> bool:
             return all(abs(x) < s / 2 for x, s in zip(p, shape.size_m, strict=True))
         case Sphere():
             return p @ p < shape.radius_m**2
+        case Cylinder():
+            return np.hypot(p[0], p[1]) < shape.radius_m and abs(p[2]) < shape.length_m / 2
         case Capsule():
             ends = [np.array([0, 0, s * shape.length_m / 2]) for s in (-1, 1)]
             in_balls = any((p - end) @ (p - end) < shape.radius_m**2 for end in ends)

@@ -29,6 +29,7 @@ from core.second_opinion.opinion import Approach, FastestPoint, JointPath, Opini
 from core.second_opinion.pairs import Kind, accounted_pairs, placed, standing
 from core.second_opinion.refusal import refuse_disputed
 from core.trial.draw import returned
+from tests.core.mesh_bytes import dae, elbow
 
 Array = NDArray[np.float64]
 CELLS = Path(__file__).parents[2] / "cells"
@@ -147,14 +148,41 @@ def test_boxes_nearly_parallel_are_no_farther_than_they_are_where_python_fcl_put
     assert max(farther) > 1e-5
 
 
-def test_a_mesh_counts_as_its_hull_and_one_that_cannot_be_read_is_refused(tmp_path: Path) -> None:
+def test_a_convex_mesh_is_its_hull_and_one_that_cannot_be_read_is_refused(tmp_path: Path) -> None:
     trimesh.creation.box(extents=(2.0, 4.0, 6.0)).export(tmp_path / "box.stl")
     (tmp_path / "box.txt").write_text("no mesh")
     scaled = ET.fromstring('<geometry><mesh filename="box.stl" scale="0.1 0.1 0.1"/></geometry>')
-    found = solids.solid_of_geometry(scaled, tmp_path)
+    (found,) = solids.solids_of_geometries([scaled], tmp_path)
+    assert found.surface is None
     np.testing.assert_allclose(found.corners.max(axis=0), [0.1, 0.2, 0.3], atol=1e-9)
-    with pytest.raises(BadRobot, match="an STL or OBJ file"):
-        solids.solid_of_geometry(ET.fromstring('<geometry><mesh filename="box.txt"/></geometry>'), tmp_path)
+    with pytest.raises(BadRobot, match="an STL, OBJ or DAE file"):
+        solids.solids_of_geometries([ET.fromstring('<geometry><mesh filename="box.txt"/></geometry>')], tmp_path)
+
+
+def test_a_mesh_that_is_not_convex_is_as_far_as_its_triangles_and_no_nearer_from_inside(tmp_path: Path) -> None:
+    elbow().export(tmp_path / "elbow.stl")
+    (found,) = solids.solids_of_geometries([ET.fromstring('<geometry><mesh filename="elbow.stl"/></geometry>')], tmp_path)
+    small, turn = solids.box(np.full(3, 0.02)), np.eye(3)
+    bar = solids.box(np.array([0.02, 0.02, 0.4]))
+
+    def from_elbow(other: solids.Solid, x: float, y: float, z: float = 0.025) -> float:
+        return solids.distance(solids.place(found, turn, np.zeros(3)), solids.place(other, turn, np.array([x, y, z])))
+
+    assert from_elbow(small, 0.12, 0.10) == pytest.approx(0.04, abs=1e-9)  # in the hull, beside both arms
+    assert from_elbow(solids.ball(0.01), 0.10, 0.12) == pytest.approx(0.04, abs=1e-9)
+    assert from_elbow(solids.capsule(0.01, 0.2), 0.10, 0.12) == pytest.approx(0.04, abs=1e-9)
+    assert from_elbow(bar, 0.2, 0.03) < 0.0  # through an arm
+    assert from_elbow(solids.ball(0.01), 0.3, 0.025) < 0.0  # within it, meeting no surface
+    assert from_elbow(small, 0.5, 0.025) == pytest.approx(0.09, abs=1e-6)  # as far as the hulls
+    inside = solids.distance(solids.place(small, turn, np.array([0.12, 0.10, 0.025])), solids.place(found, turn, np.zeros(3)))
+    assert inside == pytest.approx(0.04, abs=1e-9)
+
+
+def test_a_dae_is_read_with_its_nodes_and_its_unit(tmp_path: Path) -> None:
+    nodes = '<node id="n"><translate>1 2 3</translate><instance_geometry url="#body"/></node>'
+    (tmp_path / "a.dae").write_bytes(dae(nodes, unit="0.1"))
+    (found,) = solids.solids_of_geometries([ET.fromstring('<geometry><mesh filename="a.dae"/></geometry>')], tmp_path)
+    np.testing.assert_allclose([found.corners.min(axis=0), found.corners.max(axis=0)], [[0.1, 0.2, 0.3], [0.11, 0.21, 0.31]], atol=1e-9)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -9,6 +9,8 @@ import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
+from tests.core.mesh_bytes import BAD
+
 CELL = Path(__file__).parents[2] / "cells" / "lwr4_bench"
 Files = dict[str, bytes]
 
@@ -200,6 +202,7 @@ HOSTILE: dict[str, Callable[[], bytes]] = {
     "mesh that is text": _mesh("hand.stl", b"solid x\n" + b"facet normal nan nan nan\n" * 10),
     "looks that say they are huge": _mesh("hand.stl", _huge_stl(2**32 - 1, 2), of="visual"),
     "looks that break off": _mesh("hand.stl", _huge_stl(1000, 2), of="visual"),
+    **{f"mesh that is {what}": _mesh(file, content, file) for what, (file, content, scale, _) in BAD.items() if scale == "1 1 1"},
     "include": _urdf("</robot>", '<include filename="robot.urdf"/></robot>'),
     "xacro include": _urdf("</robot>", '<xacro:include xmlns:xacro="http://x" filename="/etc/passwd"/></robot>'),
     "XInclude": _urdf("</robot>", '<xi:include xmlns:xi="http://www.w3.org/2001/XInclude" href="/etc/passwd"/></robot>'),

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from core.cell import load_cell
-from core.errors import BadCell, BadInput
+from core.errors import BadCell, BadInput, BadRobot
 from core.twin import Twin
 from core.twin_file import read_twin
 from server.cell_archive import UPLOAD
@@ -15,6 +15,7 @@ from server.cell_folder import CellFolder
 from server.cell_uploads import CellChecker, take_in, upload_folder
 from server.errors import Conflict, Unprocessable
 from server.problems import problem_of
+from tests.core.mesh_bytes import BAD
 from tests.server.hostile_uploads import HOSTILE, sound, zipped
 from tests.server.real_service import ROOT
 from tests.twin_entries import entry
@@ -45,6 +46,13 @@ def test_a_hostile_upload_is_refused_and_leaves_nothing(what: str, checker: Cell
     assert everything_in(tmp_path) == {}
     assert "root:" not in str(refusal.value)
     assert str(tmp_path) not in str(refusal.value)
+
+
+@pytest.mark.parametrize("what", [what for what, (_, _, scale, _) in BAD.items() if scale == "1 1 1" and what != "another kind"])
+def test_a_bad_mesh_is_told_in_the_engines_words(what: str, checker: CellChecker, cells: CellFolder) -> None:
+    file, _, _, words = BAD[what]
+    with pytest.raises(BadRobot, match=rf"^robot\.urdf: link 'base': mesh '{file}': found .*{words}"):
+        upload(checker, cells, HOSTILE[f"mesh that is {what}"]())
 
 
 def test_there_are_enough_hostile_uploads() -> None:

@@ -1504,6 +1504,36 @@ export interface components {
             password: string;
         };
         /**
+         * Cylinder
+         * @description A cylinder along the z axis of `pose`, with its centre there.
+         */
+        Cylinder: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "cylinder";
+            /** Radius M */
+            radius_m: number;
+            /** Length M */
+            length_m: number;
+            /**
+             * @default {
+             *       "xyz_m": [
+             *         0,
+             *         0,
+             *         0
+             *       ],
+             *       "rpy_rad": [
+             *         0,
+             *         0,
+             *         0
+             *       ]
+             *     }
+             */
+            pose?: components["schemas"]["Pose"];
+        };
+        /**
          * DeliveryAnswer
          * @description One message. `due_at` is null once it is delivered or given up.
          */
@@ -2154,7 +2184,7 @@ export interface components {
             /** Name */
             name: string;
             /** Shape */
-            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"];
+            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
         };
         /**
          * OpenedTrial
@@ -2635,6 +2665,11 @@ export interface components {
              *     }
              */
             base?: components["schemas"]["Pose"];
+            /**
+             * Visual Shapes
+             * @default []
+             */
+            visual_shapes?: string[];
         };
         /**
          * RobotStopped
@@ -3401,7 +3436,7 @@ export interface components {
             /** Name */
             name: string;
             /** Shape */
-            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"];
+            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
         };
         /**
          * ZoneBack
@@ -3730,6 +3765,7 @@ export type Control = components['schemas']['Control'];
 export type ControlAnswer = components['schemas']['ControlAnswer'];
 export type ControlBody = components['schemas']['ControlBody'];
 export type Credentials = components['schemas']['Credentials'];
+export type Cylinder = components['schemas']['Cylinder'];
 export type DeliveryAnswer = components['schemas']['DeliveryAnswer'];
 export type Diagnosis = components['schemas']['Diagnosis'];
 export type DiagnosisAnswer = components['schemas']['DiagnosisAnswer'];

@@ -19,6 +19,12 @@ export function footprint(shape: Shape, [u, v]: View): Point[] {
     const signs = [-1, 1];
     return hull(signs.flatMap((a) => signs.flatMap((b) => signs.map((c) => seen([a * x, b * y, c * z])))));
   }
+  if (shape.kind === 'cylinder') {
+    const ring = circle([0, 0], shape.radius_m);
+    return hull(
+      [-shape.length_m / 2, shape.length_m / 2].flatMap((z) => ring.map(([x, y]) => seen([x, y, z]))),
+    );
+  }
   const half = shape.kind === 'capsule' ? shape.length_m / 2 : 0;
   return hull([-half, half].flatMap((z) => circle(seen([0, 0, z]), shape.radius_m)));
 }

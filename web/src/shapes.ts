@@ -3,7 +3,7 @@ import { number, scaleOf, spelt } from './units';
 
 type Shape = Obstacle['shape'];
 
-/** How large a shape is: edges of a box, diameter of a ball, diameter and length of a capsule. */
+/** How large a shape is: edges of a box, diameter of a ball, diameter and length of a capsule or a cylinder. */
 export function sizeOf(shape: Shape): string {
   if (shape.kind === 'box') return lengths(shape.size_m);
   const across = `⌀ ${spelt('length', 2 * shape.radius_m)}`;

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from core.cell import Box, Capsule, Cell, Pose, Sphere, Zone, load_cell
+from core.cell import Box, Capsule, Cell, Cylinder, Pose, Sphere, Zone, load_cell
 from core.control.decoupling import decoupling_profile
 from core.planning.throw import PAD_M, ThrowCheck, loads_of
 from core.trajectory import AngularProfile
@@ -23,9 +23,12 @@ def cell_with(*shapes: object) -> Cell:
     return CELL.model_copy(update={"zones": tuple(Zone(name=f"zone{k}", shape=shape) for k, shape in enumerate(shapes))})
 
 
-def distance(shape: Sphere | Capsule, points: np.ndarray) -> np.ndarray:
+def distance(shape: Sphere | Capsule | Cylinder, points: np.ndarray) -> np.ndarray:
     """Of points (N, 3) from the surface, negative inside."""
     local = (points - shape.pose.translation) @ shape.pose.rotation
+    if isinstance(shape, Cylinder):
+        over = np.column_stack([np.linalg.norm(local[:, :2], axis=1) - shape.radius_m, np.abs(local[:, 2]) - shape.length_m / 2])
+        return np.linalg.norm(np.maximum(over, 0.0), axis=1) + np.minimum(over.max(axis=1), 0.0)
     if isinstance(shape, Capsule):
         local[:, 2] -= np.clip(local[:, 2], -shape.length_m / 2, shape.length_m / 2)
     return np.linalg.norm(local, axis=1) - shape.radius_m
@@ -60,6 +63,12 @@ def test_the_nearest_flight_is_the_one_that_brute_force_finds(seed, held):
             radius_m=0.1,
             length_m=0.4,
             pose=Pose(xyz_m=tuple(rng.uniform(-0.7, 0.7, 3).tolist()), rpy_rad=(0.5, 0.3, 0.0)),
+        ),
+        Cylinder(
+            kind="cylinder",
+            radius_m=0.12,
+            length_m=0.3,
+            pose=Pose(xyz_m=tuple(rng.uniform(-0.7, 0.7, 3).tolist()), rpy_rad=(0.2, 1.0, 0.0)),
         ),
     ]
     cell, profile = cell_with(*shapes), None if held else PROFILE

@@ -49,6 +49,53 @@ export const flaws: Record<string, string> = {
   'String should have at most {} characters': 'höchstens {} Zeichen',
   "String should match pattern '{}'": 'ein Text nach dem Muster {}',
 
+  // meshes
+  'a mesh': 'ein Netz',
+  'an empty file': 'eine leere Datei',
+  'a mesh with triangles': 'ein Netz mit Dreiecken',
+  'no triangle': 'kein Dreieck',
+  '{} triangles': '{} Dreiecke',
+  '{} vertices': '{} Ecken',
+  'numbers of its {} vertices': 'Nummern seiner {} Ecken',
+  'a face of vertices that there are not': 'eine Fläche aus Ecken, die es nicht gibt',
+  '{} vertices in one plane, {} m': '{} Ecken in einer Ebene, {} m',
+  'a solid, of four vertices or more that are in no plane':
+    'ein Körper aus mindestens vier Ecken, die nicht in einer Ebene liegen',
+  'a vertex that is no number (NaN or infinite)': 'eine Ecke, die keine Zahl ist (NaN oder unendlich)',
+  'finite coordinates': 'endliche Koordinaten',
+  'a vertex {} m from the origin': 'eine Ecke {} m vom Ursprung',
+  'at most {} m; millimetres have the scale 0.001': 'höchstens {} m; Millimeter haben den Maßstab 0.001',
+  'the scale {}': 'der Maßstab {}',
+  'positive factors': 'positive Faktoren',
+  'an STL file that breaks off at {} bytes': 'eine STL-Datei, die nach {} Bytes abbricht',
+  '84 bytes, and 50 for each of its triangles': '84 Bytes und 50 für jedes ihrer Dreiecke',
+  'three for each triangle of an ASCII STL file': 'drei für jedes Dreieck einer ASCII-STL-Datei',
+  'a mesh that cannot be read ({})': 'ein Netz, das sich nicht lesen lässt ({})',
+  'a sound STL, OBJ or DAE file': 'eine heile STL-, OBJ- oder DAE-Datei',
+  'a mesh that the second opinion on plans cannot read ({})':
+    'ein Netz, das die zweite Prüfung der Pläne nicht lesen kann ({})',
+  'an STL, OBJ or DAE file': 'eine STL-, OBJ- oder DAE-Datei',
+  'a DAE file': 'eine DAE-Datei',
+  'a DAE file that is complete in itself': 'eine DAE-Datei, die in sich vollständig ist',
+  'a DAE file without document types and entities': 'eine DAE-Datei ohne Dokumenttypen und Entitäten',
+  'a link to {}, which there is not': 'ein Verweis auf {}, das es nicht gibt',
+  'nodes nested more than {} deep': 'Knoten, die mehr als {} tief verschachtelt sind',
+  'more than {} nodes': 'mehr als {} Knoten',
+  'a scene of fewer': 'eine Szene aus weniger',
+  'a scene without rings': 'eine Szene ohne Ringe',
+  'a file on which its reader ended, at most {} allowed':
+    'eine Datei, an der ihr Leser endete, erlaubt sind höchstens {}',
+  '{} s of computing time and {} GB': '{} s Rechenzeit und {} GB',
+  'a mesh of ordinary size': 'ein Netz von üblicher Größe',
+  'a link that moves without a shape for collisions':
+    'ein Glied, das sich bewegt und keine Form für Zusammenstöße hat',
+  '<collision>, or {} in robot.visual_shapes of cell.toml, where its looks are to count':
+    '<collision>, oder {} in robot.visual_shapes von cell.toml, wo sein Aussehen gelten soll',
+  '<collision>, or neither mass nor shape where it is only a frame':
+    '<collision>, oder weder Masse noch Form, wo es nur ein Koordinatensystem ist',
+  'a link of {} with a <visual> and without a <collision>, one of {}':
+    'ein Glied von {} mit <visual> und ohne <collision>, eines von {}',
+
   // files
   'no such file': 'keine solche Datei',
   'no such folder': 'kein solcher Ordner',
@@ -121,7 +168,7 @@ export const flaws: Record<string, string> = {
     'etwas, woran die Prüfung endete (zu wenig Speicher, oder ein Netz, das sich nicht lesen lässt)',
 
   // cell.toml
-  'box, sphere or capsule': 'box, sphere oder capsule',
+  'box, sphere, capsule or cylinder': 'box, sphere, capsule oder cylinder',
   'the name {} {} times': 'der Name {} {}-mal',
   'each name once': 'jeder Name einmal',
   'the name of its folder, {}': 'der Name ihres Ordners, {}',

@@ -1,0 +1,86 @@
+"""Surfaces of meshes for the second opinion, read by trimesh and pycollada in a process of their own and known by their content."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import fcl
+import numpy as np
+from numpy.typing import NDArray
+
+from core.confinement import Order, ask
+from core.errors import BadRobot
+from core.second_opinion.mesh_reader import read_surface
+
+Array = NDArray[np.float64]
+
+MOST_KNOWN = 500
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Triangles, closed where they are the surface of a solid.
+
+    Args:
+        vertices: (k, 3), m.
+        triangles: (m, 3), numbers of vertices.
+        is_convex: whether the solid is the hull of its vertices.
+    """
+
+    vertices: Array
+    triangles: NDArray[np.int64]
+    is_convex: bool = False
+
+    @cached_property
+    def tree(self) -> Any:
+        """python-fcl's model of the triangles."""
+        model = fcl.BVHModel()
+        model.beginModel(len(self.vertices), len(self.triangles))
+        model.addSubModel(self.vertices, self.triangles)
+        model.endModel()
+        return model
+
+
+_known: dict[str, Surface] = {}
+
+
+def read_surfaces(files: Sequence[Path], scales: Sequence[Array]) -> list[Surface]:
+    """One for each file and scale (3,).
+
+    Raises:
+        BadRobot: a file cannot be read here.
+    """
+    orders: list[Order] = [
+        {"file": str(file.resolve()), "scale": scale.tolist(), "where": str(file)} for file, scale in zip(files, scales, strict=True)
+    ]
+    digests = [_digest(file, scale) for file, scale in zip(files, scales, strict=True)]
+    new = {digest: order for digest, order in zip(digests, orders, strict=True) if digest not in _known}
+    found = dict(_known)
+    for digest, (vertices, triangles, is_convex) in zip(new, ask(read_surface, list(new.values())), strict=True):
+        found[digest] = Surface(vertices, triangles, bool(is_convex))
+    if len(found) <= MOST_KNOWN:
+        _known.update(found)
+    else:
+        _known.clear()
+    return [found[digest] for digest in digests]
+
+
+def _digest(file: Path, scale: Array) -> str:
+    try:
+        return f"{hashlib.sha256(file.read_bytes()).hexdigest()} {file.suffix} {scale.tolist()}"
+    except OSError as error:
+        raise BadRobot(str(file), f"a file that cannot be read ({error.strerror})", "a readable file") from error
+
+
+def winding_number(surface: Surface, point: Array) -> float:
+    """How often a closed surface goes round a point (3,): the sum of the triangles' solid angles (Van Oosterom and Strackee 1983)."""
+    a, b, c = np.moveaxis(surface.vertices[surface.triangles] - point, 1, 0)
+    la, lb, lc = (np.linalg.norm(each, axis=1) for each in (a, b, c))
+    volume = np.einsum("mi,mi->m", a, np.cross(b, c))
+    dots = [np.einsum("mi,mi->m", u, v) for u, v in ((a, b), (b, c), (c, a))]
+    return float(np.arctan2(volume, la * lb * lc + dots[0] * lc + dots[1] * la + dots[2] * lb).sum() / (2.0 * np.pi))
