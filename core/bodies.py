@@ -11,6 +11,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from core.cell import Box, Capsule, Cell, Shape, Sphere
+from core.cell_tools import tool_boxes
 from core.robot import RobotModel
 
 Array = NDArray[np.float64]
@@ -79,8 +80,17 @@ def _convex(geometry: Any) -> Any:
 
 def payload_body(robot: RobotModel, box: Box) -> Body:
     """The payload box, given in the sensor frame."""
+    return _carried_box(PAYLOAD, robot, box)
+
+
+def tool_bodies(cell: Cell, robot: RobotModel) -> list[Body]:
+    """The boxes of the cell's tools, by the tools' names; tools made of links are among `link_bodies`."""
+    return [_carried_box(name, robot, box) for name, box in tool_boxes(cell).items()]
+
+
+def _carried_box(name: str, robot: RobotModel, box: Box) -> Body:
     placement = robot.model.frames[robot.sensor_frame_id].placement * pin.SE3(box.pose.rotation, box.pose.translation)
-    return Body(PAYLOAD, robot.n, coal.Box(*box.size_m), placement)
+    return Body(name, robot.n, coal.Box(*box.size_m), placement)
 
 
 def fixed_body(name: str, shape: Shape) -> Body:

@@ -22,12 +22,14 @@ from core.inertia import InertialParameters
 from core.jail import read_inside
 from core.schema_flaw import SchemaFlaw, schema_flaw
 from core.shapes import Angle, Box, Capsule, Model, NotNegative, Number, Pose, Positive, Shape, Six, SixPositive, Sphere, Vector3
+from core.tool import Tool
+from core.tool_checks import tool_flaws
 from core.urdf import Urdf, check_urdf
 from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 
 __all__ = [
     "Box", "Capsule", "Cell", "CellRead", "Control", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor", "Shape",
-    "Sphere", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
+    "Sphere", "Tool", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -153,6 +155,8 @@ class Cell(Model):
     obstacles: tuple[Obstacle, ...] = ()
     zones: tuple[Zone, ...] = ()
     payloads: dict[Name, Payload] = Field(default_factory=dict)
+    tools: dict[Name, Tool] = Field(default_factory=dict)
+    """What is bolted between the sensor and the payload."""
     folder: Path = Field(default=Path(), exclude=True)
     """Where cell.toml and the URDF are."""
 
@@ -250,6 +254,8 @@ def _check_urdf(cell: Cell) -> None:
     check_robot(cell, urdf)
     urdf.check_bodies(cell.robot.base_frame, cell.robot.sensor_frame)
     urdf.check_meshes(cell.folder)
+    where = cell.folder / CELL_FILE
+    refuse([BadCell(f"{where}: {key}", found, expected) for key, found, expected, _ in tool_flaws(cell, urdf)])
 
 
 def check_robot(cell: Cell, urdf: Urdf) -> None:
@@ -294,7 +300,7 @@ def _sentence(error: ErrorDetails, where: str) -> BadCell:
 
 def _keys() -> list[str]:
     """Every key of the format."""
-    models = (Cell, Robot, Friction, Sensor, Limits, Control, Payload, Obstacle, Zone, Box, Sphere, Capsule, Pose)
+    models = (Cell, Robot, Friction, Sensor, Limits, Control, Payload, Tool, Obstacle, Zone, Box, Sphere, Capsule, Pose)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})
 
 

@@ -16,7 +16,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.bodies import Body, SpeedPoints, corners_of, fixed_body, link_bodies, payload_body, reach_of
+from core.bodies import Body, SpeedPoints, corners_of, fixed_body, link_bodies, payload_body, reach_of, tool_bodies
 from core.cell import Box, Cell, Obstacle, Pose, Zone
 from core.cell_contradictions import BASE_IN_OBSTACLE
 from core.errors import BadCell
@@ -77,7 +77,7 @@ class CollisionModel:
         self.cell = cell
         self.robot = robot
         self.payload_box = payload_box
-        bodies = [*link_bodies(cell, robot), payload_body(robot, payload_box)]
+        bodies = [*link_bodies(cell, robot), *tool_bodies(cell, robot), payload_body(robot, payload_box)]
         things = [fixed_body(item.name, item.shape) for item in _standing(cell)]
         self.points = corners_of(bodies)
         self.reach = reach_of(robot, self.points)

@@ -38,10 +38,10 @@ IDENTITY = Frames(np.eye(3), np.zeros(3))
 
 @dataclass(frozen=True)
 class Body:
-    """A convex part of the arm, or the payload box.
+    """A convex part of the arm, the box of a tool, or the payload box.
 
     Args:
-        name: of the link, or "payload".
+        name: of the link or the tool, or "payload".
         joint: how many joints of the arm move it.
         placement: in the frame after the last of them, or in the world.
     """
@@ -60,7 +60,7 @@ class Arm:
         placements: n frames, each joint's in the previous one, the first in the world.
         axes: (n, 3), unit vectors in the joints' own frames.
         sensor: in the frame after the last joint.
-        bodies: those of the links and, last, the payload box.
+        bodies: those of the links, of the tools' boxes and, last, the payload box.
         lower, upper: (n,), limits of the joints, rad.
     """
 
@@ -87,7 +87,7 @@ class Arm:
 
 
 def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
-    """The cell's robot with a payload box, in the world frame.
+    """The cell's robot with the boxes of its tools and a payload box, in the world frame.
 
     Raises:
         BadRobot: a mesh cannot be read.
@@ -107,7 +107,8 @@ def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
         for geometry in collision.findall("geometry")
     ]
     n, sensor = carried[cell.robot.sensor_frame]
-    bodies.append(Body(PAYLOAD, n, sensor.after(frame_of_pose(payload_box.pose)), box(np.array(payload_box.size_m))))
+    boxes = {name: tool.box for name, tool in cell.tools.items() if tool.box is not None} | {PAYLOAD: payload_box}
+    bodies += [Body(name, n, sensor.after(frame_of_pose(each.pose)), box(np.array(each.size_m))) for name, each in boxes.items()]
     limits = np.array(
         [[float(limit.get(key, "")) for key in ("lower", "upper")] for link in chain for limit in joints[link].findall("limit")]
     )
