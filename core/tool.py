@@ -36,4 +36,4 @@ class Tool(Model):
     first_moment_std_kg_m: ThreeNotNegative | None = None
     inertia_std_kg_m2: SixNotNegative | None = None
     box: Box | None = None
-    links: Annotated[tuple[str, ...], Field(min_length=1, max_length=100)] | None = None
+    links: Annotated[tuple[str, ...], Field(max_length=100)] | None = None

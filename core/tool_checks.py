@@ -53,7 +53,7 @@ def _parameters(tool: Tool, sensor_frame: str, tree: UrdfTree | None) -> Inertia
 
 def _name_flaws(cell: Cell, name: str, links: tuple[str, ...]) -> Iterator[Contradiction]:
     """Bodies are told apart by their names."""
-    if name in {item.name for item in (*cell.obstacles, *cell.zones)}:
+    if name in {obstacle.name for obstacle in cell.obstacles} | {zone.name for zone in cell.zones}:
         yield Contradiction(f"tools.{name}", "the name of an obstacle or a zone", "a name of its own")
     if name in links:
         yield Contradiction(f"tools.{name}", "the name of a link of the URDF", "a name of its own")

@@ -60,7 +60,7 @@ class UrdfTree:
 
     def seen_from(self, frame: str, links: Iterable[str]) -> InertialParameters:
         """Links as one rigid body in the frame of link `frame`, all joints between them at zero."""
-        return self._sum(links, np.linalg.inv(self._at_zero(frame)), at_zero=True)
+        return self._sum(links, np.asarray(np.linalg.inv(self._at_zero(frame))), at_zero=True)
 
     def has_body(self, link: str) -> bool:
         """Whether a link has a mass or a shape."""
