@@ -93,7 +93,7 @@ class Limits(Model):
     """What no point of the robot may exceed.
 
     Args:
-        cartesian_speed_m_s: of every point of every link and every corner of the payload box.
+        cartesian_speed_m_s: of every point of every link and every corner of the boxes of payload and tools.
         clearance_m: smallest distance to obstacles and protected zones.
         self_clearance_m: smallest distance between links.
     """
@@ -151,7 +151,7 @@ class Cell(Model):
     floor_z_m: Number = 0.0
     """Height at which a load that comes off stops falling, in the world frame."""
     payload_box: Box
-    """Used where a payload is not known by name; in the sensor frame."""
+    """Used where a payload is not known by name; in the sensor frame, without the boxes of tools."""
     obstacles: tuple[Obstacle, ...] = ()
     zones: tuple[Zone, ...] = ()
     payloads: dict[Name, Payload] = Field(default_factory=dict)

@@ -6,12 +6,14 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from core.cell import Cell, load_cell
+from core.gap.diagnosis import examine
 from core.outcome import Outcome
 from core.plan_settings import Timing
 from core.procedure import identify
@@ -99,6 +101,14 @@ def test_a_recording_knows_its_tools_and_is_answered_alike(ran: tuple[Cell, Outc
     np.testing.assert_array_equal(read.tools[0].std, outcome.recording.tools[0].std)
     again = result_of(outcome.identification, read, seconds=outcome.result().seconds)
     assert again.workpiece == outcome.result().workpiece
+
+
+def test_the_diagnosis_takes_the_tools_for_no_other_payload(ran: tuple[Cell, Outcome, Path]) -> None:
+    _, outcome, _ = ran
+    diagnosis, _ = examine(outcome.recording)
+    assert [also.id for also in diagnosis.also if also.id == "payload_mismatch" and also.material] == []
+    without, _ = examine(replace(outcome.recording, tools=()))
+    assert [also.id for also in without.also if also.id == "payload_mismatch" and also.material] == ["payload_mismatch"]
 
 
 def test_report_and_terminal_show_the_workpiece_alone(ran: tuple[Cell, Outcome, Path]) -> None:
