@@ -11,6 +11,7 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from core.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
+from core.cell_tools import tool_boxes
 from core.meshes import WantedMesh, read_meshes
 from core.robot import RobotModel
 from core.urdf import check_urdf
@@ -88,8 +89,11 @@ def link_bodies(cell: Cell, robot: RobotModel) -> list[Body]:
     Raises:
         BadRobot: a mesh that cannot be used, also among those that are only looked at.
     """
+    carried = {link for tool in cell.tools.values() for link in tool.links or ()}
     return [
-        Body(each.link, each.joint, geometry, each.placement) for each in collision_shapes(cell, robot) for geometry in _geometries(each)
+        Body(each.link, each.joint, geometry, each.placement, each.link in carried)
+        for each in collision_shapes(cell, robot)
+        for geometry in _geometries(each)
     ]
 
 
@@ -154,8 +158,17 @@ def _hull(corners: Array) -> Any:
 
 def payload_body(robot: RobotModel, box: Box) -> Body:
     """The payload box, given in the sensor frame."""
+    return _carried_box(PAYLOAD, robot, box)
+
+
+def tool_bodies(cell: Cell, robot: RobotModel) -> list[Body]:
+    """The boxes of the cell's tools, by the tools' names; tools made of links are among `link_bodies`."""
+    return [_carried_box(name, robot, box) for name, box in tool_boxes(cell).items()]
+
+
+def _carried_box(name: str, robot: RobotModel, box: Box) -> Body:
     placement = robot.model.frames[robot.sensor_frame_id].placement * pin.SE3(box.pose.rotation, box.pose.translation)
-    return Body(PAYLOAD, robot.n, coal.Box(*box.size_m), placement, carried=True)
+    return Body(name, robot.n, coal.Box(*box.size_m), placement, carried=True)
 
 
 def fixed_body(name: str, shape: Shape) -> Body:

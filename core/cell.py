@@ -22,12 +22,14 @@ from core.inertia import InertialParameters
 from core.jail import read_inside
 from core.schema_flaw import SchemaFlaw, schema_flaw
 from core.shapes import Angle, Box, Capsule, Cylinder, Model, NotNegative, Number, Pose, Positive, Shape, Six, SixPositive, Sphere, Vector3
+from core.tool import Tool
+from core.tool_checks import tool_flaws
 from core.urdf import Urdf, check_urdf
 from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 
 __all__ = [
     "Box", "Capsule", "Cell", "CellRead", "Control", "Cylinder", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor",
-    "Shape", "Sphere", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
+    "Shape", "Sphere", "Tool", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -95,7 +97,7 @@ class Limits(Model):
     """What no point of the robot may exceed.
 
     Args:
-        cartesian_speed_m_s: of every point of every link and every corner of the payload box.
+        cartesian_speed_m_s: of every point of every link and every corner of the boxes of payload and tools.
         clearance_m: smallest distance to obstacles and protected zones.
         self_clearance_m: smallest distance between links.
     """
@@ -153,10 +155,12 @@ class Cell(Model):
     floor_z_m: Number = 0.0
     """Height at which a load that comes off stops falling, in the world frame."""
     payload_box: Box
-    """Used where a payload is not known by name; in the sensor frame."""
+    """Used where a payload is not known by name; in the sensor frame, without the boxes of tools."""
     obstacles: tuple[Obstacle, ...] = ()
     zones: tuple[Zone, ...] = ()
     payloads: dict[Name, Payload] = Field(default_factory=dict)
+    tools: dict[Name, Tool] = Field(default_factory=dict)
+    """What is bolted between the sensor and the payload."""
     folder: Path = Field(default=Path(), exclude=True)
     """Where cell.toml and the URDF are."""
 
@@ -256,6 +260,8 @@ def _check_urdf(cell: Cell) -> None:
     _check_visual_shapes(cell, urdf)
     urdf.check_shapes(cell.robot.base_frame, cell.robot.sensor_frame, cell.robot.visual_shapes)
     urdf.check_meshes(cell.folder)
+    where = cell.folder / CELL_FILE
+    refuse([BadCell(f"{where}: {key}", found, expected) for key, found, expected, _ in tool_flaws(cell, urdf)])
 
 
 def _check_visual_shapes(cell: Cell, urdf: Urdf) -> None:
@@ -312,7 +318,7 @@ def _sentence(error: ErrorDetails, where: str) -> BadCell:
 
 def _keys() -> list[str]:
     """Every key of the format."""
-    models = (Cell, Robot, Friction, Sensor, Limits, Control, Payload, Obstacle, Zone, Box, Sphere, Capsule, Cylinder, Pose)
+    models = (Cell, Robot, Friction, Sensor, Limits, Control, Payload, Tool, Obstacle, Zone, Box, Sphere, Capsule, Cylinder, Pose)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})
 
 

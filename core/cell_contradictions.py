@@ -9,6 +9,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from core.cell import Cell, Payload, Sensor
+    from core.inertia import InertialParameters
 
 BASE_IN_ZONE = 0.001  # m; a robot may stand at the border of a zone
 BASE_IN_OBSTACLE = 0.05  # m; or be sunk into the table that carries it
@@ -75,9 +76,14 @@ def _payload_contradictions(key: str, payload: Payload, cell: Cell) -> Iterator[
     if depth < 0:
         found = f"a centre of mass at {np.round(parameters.com, 4).tolist()} m, {-depth:.3f} m outside the box"
         yield Contradiction(f"{key}.box", found, "a box that contains the payload")
+    yield from load_contradictions(key, parameters, cell)
+
+
+def load_contradictions(key: str, carried: InertialParameters, cell: Cell) -> Iterator[Contradiction]:
+    """Where the weight of what is carried, named by its key, is more than the sensor measures."""
     g = float(np.linalg.norm(cell.gravity))
-    c = parameters.first_moment
-    static = g * np.array([parameters.mass] * 3 + [np.hypot(c[1], c[2]), np.hypot(c[0], c[2]), np.hypot(c[0], c[1])])
+    c = carried.first_moment
+    static = g * np.array([carried.mass] * 3 + [np.hypot(c[1], c[2]), np.hypot(c[0], c[2]), np.hypot(c[0], c[1])])
     for axis, load, limit, unit in zip(
         ("fx", "fy", "fz", "tx", "ty", "tz"), static, cell.sensor.range, ["N"] * 3 + ["N m"] * 3, strict=True
     ):

@@ -16,7 +16,9 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.bodies import FLOOR, PAYLOAD, Body, SpeedPoints, corners_of, fixed_body, floor_body, link_bodies, payload_body, reach_of
+from core.bodies import (
+    FLOOR, PAYLOAD, Body, SpeedPoints, corners_of, fixed_body, floor_body, link_bodies, payload_body, reach_of, tool_bodies,
+)  # fmt: skip
 from core.cell import Box, Cell, Obstacle, Pose, Zone
 from core.cell_contradictions import BASE_IN_OBSTACLE
 from core.errors import BadCell
@@ -75,7 +77,7 @@ class CollisionModel:
         self.cell = cell
         self.robot = robot
         self.payload_box = payload_box
-        bodies = [*link_bodies(cell, robot), payload_body(robot, payload_box)]
+        bodies = [*link_bodies(cell, robot), *tool_bodies(cell, robot), payload_body(robot, payload_box)]
         things = [*(fixed_body(item.name, item.shape) for item in _standing(cell)), floor_body(cell.floor_z_m)]
         self._zones = {zone.name for zone in cell.zones}
         self._base = [body for body in bodies if body.joint == 0]
@@ -121,8 +123,9 @@ class CollisionModel:
 
     @property
     def left_out(self) -> list[LeftOut]:
-        """The pairs that are not watched, and why."""
-        return [LeftOut(*names, why) for names, why in self._why.items()]
+        """The pairs of links, payload, tools and things of which nothing is watched, and why."""
+        watched = {(first.name, second.name) for pairs in self.pairs for first, second in pairs}
+        return [LeftOut(*names, why) for names, why in self._why.items() if names not in watched and names[0] != names[1]]
 
     @property
     def _groups(self) -> list[_Pairs]:
@@ -221,11 +224,9 @@ class CollisionModel:
         return any(_distance(base.geometry, base.placement, thing.geometry, thing.placement) <= MOUNT_M for base in self._base)
 
     def _note(self, pair: tuple[Body, Body], rule: Rule) -> None:
-        """That nobody watches a pair, or that it is watched again."""
-        names = pair[0].name, pair[1].name
-        self._why.pop(names, None)
+        """Why nobody watches a pair."""
         if rule.watch is Watch.NOTHING:
-            self._why[names] = rule.why
+            self._why[pair[0].name, pair[1].name] = rule.why
 
 
 class _Pairs:

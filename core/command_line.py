@@ -50,6 +50,7 @@ from core.twin import NOMINAL
 from core.twin_addition import addable_to
 from core.twin_file import read_twin
 from core.whole_file import write_whole
+from core.workpiece_table import workpiece_lines, workpiece_table
 
 app = typer.Typer(
     name="heft",
@@ -227,6 +228,10 @@ def _answer(result: Result, json: str | None) -> None:
     if json == "-":
         return
     answers.print(parameters_table(result))
+    if result.workpiece is not None:
+        answers.print(workpiece_table(result.workpiece))
+        for line in workpiece_lines(result.workpiece):
+            answers.print(line, highlight=False)
     for line in reason_lines(result):
         answers.print(line, highlight=False)
     if result.accounted:

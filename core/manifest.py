@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from core.errors import BadRecording
 from core.inertia import InertialParameters, pseudo_inertia
 from core.jail import read_inside
+from core.known_tool import KnownTool
 from core.recording import FrictionDescription, Recording, SensorDescription
 from core.schema_flaw import schema_flaw
 
@@ -73,7 +74,7 @@ class SensorPart(Part):
 
 
 class ReferencePart(Part):
-    """The payload as somebody else knows it; inertia about the sensor origin, Ixx Ixy Ixz Iyy Iyz Izz."""
+    """The payload as somebody else knows it, without the tools; inertia about the sensor origin, Ixx Ixy Ixz Iyy Iyz Izz."""
 
     mass: Positive
     first_moment: Vector3
@@ -86,6 +87,27 @@ class ReferencePart(Part):
         return InertialParameters(np.array([self.mass, *self.first_moment, *self.inertia]))
 
 
+class ToolPart(Part):
+    """A known body between sensor and payload; inertia about the sensor origin, Ixx Ixy Ixz Iyy Iyz Izz; `std` where stated."""
+
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
+    title: Annotated[str, Field(min_length=1, max_length=200)]
+    mass: Positive
+    first_moment: Vector3
+    inertia: Six
+    mass_std: NotNegative | None = None
+    first_moment_std: tuple[NotNegative, NotNegative, NotNegative] | None = None
+    inertia_std: tuple[NotNegative, NotNegative, NotNegative, NotNegative, NotNegative, NotNegative] | None = None
+
+    @property
+    def known(self) -> KnownTool:
+        """The same as arrays."""
+        mass_std = np.nan if self.mass_std is None else self.mass_std
+        std = [mass_std, *(self.first_moment_std or [np.nan] * 3), *(self.inertia_std or [np.nan] * 6)]
+        parameters = InertialParameters(np.array([self.mass, *self.first_moment, *self.inertia]))
+        return KnownTool(self.name, self.title, parameters, np.array(std))
+
+
 class Manifest(Part):
     """The whole file; `cell`, `payload` and `software` are written by our own runs."""
 
@@ -94,6 +116,7 @@ class Manifest(Part):
     robot: RobotPart | None = None
     sensor: SensorPart = SensorPart()
     payload_reference: ReferencePart | None = None
+    tools: Annotated[tuple[ToolPart, ...], Field(max_length=32)] | None = None
     source: str | None = None
     cell: str | None = None
     payload: str | None = None
@@ -117,6 +140,9 @@ def read_manifest(folder: Path) -> Manifest:
     for key, part in PARTS.items():
         if isinstance(content.get(key), dict):
             _refuse_misspelt(content[key], part, f"{where}: {key}")
+    for tool in content["tools"] if isinstance(content.get("tools"), list) else []:
+        if isinstance(tool, dict):
+            _refuse_misspelt(tool, ToolPart, f"{where}: tools")
     if isinstance(content.get("robot"), dict) and isinstance(friction := content["robot"].get("friction"), dict):
         _refuse_misspelt(friction, FrictionPart, f"{where}: robot.friction")
     try:
@@ -129,6 +155,8 @@ def read_manifest(folder: Path) -> Manifest:
         _check_friction(manifest.robot.friction, len(manifest.robot.joints), f"{where}: robot.friction")
     if manifest.payload_reference:
         _check_reference(manifest.payload_reference.parameters, f"{where}: payload_reference")
+    for tool in manifest.tools or ():
+        _check_reference(tool.known.parameters, f"{where}: tools: {tool.name}")
     return manifest
 
 
@@ -156,6 +184,7 @@ def manifest_of(recording: Recording) -> Manifest:
             "inertia": tuple(reference.phi[4:].tolist()),
             "source": recording.reference_source,
         },
+        "tools": tuple(_tool_content(tool) for tool in recording.tools) or None,
         "source": recording.source,
         "cell": recording.cell,
         "payload": recording.payload,
@@ -165,6 +194,13 @@ def manifest_of(recording: Recording) -> Manifest:
         return Manifest.model_validate(content)
     except ValidationError as error:
         raise BadRecording(*schema_flaw(error.errors()[0]).at("recording")) from error
+
+
+def _tool_content(tool: KnownTool) -> dict[str, Any]:
+    phi, std = tool.parameters.phi.tolist(), tool.std.tolist()
+    content = {"name": tool.name, "title": tool.title, "mass": phi[0], "first_moment": tuple(phi[1:4]), "inertia": tuple(phi[4:])}
+    rows = {"mass_std": std[0], "first_moment_std": tuple(std[1:4]), "inertia_std": tuple(std[4:])}
+    return content | {key: value for key, value in rows.items() if np.isfinite(value).all()}
 
 
 def _json_object(text: str, where: str) -> dict[str, Any]:

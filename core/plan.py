@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Box, Cell
+from core.cell_tools import widest_box
 from core.collision import CollisionModel
 from core.commanded_path import Motion, commanded_paths
 from core.control.decoupling import decoupling_profile, expected_inertia, repetitions_for
@@ -115,7 +116,7 @@ def plan_procedure(
     began = time.perf_counter()
     timing = timing or Timing()
     speed = cell.limits.cartesian_speed_m_s
-    once = decoupling_profile(payload_box, cartesian_speed=speed, period=period, excursion=timing.swing_rad)
+    once = decoupling_profile(widest_box(cell, payload_box), cartesian_speed=speed, period=period, excursion=timing.swing_rad)
     search = _Search(cell, robot, collision, once, planner, seed)
     home = np.array(cell.robot.home_rad)
     reached: list[Reached] = []
@@ -240,7 +241,7 @@ def _repeated(
         budget=max(budget, once.duration),
     )
     return decoupling_profile(
-        payload_box,
+        widest_box(cell, payload_box),
         cartesian_speed=cell.limits.cartesian_speed_m_s,
         period=once.period,
         repetitions=repetitions,

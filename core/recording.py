@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from core.errors import BadRecording
 from core.inertia import InertialParameters
+from core.known_tool import KnownTool, carried
 
 Array = NDArray[np.float64]
 
@@ -61,7 +62,8 @@ class Recording:
         temperature: (N,), degC.
         phase: (N,), text: `transfer`, `hold:<axis><sign>`, `hold:free`, `rotate:<axis>`.
         friction: of the joints, as the cell states it; None where nobody has said. It may be stated later of the same robot.
-        reference: the payload as somebody else knows it, with `reference_source`.
+        reference: the payload as somebody else knows it, with `reference_source`; without the tools.
+        tools: known bodies between sensor and payload, which the wrench contains.
     """
 
     t: Array
@@ -83,9 +85,22 @@ class Recording:
     source: str | None = None
     cell: str | None = None
     payload: str | None = None
+    tools: tuple[KnownTool, ...] = ()
 
     def __len__(self) -> int:
         return len(self.t)
+
+    @property
+    def reference_of_whole(self) -> InertialParameters | None:
+        """What the sensor feels if the reference is right: tools and payload."""
+        return None if self.reference is None else carried(self.tools, self.reference)
+
+    @property
+    def source_of_whole(self) -> str | None:
+        """Where `reference_of_whole` comes from."""
+        if self.reference_source is None or not self.tools:
+            return self.reference_source
+        return f"{self.reference_source}; with {', '.join(tool.name for tool in self.tools)}"
 
 
 PAUSE_S = 1.0

@@ -81,6 +81,7 @@ def read_recording(folder: Path) -> Recording:
         source=manifest.source,
         cell=manifest.cell,
         payload=manifest.payload,
+        tools=tuple(tool.known for tool in manifest.tools or ()),
     )
 
 

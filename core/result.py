@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict
 
 from core.recording import Recording
 from core.remark import Remark
+from core.workpiece import workpiece_alone
 
 if TYPE_CHECKING:  # who only reads answers waits for no estimator
     from core.estimation.estimate import Estimate, Identification, Verification
@@ -26,7 +27,7 @@ class Part(BaseModel):
 
 
 class ReferencePart(Part):
-    """The payload as somebody else knows it."""
+    """The payload as somebody else knows it; beside the whole with the tools, beside the workpiece alone without them."""
 
     phi: Numbers
     source: str | None
@@ -102,8 +103,37 @@ class SecondsPart(Part):
     estimate: float
 
 
+class ToolPart(Part):
+    """A tool that was taken off; `std` is null where nobody has stated it."""
+
+    name: str
+    title: str
+    phi: list[float]
+    std: Numbers
+
+
+class WorkpiecePart(Part):
+    """The workpiece alone: the estimate without the tools, its covariance with theirs.
+
+    Args:
+        remarks: what has to be known of the numbers.
+    """
+
+    phi: Numbers
+    std: Numbers
+    covariance: list[Numbers]
+    com_m: Numbers
+    com_std_m: Numbers
+    inertia_com_kg_m2: Numbers
+    inertia_com_std_kg_m2: Numbers
+    consistent: bool
+    reference: ReferencePart | None
+    tools: list[ToolPart]
+    remarks: list[Remark]
+
+
 class Result(Part):
-    """The whole answer."""
+    """The whole answer. Where the cell has tools, `estimate`, `paper` and `reference` are of the whole that the sensor feels."""
 
     cell: str | None
     payload: str | None
@@ -119,6 +149,8 @@ class Result(Part):
     accounted: list[str] = []
     """Effects of the cell's twin that were taken off the wrench."""
     verification: list[VerificationPart] = []
+    workpiece: WorkpiecePart | None = None
+    """None where there are no tools: then the whole is the workpiece."""
 
 
 def numbers(values: Array | None) -> Numbers:
@@ -135,13 +167,13 @@ def result_of(
     folder: Path | None = None,
 ) -> Result:
     """Everything that an identification says, ready for JSON."""
-    estimate, reference = identification.estimate, recording.reference
+    estimate, reference = identification.estimate, recording.reference_of_whole
     return Result(
         cell=recording.cell,
         payload=recording.payload,
         verdict=identification.verdict,
         warnings=list(identification.warnings),
-        reference=None if reference is None else ReferencePart(phi=numbers(reference.phi), source=recording.reference_source),
+        reference=None if reference is None else ReferencePart(phi=numbers(reference.phi), source=recording.source_of_whole),
         paper=PaperPart(phi=numbers(identification.paper.phi), std=numbers(identification.paper.std)),
         estimate=None if estimate is None else _estimate_part(estimate),
         residual=None if estimate is None else ResidualPart(rms=numbers(estimate.residual_rms), noise_std=numbers(estimate.noise_std)),
@@ -150,6 +182,24 @@ def result_of(
         recording=None if folder is None else str(folder),
         accounted=list(identification.accounted),
         verification=[_verification_part(each) for each in identification.verification],
+        workpiece=None if estimate is None or not recording.tools else _workpiece_part(estimate, recording),
+    )
+
+
+def _workpiece_part(estimate: Estimate, recording: Recording) -> WorkpiecePart:
+    found, reference = workpiece_alone(estimate, recording.tools), recording.reference
+    return WorkpiecePart(
+        phi=numbers(found.phi),
+        std=numbers(found.std),
+        covariance=[numbers(row) for row in found.covariance],
+        com_m=numbers(found.com_m),
+        com_std_m=numbers(found.com_std),
+        inertia_com_kg_m2=numbers(found.inertia_com),
+        inertia_com_std_kg_m2=numbers(found.inertia_com_std),
+        consistent=found.consistent,
+        reference=None if reference is None else ReferencePart(phi=numbers(reference.phi), source=recording.reference_source),
+        tools=[ToolPart(name=tool.name, title=tool.title, phi=tool.parameters.phi.tolist(), std=numbers(tool.std)) for tool in found.tools],
+        remarks=list(found.remarks),
     )
 
 

@@ -17,6 +17,7 @@ from core.chain import Chain, forward, forward_many, jacobian
 from core.errors import BadRobot
 from core.recording import RobotDescription
 from core.urdf import check_urdf
+from core.urdf_tree import UrdfTree, without_inertia
 
 Array = NDArray[np.float64]
 
@@ -31,6 +32,8 @@ class SensorPose:
 
 class RobotModel:
     """Kinematics of an arm with revolute joints, from the world (or base) frame to the sensor frame.
+
+    Links behind the sensor frame have shapes and no mass: the sensor feels them, so they count with what is carried.
 
     Args:
         description: URDF text, joint order and frames.
@@ -54,7 +57,7 @@ class RobotModel:
             raise BadRobot(f"{where}: joints", str(list(description.joints)), f"the chain's joints in its order, {list(chain)}")
         self.description = description
         try:
-            full = pin.buildModelFromXML(description.urdf)
+            full = pin.buildModelFromXML(without_inertia(description.urdf, UrdfTree(description.urdf).behind(description.sensor_frame)))
         except (ValueError, RuntimeError) as error:
             raise BadRobot(where, f"a URDF that Pinocchio does not take ({error})", "a robot") from error
         others = [full.getJointId(name) for name in full.names[1:] if name not in description.joints]

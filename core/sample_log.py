@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from core.cell import Cell, Payload
+from core.cell_tools import known_tools
 from core.recording import Recording, SensorDescription, appended
 from core.robot import RobotModel
 from core.sessions.session import RobotState
@@ -84,4 +85,5 @@ class SampleLog:
             source="heft run",
             cell=self.cell.name,
             payload=self.payload,
+            tools=known_tools(self.cell),
         )

@@ -22,22 +22,25 @@ SHOWN_EFFECTS = 5
 SHOWN_PARAMETERS = 4
 
 
-def _number(value: float | None, digits: int = 5) -> str:
+def number(value: float | None, digits: int = 5) -> str:
+    """A value with significant digits; empty where there is none."""
     return "" if value is None else f"{value:.{digits}g}"
 
 
-def _decimals(half_width: float | None) -> int:
+def decimals_of(half_width: float | None) -> int:
     """Decimal places at which a half-width has two digits."""
     return 6 if not half_width else max(0, 1 - math.floor(math.log10(half_width)))
 
 
-def _fixed(value: float | None, decimals: int) -> str:
+def fixed(value: float | None, decimals: int) -> str:
+    """A value with decimal places; empty where there is none."""
     return "" if value is None else f"{value:.{decimals}f}"
 
 
 def parameters_table(result: Result) -> Table:
     """All ten parameters: reference, the paper's estimate, ours with its 95 % half-width, and the error against the reference."""
-    table = Table(title="Payload in the sensor frame", caption="± is the half-width of the 95 % interval; inertia about the sensor origin")
+    title = "Payload in the sensor frame" if result.workpiece is None else "The whole in the sensor frame, tools and workpiece"
+    table = Table(title=title, caption="± is the half-width of the 95 % interval; inertia about the sensor origin")
     table.add_column("")
     for heading in ("reference", "paper's method", "Heft", "±", "error"):
         table.add_column(heading, justify="right", no_wrap=True)
@@ -49,20 +52,21 @@ def parameters_table(result: Result) -> Table:
         std = estimate.std[k] if estimate else None
         known = estimate is not None and estimate.determined[k]
         half = 1.96 * std if known and std is not None else None
-        places = _decimals(half)
+        places = decimals_of(half)
         table.add_row(
             name,
-            _number(truth),
-            _fixed(result.paper.phi[k], places),
-            _fixed(value, places) if known else "not determined",
-            _fixed(half, places),
-            _error(value if known else None, truth),
+            number(truth),
+            fixed(result.paper.phi[k], places),
+            fixed(value, places) if known else "not determined",
+            fixed(half, places),
+            error_of(value if known else None, truth),
             unit,
         )
     return table
 
 
-def _error(value: float | None, truth: float | None) -> str:
+def error_of(value: float | None, truth: float | None) -> str:
+    """Of a value against the truth, relative where that is not zero; empty where either is unknown."""
     if value is None or truth is None:
         return ""
     return f"{value - truth:+.2g}" if truth == 0 else f"{100 * (value / truth - 1):+.3f} %"
@@ -136,7 +140,7 @@ def diagnosis_table(diagnosis: Diagnosis) -> Table:
         table.add_column(heading, justify="right" if heading in ("probability", "gap after", "closure") else "left")
     for effect in diagnosis.effects[:SHOWN_EFFECTS]:
         values = ", ".join(
-            f"{name} {_number(v.value, 4)} ± {_number(v.std, 2)}" for name, v in list(effect.parameters.items())[:SHOWN_PARAMETERS]
+            f"{name} {number(v.value, 4)} ± {number(v.std, 2)}" for name, v in list(effect.parameters.items())[:SHOWN_PARAMETERS]
         )
         more = len(effect.parameters) - SHOWN_PARAMETERS
         values += f" and {more} more" if more > 0 else ""

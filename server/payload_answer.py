@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from core.remark import Remark
-from core.result import Numbers, PaperPart, ReferencePart, ResidualPart, Result, SafetyPart, SecondsPart, VerificationPart
+from core.result import Numbers, PaperPart, ReferencePart, ResidualPart, Result, SafetyPart, SecondsPart, VerificationPart, WorkpiecePart
 from server.schemas import Answer
 
 
@@ -16,6 +16,7 @@ class PayloadAnswer(Answer):
         com_m: centre of mass.
         inertia_com_kg_m2: Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass; `inertia_sensor_kg_m2` about the sensor's origin.
         parameters: mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2), in this order; `covariance` is theirs.
+        workpiece: without the tools that the cell knows, which everything else contains; null where it knows none.
     """
 
     run: str
@@ -41,6 +42,7 @@ class PayloadAnswer(Answer):
     safety: SafetyPart | None
     seconds: SecondsPart
     safety_rated: Literal[False] = False
+    workpiece: WorkpiecePart | None = None
 
 
 def payload_answer(run: str, result: Result) -> PayloadAnswer:
@@ -70,4 +72,5 @@ def payload_answer(run: str, result: Result) -> PayloadAnswer:
         verification=result.verification,
         safety=result.safety,
         seconds=result.seconds,
+        workpiece=result.workpiece,
     )

@@ -46,9 +46,9 @@ class PayloadMismatch(Symptom):
     def observe(self, recording: Recording, view: View) -> Finding | None:
         """See `Symptom.observe`."""
         known = np.isfinite(view.phi) & np.isfinite(view.phi_std) & (view.phi_std > 0)
-        if recording.reference is None or not known.any():
+        if recording.reference_of_whole is None or not known.any():
             return None
-        reference = recording.reference.phi
+        reference = recording.reference_of_whole.phi
         difference = np.where(known, view.phi - reference, np.nan)
         z = np.where(known, difference / np.where(known, view.phi_std, 1.0), 0.0)
         shares = _shares(difference, reference)
@@ -60,7 +60,7 @@ class PayloadMismatch(Symptom):
             sigma=_sigma(float(z @ z), int(known.sum())),
             material=bool(material),
             times_expected=max(times.values()),
-            remark=_remark(difference, shares, tuple(material), recording.reference_source),
+            remark=_remark(difference, shares, tuple(material), recording.source_of_whole),
         )
 
     def advice(self, finding: Finding) -> str:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Box, Cell
+from core.cell_tools import widest_box
 from core.collision import CollisionModel
 from core.control.decoupling import decoupling_profile
 from core.errors import NoPath
@@ -137,7 +138,7 @@ class _Search:
 
     def _profile(self, swings: Swings, repetitions: int) -> AngularProfile:
         return decoupling_profile(
-            self.payload_box,
+            widest_box(self.cell, self.payload_box),
             cartesian_speed=self.cell.limits.cartesian_speed_m_s,
             period=self.period,
             repetitions=repetitions,

@@ -80,7 +80,8 @@ def unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> Basis:
     g, a, B = (np.asarray(spread @ x.reshape(len(poses.t), -1)).reshape(len(t), *x.shape[1:]) for x in (poses.g, raw.a, raw.B))
     omega = np.column_stack([np.interp(t, poses.t, channel) for channel in motion.omega.T])
     scene = replace(scene_of(recording, poses, Motion(g, a, omega, axial(B)), segments, t), window=narrow)
-    reference = None if recording.reference is None else recording.reference.phi
+    known = recording.reference_of_whole
+    reference = None if known is None else known.phi
     return Basis(poses, noise, segments, scene, np.asarray(spread @ wrench), regressor_of(a - g, B), reference, spread, raw.difference)
 
 

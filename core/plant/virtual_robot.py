@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from core.cell import Cell
+from core.cell_tools import felt_with
 from core.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.controller import JointController
@@ -60,11 +61,11 @@ class Truth:
 
 
 class VirtualRobot:
-    """The cell's robot with a payload, standing at home to begin with.
+    """The cell's robot with its tools and a payload, standing at home to begin with.
 
     Args:
-        cell: arm, sensor, gravity, base pose.
-        payload: what it carries, sensor frame; all zero for nothing. Faults may make something else of it.
+        cell: arm, sensor, tools, gravity, base pose.
+        payload: what it carries beside the tools, sensor frame; all zero for nothing. Faults may make something else of it.
         rng: source of all chance: offset first, then the noise of every period.
         imperfections, faults: what is planted.
         drives: mechanical properties of the joints.
@@ -85,13 +86,15 @@ class VirtualRobot:
     ) -> None:
         imperfections, drives = imperfections or Imperfections(), drives or Drives()
         self.arm = arm_of_cell(cell)
+        self.carried = felt_with(cell, payload)
+        """Tools and payload as one rigid body: what the sensor feels."""
         self.home = np.array(cell.robot.home_rad)
         gravity = tilted_gravity(cell, imperfections.base_tilt_rad)
-        self._links = Links(self.arm, build_spec(self.arm, payload, gravity, drives), Setting(cell, payload), faults)
+        self._links = Links(self.arm, build_spec(self.arm, self.carried, gravity, drives), Setting(cell, self.carried), faults)
         self._machine = machine = self._links.machine
         frictionless = Drives(drives.armature_s2, drives.damping_s, friction=0.0)
         self._controller = JointController(
-            build_model(self.arm, NOTHING, cell.gravity, frictionless),
+            build_model(self.arm, felt_with(cell, NOTHING), cell.gravity, frictionless),
             torque_limit=self.arm.effort,
             acceleration_limit=2 * np.array(cell.robot.acceleration_rad_s2),
         )

@@ -14,6 +14,7 @@ from core.report.html_file import write_html
 from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
 from core.report.scene import scene
 from core.report.summary import RunSummary
+from core.report.workpiece_rows import workpiece_block
 from core.robot import RobotModel
 
 
@@ -29,7 +30,7 @@ def write_report(file: Path, *, recording: Recording, identification: Identifica
 
 
 def _content(recording: Recording, identification: Identification, run: RunSummary | None) -> dict[str, Any]:
-    rows = parameter_rows(identification, recording.reference)
+    rows = parameter_rows(identification, recording.reference_of_whole)
     payload = run.payload if run is not None else recording.payload
     return {
         "title": f"Payload {payload.replace('_', ' ')}" if payload else "Payload",
@@ -42,7 +43,8 @@ def _content(recording: Recording, identification: Identification, run: RunSumma
         "has_reference": recording.reference is not None,
         "has_reasons": any(row.reason for row in rows),
         "has_outside": any(row.outside for row in rows),
-        "reference_source": recording.reference_source,
+        "reference_source": recording.source_of_whole,
+        "workpiece": workpiece_block(identification, recording),
         "channels": channel_rows(identification.estimate) if identification.estimate is not None else [],
         "unseen": unseen_rows(identification),
         "drift": sentence(identification.estimate.drift.description) if identification.estimate is not None else "",

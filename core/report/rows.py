@@ -95,22 +95,24 @@ def _parameter_row(identification: Identification, reference: InertialParameters
         unit=PHI_UNITS[k].replace("m2", "m²"),
         reference=rounded(truth),
         paper=rounded(float(paper.phi[k]), float(paper.std[k])),
-        paper_std=_two_digits(float(paper.std[k])),
+        paper_std=two_digits(float(paper.std[k])),
         ours=rounded(value, half) if known else "not determined",
-        interval=_two_digits(half) if known else "",
-        paper_error=_error(float(paper.phi[k]), truth),
-        error=_error(value, truth) if known else "",
+        interval=two_digits(half) if known else "",
+        paper_error=error_of(float(paper.phi[k]), truth),
+        error=error_of(value, truth) if known else "",
         known=known,
         outside=known and bool(abs(value - truth) > half),
         reason="" if known or estimate is None else estimate.reasons.get(PHI_NAMES[k], ""),
     )
 
 
-def _two_digits(value: float) -> str:
+def two_digits(value: float) -> str:
+    """An uncertainty; empty where there is none."""
     return rounded(value, value) if np.isfinite(value) and value > 0 else ""
 
 
-def _error(value: float, truth: float) -> str:
+def error_of(value: float, truth: float) -> str:
+    """Of a value against the truth, relative where that is not zero; empty where either is unknown."""
     if not np.isfinite(value - truth):
         return ""
     return f"{value - truth:+.2g}" if truth == 0 else f"{100 * (value / truth - 1):+.2f} %"
@@ -127,9 +129,9 @@ def channel_rows(estimate: Estimate) -> list[ChannelRow]:
                 name,
                 unit,
                 rounded(float(estimate.offset[k]), half),
-                _two_digits(half),
-                _two_digits(float(estimate.residual_rms[k])),
-                _two_digits(float(estimate.noise_std[k])),
+                two_digits(half),
+                two_digits(float(estimate.residual_rms[k])),
+                two_digits(float(estimate.noise_std[k])),
                 f"{ratio:.2f}",
                 ratio > LOUD,
             )
@@ -165,11 +167,11 @@ def _payload_facts(estimate: Estimate) -> list[Fact]:
     found = []
     if estimate.determined[0]:
         half_kg = INTERVAL * float(estimate.std[0])
-        found.append(Fact("Mass", f"{rounded(float(estimate.phi[0]), half_kg)} kg", f"± {_two_digits(half_kg)} kg (95 %)"))
+        found.append(Fact("Mass", f"{rounded(float(estimate.phi[0]), half_kg)} kg", f"± {two_digits(half_kg)} kg (95 %)"))
     if estimate.determined[:4].all():
         half = 1000 * INTERVAL * estimate.com_std
         com = ", ".join(rounded(float(1000 * c), float(h)) for c, h in zip(estimate.com_m, half, strict=True))
-        note = "sensor frame; ± " + ", ".join(_two_digits(float(h)) for h in half) + " mm (95 %)"
+        note = "sensor frame; ± " + ", ".join(two_digits(float(h)) for h in half) + " mm (95 %)"
         found.append(Fact("Centre of mass", f"{com} mm", note))
     if estimate.determined.all():
         moments = np.linalg.eigvalsh(symmetric(estimate.inertia_com))
@@ -185,11 +187,11 @@ def _mounting_facts(estimate: Estimate) -> list[Fact]:
     if tilt is not None:
         half = np.degrees(np.zeros(2) if tilt_std is None else INTERVAL * tilt_std)
         value = ", ".join(_signed(float(np.degrees(a)), float(h)) + "°" for a, h in zip(tilt, half, strict=True))
-        note = "about base x and y, against nominal gravity; ± " + ", ".join(f"{_two_digits(float(h))}°" for h in half)
+        note = "about base x and y, against nominal gravity; ± " + ", ".join(f"{two_digits(float(h))}°" for h in half)
         found.append(Fact("Tilt of the base", value, note))
     if estimate.delay_s is not None:
         half_ms = 0.0 if estimate.delay_std is None else 1000 * INTERVAL * estimate.delay_std
-        note = f"against the joints; ± {_two_digits(half_ms)} ms (95 %)"
+        note = f"against the joints; ± {two_digits(half_ms)} ms (95 %)"
         found.append(Fact("Delay of the wrench", f"{_signed(1000 * estimate.delay_s, half_ms)} ms", note))
     return found
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Box, Cell
+from core.cell_tools import tool_boxes
 from core.planning.start_configuration import StartConfiguration
 from core.report.faces import Faces, arm_faces, box_faces, placed, shape_faces
 from core.robot import RobotModel, SensorPose
@@ -70,9 +71,10 @@ def scene(cell: Cell, robot: RobotModel, payload_box: Box, start: StartConfigura
         payload_box: in the sensor frame.
     """
     sensor = robot.sensor_pose(start.q)
-    box = placed(box_faces(np.array(payload_box.size_m)), payload_box.pose.rotation, payload_box.pose.translation)
+    carried = (payload_box, *tool_boxes(cell).values())
+    boxes = [placed(box_faces(np.array(box.size_m)), box.pose.rotation, box.pose.translation) for box in carried]
     arm = arm_faces(cell, robot, start.q)
-    load = placed(box, sensor.rotation, sensor.position)
+    load = [face for box in boxes for face in placed(box, sensor.rotation, sensor.position)]
     body = np.concatenate([*arm, *load])
     things = [(thing.name, "obstacle", shape_faces(thing.shape)) for thing in cell.obstacles]
     things += [(zone.name, "zone", shape_faces(zone.shape)) for zone in cell.zones]

@@ -38,10 +38,10 @@ IDENTITY = Frames(np.eye(3), np.zeros(3))
 
 @dataclass(frozen=True)
 class Body:
-    """A convex part of the arm, or the payload box.
+    """A convex part of the arm, the box of a tool, or the payload box.
 
     Args:
-        name: of the link, or "payload".
+        name: of the link or the tool, or "payload".
         joint: how many joints of the arm move it.
         placement: in the frame after the last of them, or in the world.
         carried: whether the arm carries it, as the payload.
@@ -62,7 +62,7 @@ class Arm:
         placements: n frames, each joint's in the previous one, the first in the world.
         axes: (n, 3), unit vectors in the joints' own frames.
         sensor: in the frame after the last joint.
-        bodies: those of the links and, last, the payload box.
+        bodies: those of the links, of the tools' boxes and, last, the payload box.
         lower, upper: (n,), limits of the joints, rad.
         joined: pairs of links with bodies that one joint of the chain joins, with no other body between them.
     """
@@ -91,7 +91,7 @@ class Arm:
 
 
 def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
-    """The cell's robot with a payload box, in the world frame.
+    """The cell's robot with the boxes of its tools and a payload box, in the world frame.
 
     Raises:
         BadRobot: a mesh cannot be read.
@@ -111,12 +111,15 @@ def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
         for geometry in owner.findall("geometry")
     ]
     solids = solids_of_geometries([geometry for _, _, geometry in shapes], cell.folder)
+    of_tools = {link for tool in cell.tools.values() for link in tool.links or ()}
     bodies = [
-        Body(name, carried[name][0], carried[name][1].after(_origin(owner)), solid)
+        Body(name, carried[name][0], carried[name][1].after(_origin(owner)), solid, name in of_tools)
         for (name, owner, _), solid in zip(shapes, solids, strict=True)
     ]
     n, sensor = carried[cell.robot.sensor_frame]
-    bodies.append(Body(PAYLOAD, n, sensor.after(frame_of_pose(payload_box.pose)), box(np.array(payload_box.size_m)), carried=True))
+    boxes = {name: tool.box for name, tool in cell.tools.items() if tool.box is not None} | {PAYLOAD: payload_box}
+    for name, each in boxes.items():
+        bodies.append(Body(name, n, sensor.after(frame_of_pose(each.pose)), box(np.array(each.size_m)), carried=True))
     limits = np.array(
         [[float(limit.get(key, "")) for key in ("lower", "upper")] for link in chain for limit in joints[link].findall("limit")]
     )

@@ -38,7 +38,7 @@ class SimulatedSession(RobotSession):
 
     Args:
         cell: robot, sensor, gravity.
-        payload: what the robot carries, sensor frame; all zero for a bare flange.
+        payload: what the robot carries beside the cell's tools, sensor frame; all zero for a bare flange.
         seed: of offset and noise.
         pace: as fast as possible, or real time for a person who watches.
         imperfections, faults: what is planted; nothing where absent.
@@ -70,7 +70,7 @@ class SimulatedSession(RobotSession):
         rng = np.random.default_rng(seed)
         self.plant = VirtualRobot(cell, payload, rng, imperfections=imperfections, faults=faults, drives=drives)
         """The virtual robot; its `truth` is for tests and for the twin only."""
-        self._twin = TwinWrench(cell, twin, payload.phi, PERIOD) if twin.effects else None
+        self._twin = TwinWrench(cell, twin, self.plant.carried.phi, PERIOD) if twin.effects else None
         self._pace = pace or AsFastAsPossible()
         self._acceleration = np.array(cell.robot.acceleration_rad_s2)
         self._names = tuple(joint.name for joint in self.plant.arm.joints)

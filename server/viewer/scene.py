@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 from viser import _messages as messages
 
 from core.cell import Box, Cell
+from core.cell_tools import tool_boxes
 from core.report.faces import Faces, arm_parts, joint_poses, shape_faces
 from core.robot import RobotModel
 from server.event_schemas import NearestPart
@@ -53,6 +54,8 @@ class Scene:
             self._mesh(f"/obstacles/{obstacle.name}", shape_faces(obstacle.shape), SOLID)
         self.show_zones(cell)
         self._frames = self._arm("/robot", STEEL, 1.0)
+        for name, box in tool_boxes(cell).items():
+            self._show_carried(f"tool-{name}", box, STEEL)
         self.show_payload_box(cell.payload_box)
         self.move(np.array(cell.robot.home_rad), None)
         server.initial_camera.position, server.initial_camera.look_at = first_look(cell, self._robot)
@@ -65,10 +68,14 @@ class Scene:
 
     def show_payload_box(self, box: Box) -> None:
         """What certainly contains the payload."""
+        self._show_carried("payload", box, LOAD)
+
+    def _show_carried(self, name: str, box: Box, colour: Colour) -> None:
+        """A box in the sensor frame."""
         sensor = self._robot.sensor_pose(np.array(self._cell.robot.home_rad))
         rotation, position = joint_poses(self._robot, np.array(self._cell.robot.home_rad))[-1]
         faces = [(face @ sensor.rotation.T + sensor.position - position) @ rotation for face in shape_faces(box)]
-        self._mesh(f"/robot/{self._robot.n}/payload", faces, LOAD, 0.6)
+        self._mesh(f"/robot/{self._robot.n}/{name}", faces, colour, 0.6)
 
     def show_plan(self, plan: RunPlan) -> None:
         """Start configurations as ghosts, and the way of the sensor between them."""

@@ -160,7 +160,8 @@ def test_remarks_of_the_engine_and_its_exports_have_german_words() -> None:
         set(re.findall(r"^    (?:'([^']+)'|(\w+)):", part, re.MULTILINE))
         for part in re.findall(r"^  \w+: {\n(.+?)\n  }", text, re.DOTALL | re.MULTILINE)
     )
-    engine = "".join(path.read_text() for path in (*(ROOT / "core" / "estimation").glob("*.py"), ROOT / "core" / "gap" / "basis.py"))
+    others = (ROOT / "core" / "gap" / "basis.py", ROOT / "core" / "workpiece.py")
+    engine = "".join(path.read_text() for path in (*(ROOT / "core" / "estimation").glob("*.py"), *others))
     assert {name for _, name in warnings} == set(re.findall(r'(?:Remark|TooLittleError)\(\s*"(\w+)"', engine))
     assert {name for _, name in undetermined} == {"mass", "com", "inertia"}
     assert {name for _, name in exports} == {target.name for target in TARGETS}

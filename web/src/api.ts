@@ -2323,6 +2323,7 @@ export interface components {
          *         com_m: centre of mass.
          *         inertia_com_kg_m2: Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass; `inertia_sensor_kg_m2` about the sensor's origin.
          *         parameters: mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2), in this order; `covariance` is theirs.
+         *         workpiece: without the tools that the cell knows, which everything else contains; null where it knows none.
          */
         PayloadAnswer: {
             /** Run */
@@ -2372,6 +2373,7 @@ export interface components {
              * @constant
              */
             safety_rated?: false;
+            workpiece?: components["schemas"]["WorkpiecePart"] | null;
         };
         /**
          * PayloadPart
@@ -2554,7 +2556,7 @@ export interface components {
         };
         /**
          * ReferencePart
-         * @description The payload as somebody else knows it.
+         * @description The payload as somebody else knows it; beside the whole with the tools, beside the workpiece alone without them.
          */
         ReferencePart: {
             /** Phi */
@@ -3159,6 +3161,72 @@ export interface components {
             splits: string;
         };
         /**
+         * Tool
+         * @description `[tools.NAME]`: bolted on, always there, felt by the sensor and no part of the workpiece.
+         *
+         *     Either its inertia stands here, about the sensor origin in sensor axes as for payloads, or it is made of links of the URDF behind the
+         *     sensor frame, whose inertia and shape count with the joints between them at zero.
+         *
+         *     Args:
+         *         mass_std_kg, first_moment_std_kg_m, inertia_std_kg_m2: standard deviations, independent of each other; absent where nobody knows.
+         *         box: in the sensor frame; a tool without box and links has none of its own, and the payload's box must contain it.
+         */
+        Tool: {
+            /** Title */
+            title: string;
+            /** Mass Kg */
+            mass_kg?: number | null;
+            /** First Moment Kg M */
+            first_moment_kg_m?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** Inertia Kg M2 */
+            inertia_kg_m2?: [
+                number,
+                number,
+                number,
+                number,
+                number,
+                number
+            ] | null;
+            /** Mass Std Kg */
+            mass_std_kg?: number | null;
+            /** First Moment Std Kg M */
+            first_moment_std_kg_m?: [
+                number,
+                number,
+                number
+            ] | null;
+            /** Inertia Std Kg M2 */
+            inertia_std_kg_m2?: [
+                number,
+                number,
+                number,
+                number,
+                number,
+                number
+            ] | null;
+            box?: components["schemas"]["Box"] | null;
+            /** Links */
+            links?: string[] | null;
+        };
+        /**
+         * ToolPart
+         * @description A tool that was taken off; `std` is null where nobody has stated it.
+         */
+        ToolPart: {
+            /** Name */
+            name: string;
+            /** Title */
+            title: string;
+            /** Phi */
+            phi: number[];
+            /** Std */
+            std: (number | null)[];
+        };
+        /**
          * TransferPlanned
          * @description A collision-free, timed path to a start configuration was found.
          */
@@ -3429,6 +3497,36 @@ export interface components {
             sentence: string;
         };
         /**
+         * WorkpiecePart
+         * @description The workpiece alone: the estimate without the tools, its covariance with theirs.
+         *
+         *     Args:
+         *         remarks: what has to be known of the numbers.
+         */
+        WorkpiecePart: {
+            /** Phi */
+            phi: (number | null)[];
+            /** Std */
+            std: (number | null)[];
+            /** Covariance */
+            covariance: (number | null)[][];
+            /** Com M */
+            com_m: (number | null)[];
+            /** Com Std M */
+            com_std_m: (number | null)[];
+            /** Inertia Com Kg M2 */
+            inertia_com_kg_m2: (number | null)[];
+            /** Inertia Com Std Kg M2 */
+            inertia_com_std_kg_m2: (number | null)[];
+            /** Consistent */
+            consistent: boolean;
+            reference: components["schemas"]["ReferencePart"] | null;
+            /** Tools */
+            tools: components["schemas"]["ToolPart"][];
+            /** Remarks */
+            remarks: components["schemas"]["Remark"][];
+        };
+        /**
          * Zone
          * @description A protected zone: people may be anywhere in it; neither the robot nor a load that comes off may get into it.
          */
@@ -3608,6 +3706,10 @@ export interface components {
             /** Payloads */
             payloads?: {
                 [key: string]: components["schemas"]["core__cell__Payload"];
+            };
+            /** Tools */
+            tools?: {
+                [key: string]: components["schemas"]["Tool"];
             };
         };
         /**
@@ -3842,6 +3944,8 @@ export type Stop = components['schemas']['Stop'];
 export type Swings = components['schemas']['Swings'];
 export type ThrowPart = components['schemas']['ThrowPart'];
 export type Tied = components['schemas']['Tied'];
+export type Tool = components['schemas']['Tool'];
+export type ToolPart = components['schemas']['ToolPart'];
 export type TransferPlanned = components['schemas']['TransferPlanned'];
 export type TrialsAnswer = components['schemas']['TrialsAnswer'];
 export type TrialsBody = components['schemas']['TrialsBody'];
@@ -3855,6 +3959,7 @@ export type Wave = components['schemas']['Wave'];
 export type WebhookAnswer = components['schemas']['WebhookAnswer'];
 export type WebhookBody = components['schemas']['WebhookBody'];
 export type Where = components['schemas']['Where'];
+export type WorkpiecePart = components['schemas']['WorkpiecePart'];
 export type Zone = components['schemas']['Zone'];
 export type ZoneBack = components['schemas']['ZoneBack'];
 export type ZoneChecked = components['schemas']['ZoneChecked'];

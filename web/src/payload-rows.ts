@@ -18,8 +18,21 @@ const AXES = ['x', 'y', 'z'];
 const MOMENTS = ['xx', 'xy', 'xz', 'yy', 'yz', 'zz'];
 const PHI = ['m', 'mc_x', 'mc_y', 'mc_z', 'Ixx', 'Ixy', 'Ixz', 'Iyy', 'Iyz', 'Izz'];
 
-/** The ten parameters of an answer: mass, centre of mass, inertia about it. */
-export function payloadRows(answer: PayloadAnswer): Row[] {
+/** What an answer says of a body. */
+export type Body = Pick<
+  PayloadAnswer,
+  | 'mass_kg'
+  | 'mass_std_kg'
+  | 'com_m'
+  | 'com_std_m'
+  | 'inertia_com_kg_m2'
+  | 'inertia_com_std_kg_m2'
+  | 'reasons'
+  | 'reference'
+>;
+
+/** Its ten parameters: mass, centre of mass, inertia about it. */
+export function payloadRows(answer: Body): Row[] {
   const reference = aboutCom(answer.reference?.phi ?? []);
   const row = (
     part: Row['part'],

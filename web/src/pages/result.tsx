@@ -10,6 +10,7 @@ import { ProposedBy } from '../parts/proposed-by';
 import { RunBefore } from '../parts/run-before';
 import type { Screen } from '../parts/screen';
 import { Verification } from '../parts/verification';
+import { Workpiece } from '../parts/workpiece';
 import { remarkSaid } from '../remarks';
 import { resultSentence } from '../result-sentence';
 import { go } from '../route';
@@ -34,6 +35,7 @@ function Result() {
         <p class="hint">
           {words.value.interval}, {said.frame}. {answer.reference?.source}
         </p>
+        <Workpiece answer={answer} />
       </section>
       <aside>
         <Warnings all={answer.warnings} />

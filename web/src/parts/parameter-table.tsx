@@ -1,11 +1,10 @@
-import type { PayloadAnswer } from '../api';
-import { payloadRows, type Row } from '../payload-rows';
+import { type Body, payloadRows, type Row } from '../payload-rows';
 import { INTERVAL, number, shown } from '../units';
 import { words } from '../words';
 import { Measured } from './measured';
 
 /** The ten parameters with their intervals, beside the reference where there is one. */
-export function ParameterTable({ answer }: { answer: PayloadAnswer }) {
+export function ParameterTable({ answer }: { answer: Body }) {
   const said = words.value.result;
   const referenced = answer.reference !== null;
   return (

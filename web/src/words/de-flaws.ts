@@ -195,6 +195,27 @@ export const flaws: Record<string, string> = {
     'Werte, die ein starrer Körper haben kann (Pseudo-Trägheit positiv definit)',
   'a centre of mass at {} m, {} m outside the box': 'ein Schwerpunkt bei {} m, {} m außerhalb des Quaders',
   'a box that contains the payload': 'ein Quader, der die Last enthält',
+  'a box that contains the tool': 'ein Quader, der das Werkzeug enthält',
+  'a name of its own': 'ein eigener Name',
+  'the name of an obstacle or a zone': 'der Name eines Hindernisses oder einer Zone',
+  'the name of a link of the URDF': 'der Name eines Glieds der URDF',
+  "the name of the payload's box": 'der Name des Quaders der Last',
+  'a value beside links': 'ein Wert neben links',
+  "links of the URDF or the tool's own values, not both":
+    'Glieder der URDF (links) oder eigene Werte des Werkzeugs, nicht beides',
+  '{}, or links of the URDF': '{}, oder Glieder der URDF (links)',
+  'links without mass': 'Glieder ohne Masse',
+  'links whose <inertial> the URDF states, or {}': 'Glieder, deren <inertial> in der URDF steht, oder {}',
+  'links behind the sensor frame {}, {}': 'Glieder hinter dem Sensorkoordinatensystem {}, {}',
+  '{}, which is in tools.{} already': '{}, das schon in tools.{} steht',
+  'each link in one tool, once': 'jedes Glied in einem Werkzeug, einmal',
+  '{} with the links {} behind it, which the sensor feels and no tool has':
+    '{}, hinter dem die Glieder {} hängen, die der Sensor spürt und die zu keinem Werkzeug gehören',
+  'a tool with them ([tools.NAME] with links = {}), or a sensor frame behind them':
+    'ein Werkzeug mit ihnen ([tools.NAME] mit links = {}) oder ein Sensorkoordinatensystem hinter ihnen',
+  '{} N m on {} at home, with the links': '{} N m an {} in der Grundstellung, mit den Gliedern',
+  'tools that the joint can hold, {} N m (limit effort of the URDF)':
+    'Werkzeuge, die das Gelenk halten kann, {} N m (limit effort der URDF)',
   'a link of {}, {}': 'ein Glied von {}, {}',
   'a position in ({}, {})': 'eine Stellung in ({}, {})',
   "at most the URDF's {}": 'höchstens die {} der URDF',

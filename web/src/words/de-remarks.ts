@@ -24,6 +24,10 @@ export const remarks: typeof english = {
     no_motion: () => 'Die Aufzeichnung enthält weder Gelenke noch Stellungen.',
     poses_only: () =>
       'Die Aufzeichnung besteht aus einzelnen Stellungen, nicht aus Bewegung; aus ihr folgt nur eine Last.',
+    tool_without_std: ({ tool, keys }) =>
+      `Wie unsicher das Werkzeug ${tool} ist, ist nicht bekannt (${keys} fehlt): die Intervalle des Werkstücks enthalten davon nichts und können zu eng sein.`,
+    no_workpiece: () =>
+      'Was ohne die Werkzeuge bleibt, ist kein starrer Körper: das Werkstück ist zu leicht, um es von nichts zu unterscheiden, oder ein Werkzeug ist anders als angegeben.',
     too_short: ({ lasts_s }) => `${lasts_s} sind zu kurz, um etwas zu sagen.`,
     hardly_turns: () =>
       'Der Sensor dreht sich kaum; so lassen sich Last, Nullpunkte und Effekte nicht trennen.',

@@ -212,6 +212,8 @@ export const de: Words = {
     com: 'Schwerpunkt',
     inertia: 'Trägheit',
     frame: 'im Sensorkoordinatensystem; Trägheit um den Schwerpunkt',
+    workpiece: 'Werkstück allein',
+    withoutTools: (tools) => `Oben steht das Ganze, das der Sensor spürt; hier ist es ohne: ${tools}`,
     within: 'stimmt überein',
     beyond: (times) => `${times} × sein Intervall`,
     warnings: 'Zu beachten',

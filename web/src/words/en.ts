@@ -208,6 +208,8 @@ export const en = {
     com: 'Centre of mass',
     inertia: 'Inertia',
     frame: 'in the frame of the sensor; inertia about the centre of mass',
+    workpiece: 'Workpiece alone',
+    withoutTools: (tools: string) => `Above is the whole that the sensor feels; here it is without: ${tools}`,
     within: 'agrees',
     beyond: (times: string) => `${times} × its interval`,
     warnings: 'To be minded',

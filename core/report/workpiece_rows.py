@@ -1,0 +1,72 @@
+"""The workpiece alone as words of the report."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.estimation.estimate import Identification
+from core.inertia import PHI_UNITS
+from core.recording import Recording
+from core.report.rows import INTERVAL, LABELS, error_of, rounded, sentence, two_digits
+from core.workpiece import Workpiece, workpiece_alone
+
+
+@dataclass(frozen=True)
+class WorkpieceRow:
+    """One of the ten parameters; empty where there is nothing to say."""
+
+    name: str
+    unit: str
+    reference: str
+    value: str
+    interval: str
+    error: str
+    known: bool
+    outside: bool
+
+
+@dataclass(frozen=True)
+class WorkpieceBlock:
+    """What the page says of the workpiece.
+
+    Args:
+        tools: in words, with their masses.
+    """
+
+    tools: str
+    rows: list[WorkpieceRow]
+    has_reference: bool
+    reference_source: str | None
+    remarks: list[str]
+
+
+def workpiece_block(identification: Identification, recording: Recording) -> WorkpieceBlock | None:
+    """The workpiece without the tools; None where there are no tools or nothing was identified."""
+    if identification.estimate is None or not recording.tools:
+        return None
+    found = workpiece_alone(identification.estimate, recording.tools)
+    reference = np.full(10, np.nan) if recording.reference is None else recording.reference.phi
+    return WorkpieceBlock(
+        tools=" and ".join(f"{tool.title} ({tool.parameters.mass:.4g} kg)" for tool in recording.tools),
+        rows=[_row(found, float(reference[k]), k) for k in range(10)],
+        has_reference=recording.reference is not None,
+        reference_source=recording.reference_source,
+        remarks=[sentence(remark.sentence) for remark in found.remarks],
+    )
+
+
+def _row(found: Workpiece, truth: float, k: int) -> WorkpieceRow:
+    value, half = float(found.phi[k]), INTERVAL * float(found.std[k])
+    known = bool(np.isfinite(value))
+    return WorkpieceRow(
+        name=LABELS[k],
+        unit=PHI_UNITS[k].replace("m2", "m²"),
+        reference=rounded(truth),
+        value=rounded(value, half) if known else "not determined",
+        interval=two_digits(half) if known else "",
+        error=error_of(value, truth),
+        known=known,
+        outside=known and bool(abs(value - truth) > half),
+    )
