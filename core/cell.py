@@ -73,6 +73,8 @@ class Robot(Model):
     """The URDF's limits where absent."""
     friction: Friction | None = None
     """None where nobody has said."""
+    payload_limit_kg: Positive | None = None
+    """What the arm may carry by its maker's word; None where nobody has said."""
     base: Pose = Pose()
 
 
