@@ -27,7 +27,7 @@ HOLDING_SHARE = 0.9
 """Of a joint's torque: what holding still may take where a pose is chosen. The rest is for moving."""
 
 MOVING_RAD_S = 1e-4
-"""Slower than this a joint takes no friction into account: it may stand."""
+"""A joint that is slower stands, and has no friction to overcome."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,8 @@ class JointTorques:
         effort = {joint.name: joint.effort or 0.0 for joint in check_urdf(cell.urdf, str(cell.folder / cell.robot.urdf)).joints}
         self._limits = np.array([effort[joint] for joint in self._joints])
         friction = cell.robot.friction
-        self._coulomb, self._viscous = (0.0, 0.0) if friction is None else map(np.array, (friction.coulomb_n_m, friction.viscous_n_m_s))
+        self._coulomb = np.zeros(robot.n) if friction is None else np.array(friction.coulomb_n_m)
+        self._viscous = np.zeros(robot.n) if friction is None else np.array(friction.viscous_n_m_s)
         masses = np.array([inertia.mass for inertia in robot.model.inertias])[-robot.n :]
         self._why = [self._unjudged(j, masses) for j in range(robot.n)]
         self._judged = np.flatnonzero([not why for why in self._why])

@@ -124,11 +124,12 @@ def _timed(
         throw = throws.into_zone(collision.payload_box, robot.sensor_poses(trajectory.q), period)
         if throw is None:
             return trajectory
-    raise NoPath(
-        f"a load that comes off {throw.time_s:.3f} s after the beginning of the path, at {throw.speed_m_s:.3f} m/s, would fly "
-        f"{-throw.distance_m:.4f} m into zone {throw.zone!r}. Plan again with another seed, reduce the payload box, or move the zone.",
-        throw.zone,
-    )
+        failure = NoPath(
+            f"a load that comes off {throw.time_s:.3f} s after the beginning of the path, at {throw.speed_m_s:.3f} m/s, would fly "
+            f"{-throw.distance_m:.4f} m into zone {throw.zone!r}. Plan again with another seed, reduce the payload box, or move the zone.",
+            throw.zone,
+        )
+    raise failure
 
 
 def _between(path_q: Array, trajectory: JointTrajectory) -> JointTrajectory:

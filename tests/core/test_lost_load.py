@@ -74,10 +74,10 @@ BOX = Box(size_m=(0.06, 0.1, 0.08), pose=Pose(xyz_m=(0.02, 0.0, 0.05), rpy_rad=(
 @given(st.integers(0, 2**32 - 1))
 def test_the_flight_nearest_to_a_round_zone_is_found_as_one_by_one(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    place = [float(x) for x in (*rng.uniform(0.2, 1.0, 2), rng.uniform(-0.7, 0.0))]
+    x, y, z = float(rng.uniform(0.2, 1.0)), float(rng.uniform(0.2, 1.0)), float(rng.uniform(-0.7, 0.0))
     shapes: list[Shape] = [
-        Sphere(kind="sphere", radius_m=0.1, pose=Pose(xyz_m=tuple(place))),
-        Capsule(kind="capsule", radius_m=0.08, length_m=0.3, pose=Pose(xyz_m=tuple(-x for x in place), rpy_rad=(0.5, 0.3, 0.0))),
+        Sphere(kind="sphere", radius_m=0.1, pose=Pose(xyz_m=(x, y, z))),
+        Capsule(kind="capsule", radius_m=0.08, length_m=0.3, pose=Pose(xyz_m=(-x, -y, -z), rpy_rad=(0.5, 0.3, 0.0))),
     ]
     cell, sensor = with_zones(*shapes), swung(0.6, FAST / 0.7)
     found = nearest_flight(cell, BOX, sensor, PERIOD)
