@@ -9,6 +9,7 @@ import numpy as np
 
 from core.cell import find_cell, load_cell
 from core.collision import CollisionModel
+from core.joint_torques import JointTorques, guessed_load
 from core.plan import confirmed, plan_procedure
 from core.robot import RobotModel
 from core.trial.draw import returned
@@ -24,11 +25,12 @@ def main() -> None:
         cell = load_cell(find_cell(name))
         robot = RobotModel.of_cell(cell)
         collision = CollisionModel(cell, robot, cell.payload_box)
+        torques = JointTorques(cell, robot, guessed_load(cell, cell.payload_box, 1.0))
         plan = returned(plan_procedure(cell, robot, collision, cell.payload_box, start=np.array(cell.robot.home_rad)))
         seconds = []
         for _ in range(arguments.count):
             began = perf_counter()
-            opinion = confirmed(cell, robot, collision, cell.payload_box, plan.legs, plan.home)
+            opinion = confirmed(cell, robot, collision, cell.payload_box, plan.legs, plan.home, torques).opinion
             seconds.append(perf_counter() - began)
         taken = float(np.median(seconds))
         checked = f"{opinion.samples} points checked in {taken:.2f} s (median), {max(seconds):.2f} s at most"

@@ -70,11 +70,14 @@ class Robot(Model):
     base_frame: str
     sensor_frame: str
     home_rad: tuple[Angle, ...]
-    acceleration_rad_s2: tuple[Positive, ...]
-    velocity_rad_s: tuple[Positive, ...] | None = None
-    """The URDF's limits where absent."""
+    acceleration_rad_s2: tuple[Annotated[float, Field(strict=True, ge=0.1, le=200.0)], ...]
+    """Joints of arms have 5 to 50 rad/s2; with less than 0.1 a plan takes hours."""
+    velocity_rad_s: tuple[Annotated[float, Field(strict=True, ge=0.01, le=50.0)], ...] | None = None
+    """The URDF's limits where absent. Joints of arms have 1 to 10 rad/s."""
     friction: Friction | None = None
     """None where nobody has said."""
+    payload_limit_kg: Positive | None = None
+    """What the arm may carry by its maker's word; None where nobody has said."""
     base: Pose = Pose()
     adjacent: tuple[tuple[str, str], ...] = ()
     """Pairs of links that are close to each other by construction: no distance between them is watched."""
@@ -97,14 +100,16 @@ class Limits(Model):
     """What no point of the robot may exceed.
 
     Args:
-        cartesian_speed_m_s: of every point of every link and every corner of the boxes of payload and tools.
-        clearance_m: smallest distance to obstacles and protected zones.
-        self_clearance_m: smallest distance between links.
+        cartesian_speed_m_s: of every point of every link and every corner of the boxes of payload and tools. At most four times what
+            ISO 10218-1 calls reduced speed, 0.25 m/s: room for cells whose own safety functions allow more, and none for 25 or 250 by a slip
+            of the unit. Below 5 mm/s a plan takes hours.
+        clearance_m: smallest distance to obstacles, protected zones and the floor. At most 0.5 m, all round: no arm has room for more.
+        self_clearance_m: smallest distance between links. At most 0.2 m: links of one arm are no farther apart.
     """
 
-    cartesian_speed_m_s: Positive = 0.25
-    clearance_m: Positive = 0.03
-    self_clearance_m: Positive = 0.01
+    cartesian_speed_m_s: Annotated[float, Field(strict=True, ge=0.005, le=1.0)] = 0.25
+    clearance_m: Annotated[float, Field(strict=True, gt=0, le=0.5)] = 0.03
+    self_clearance_m: Annotated[float, Field(strict=True, gt=0, le=0.2)] = 0.01
 
 
 class Control(Model):

@@ -23,6 +23,7 @@ from core.experiment.command import check_target, plan_next, read_request
 from core.experiment.run import measure_more
 from core.export.command import export
 from core.gap.diagnosis import examine
+from core.joint_torques import known_load
 from core.plan import plan_procedure, plan_summary
 from core.procedure import identify
 from core.progress import watch
@@ -42,6 +43,7 @@ from core.tables import (
     parameters_table,
     plan_table,
     reason_lines,
+    torque_lines,
     verification_lines,
 )
 from core.terminal import HELP, answers, enter, messages
@@ -190,13 +192,14 @@ def plan(
     robot = RobotModel.of_cell(loaded)
     collision = CollisionModel(loaded, robot, box)
     home = np.array(loaded.robot.home_rad)
-    found = watch(plan_procedure(loaded, robot, collision, box, start=home, planner=planner.value, seed=seed), messages)
+    load = known_load(loaded, payload)
+    found = watch(plan_procedure(loaded, robot, collision, box, start=home, planner=planner.value, seed=seed, load=load), messages)
     if json is not None:
         _write_json(plan_summary(loaded, found).model_dump_json(indent=2), json)
     if json != "-":
         answers.print(plan_table(found))
         answers.print(f"Robot time {found.robot_s:.0f} s, planned in {found.plan_s:.1f} s.", highlight=False)
-        for line in opinion_lines(found.opinion):
+        for line in (*torque_lines(found.torques), *opinion_lines(found.opinion)):
             answers.print(line, highlight=False)
 
 

@@ -1,4 +1,4 @@
-"""What the links of an arm ask of its joints: inertia and torque without payload, from the masses of the URDF."""
+"""What the links of an arm, and a load where there is one, ask of its joints: inertia and torque, from the masses of the URDF."""
 
 from __future__ import annotations
 
@@ -6,22 +6,28 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from core.inertia import PINOCCHIO_ORDER, InertialParameters
 from core.robot import RobotModel
 
 Array = NDArray[np.float64]
 
 
 class LinkDynamics:
-    """Rigid-body dynamics of the bare arm.
+    """Rigid-body dynamics of the arm.
 
     Args:
         robot: with masses in its URDF (see `has_masses`).
         gravity: (3,), in the frame of the robot model's poses, m/s2.
+        load: what hangs on the sensor, in its frame; None for the bare arm.
     """
 
-    def __init__(self, robot: RobotModel, gravity: Array) -> None:
+    def __init__(self, robot: RobotModel, gravity: Array, load: InertialParameters | None = None) -> None:
         self._model = robot.model.copy()
         self._model.gravity.linear = np.asarray(gravity, dtype=float)
+        if load is not None:
+            sensor = self._model.frames[robot.sensor_frame_id]
+            carried = pin.Inertia.FromDynamicParameters(load.phi[PINOCCHIO_ORDER])
+            self._model.inertias[sensor.parentJoint] += sensor.placement.act(carried)
         self._data = self._model.createData()
 
     def inertia(self, q: Array) -> Array:

@@ -10,6 +10,7 @@ HeftError                      exit code 1
 ├── Refused                    3   the cell leaves no safe way to do it; the robot has not moved
 │   ├── NoStartConfiguration       no start configuration for an axis (Algorithm 6)
 │   ├── NoPath                     no collision-free path, or none that can be timed
+│   ├── TooHeavy                   a joint has not the torque to carry the load as planned
 │   └── PlanDisputed               a finished plan that an independent check does not confirm
 ├── Stopped                    4   the guard stopped the robot; carries the last samples
 │   ├── TooClose                   to an obstacle, a protected zone or itself
@@ -160,6 +161,10 @@ class NoPath(Refused):
     def __init__(self, message: str, in_the_way: str | None = None) -> None:
         super().__init__(message)
         self.in_the_way = in_the_way
+
+
+class TooHeavy(Refused):
+    """The load asks more torque of a joint than it has."""
 
 
 class PlanDisputed(Refused):

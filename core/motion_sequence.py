@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from core.cell import Box, Cell
 from core.collision import CollisionModel
 from core.events import Event
+from core.joint_torques import Load
 from core.plan import POSES, Plan, plan_procedure
 from core.plan_settings import Planner, Timing
 from core.robot import RobotModel
@@ -21,7 +22,11 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class PlanRequest:
-    """What is to be planned: the legs that are left after `done`, from joint positions `start` (n,), with set points every `period` s."""
+    """What is to be planned: the legs that are left after `done`, from joint positions `start` (n,), with set points every `period` s.
+
+    Args:
+        load: what the joints' torques are judged with; guessed where None.
+    """
 
     cell: Cell
     payload_box: Box
@@ -30,6 +35,7 @@ class PlanRequest:
     period: float
     planner: Planner
     seed: int
+    load: Load | None = None
 
 
 class MotionSequence(Protocol):
@@ -47,6 +53,7 @@ class MotionSequence(Protocol):
 
         Raises:
             NoStartConfiguration, NoPath: the cell leaves no safe way.
+            TooHeavy: the joints have not the torque.
             PlanDisputed: an independent check does not confirm the plan.
         """
 
@@ -81,4 +88,5 @@ class Procedure:
             mass_guess_kg=self.mass_guess_kg,
             planner=asked.planner,
             seed=asked.seed,
+            load=asked.load,
         )

@@ -21,13 +21,14 @@ from core.commanded_path import Motion, commanded_paths
 from core.control.decoupling import decoupling_profile, expected_inertia, repetitions_for
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
+from core.joint_torques import JointTorques, Load, guessed_load, refuse_too_heavy
 from core.plan_settings import Planner, Timing
-from core.plan_summary import ClosestPair, FastestCorner, PlannedPose, PlanSummary, SecondOpinion
+from core.plan_summary import ClosestPair, FastestCorner, LostLoad, PlannedPose, PlanSummary, PlanTorques, SecondOpinion
 from core.planning.path import one_turn_away
 from core.planning.start_configuration import StartConfiguration, find_start_configuration
 from core.planning.transfer import Transfer, plan_transfer
 from core.robot import RobotModel
-from core.second_opinion.opinion import Opinion, second_opinion
+from core.second_opinion.opinion import JointPath, Opinion, second_opinion
 from core.second_opinion.refusal import refuse_disputed
 from core.trajectory import AngularProfile, JointTrajectory
 
@@ -72,6 +73,7 @@ class Plan:
 
     Args:
         opinion: of the check that shares no code with the planner, which the plan has passed.
+        torques: what it asks of the joints, which they have.
     """
 
     legs: tuple[Leg, ...]
@@ -79,6 +81,7 @@ class Plan:
     timing: Timing
     plan_s: float
     opinion: Opinion
+    torques: PlanTorques
 
     @property
     def robot_s(self) -> float:
@@ -106,19 +109,26 @@ def plan_procedure(
     mass_guess_kg: float = 1.0,
     planner: Planner = "rrt_connect",
     seed: int = 0,
+    load: Load | None = None,
 ) -> Generator[Event, None, Plan]:
     """Plans from joint positions `start` through all `poses` back to home.
 
+    Args:
+        load: what the joints' torques are judged with; `guessed_load` where nothing is known of it.
+
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
+        TooHeavy: the joints have not the torque.
         PlanDisputed: see `confirmed`.
     """
     began = time.perf_counter()
     timing = timing or Timing()
     speed = cell.limits.cartesian_speed_m_s
     once = decoupling_profile(widest_box(cell, payload_box), cartesian_speed=speed, period=period, excursion=timing.swing_rad)
-    search = _Search(cell, robot, collision, once, planner, seed)
     home = np.array(cell.robot.home_rad)
+    torques = JointTorques(cell, robot, load or guessed_load(cell, payload_box, mass_guess_kg))
+    refuse_too_heavy(torques.of([JointPath("start", start[None]), JointPath("home", home[None])], period))
+    search = _Search(cell, robot, collision, once, planner, seed, torques)
     reached: list[Reached] = []
     for _, group in groupby(poses, key=lambda pose: pose[0]):
         here = reached[-1].start.q if reached else start
@@ -133,17 +143,33 @@ def plan_procedure(
         Leg(axis, start, transfer, _repeated(cell, payload_box, axis, once, budget, mass_guess_kg, timing), axis[0])
         for axis, start, transfer in reached
     )
-    opinion = confirmed(cell, robot, collision, payload_box, legs, back)
-    plan = Plan(legs, back, timing, time.perf_counter() - began, opinion)
+    found = confirmed(cell, robot, collision, payload_box, legs, back, torques)
+    plan = Plan(legs, back, timing, time.perf_counter() - began, found.opinion, found.torques)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
 
 
-def confirmed(cell: Cell, robot: RobotModel, collision: CollisionModel, payload_box: Box, legs: Sequence[Leg], home: Transfer) -> Opinion:
-    """The second opinion on legs and the way home, every set point as it will be commanded.
+class Confirmation(NamedTuple):
+    """What was found of a finished plan, set point by set point."""
+
+    opinion: Opinion
+    torques: PlanTorques
+
+
+def confirmed(
+    cell: Cell,
+    robot: RobotModel,
+    collision: CollisionModel,
+    payload_box: Box,
+    legs: Sequence[Leg],
+    home: Transfer,
+    torques: JointTorques,
+) -> Confirmation:
+    """Torques and the second opinion on legs and the way home, every set point as it will be commanded.
 
     Raises:
-        PlanDisputed: it does not confirm them.
+        TooHeavy: a joint has not the torque.
+        PlanDisputed: the second opinion does not confirm them.
     """
     motions: list[Motion] = []
     for leg in legs:
@@ -153,9 +179,11 @@ def confirmed(cell: Cell, robot: RobotModel, collision: CollisionModel, payload_
     motions.append(Motion("home", home.trajectory))
     first = legs[0].transfer if legs else home
     paths = commanded_paths(cell, robot, collision, motions, first.trajectory.q[0])
+    asked = torques.of(paths, home.trajectory.period)
+    refuse_too_heavy(asked)
     opinion = second_opinion(cell, payload_box, paths, home.trajectory.period)
     refuse_disputed(opinion)
-    return opinion
+    return Confirmation(opinion, asked)
 
 
 class Reached(NamedTuple):
@@ -175,6 +203,7 @@ class _Search(NamedTuple):
     rotation: AngularProfile
     planner: Planner
     seed: int
+    torques: JointTorques
 
     def reach(self, poses: tuple[str, ...], here: Array) -> Generator[Event, None, list[Reached]]:
         """Start configurations that can be reached from joint positions `here`, other ones where there is no way to the first."""
@@ -191,7 +220,9 @@ class _Search(NamedTuple):
         starts: dict[str, StartConfiguration] = {}
         for axis in sorted(poses):
             rotation = self.rotation if axis.endswith("+") else None
-            found = find_start_configuration(self.cell, self.robot, self.collision, axis, rotation, seed=seed, near=here)
+            found = find_start_configuration(
+                self.cell, self.robot, self.collision, axis, rotation, seed=seed, near=here, torques=self.torques
+            )
             yield StartConfigurationFound(
                 axis=axis,
                 clearance_m=found.clearance_m,
@@ -273,11 +304,12 @@ def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:
         plan_s=plan.plan_s,
         least_margin_m=plan.least_margin_m,
         second_opinion=_opinion_summary(plan.opinion),
+        torques=plan.torques,
     )
 
 
 def _opinion_summary(opinion: Opinion) -> SecondOpinion:
-    fast = opinion.fastest
+    fast, lost = opinion.fastest, opinion.lost_load
     return SecondOpinion(
         closest=[
             ClosestPair(
@@ -293,4 +325,5 @@ def _opinion_summary(opinion: Opinion) -> SecondOpinion:
         ],
         fastest=FastestCorner(body=fast.body, speed_m_s=fast.speed_m_s, limit_m_s=fast.limit_m_s, part=fast.part, time_s=fast.time_s),
         samples=opinion.samples,
+        lost_load=None if lost is None else LostLoad(**vars(lost)),
     )

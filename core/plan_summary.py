@@ -61,6 +61,63 @@ class SecondOpinion(BaseModel):
     closest: list[ClosestPair]
     fastest: FastestCorner
     samples: int
+    lost_load: LostLoad | None = None
+    """None where there is no protected zone, and in plans made before it was looked for."""
+
+
+class LargestTorque(BaseModel):
+    """Where a joint has to give the largest share of its torque, for JSON.
+
+    Args:
+        torque_n_m: dynamic, friction as far as the cell states it; `holding_n_m` of it hold arm and load still there.
+        limit_n_m: `effort` of the URDF.
+        ratio: torque over limit.
+        part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
+    """
+
+    model_config = ConfigDict(frozen=True)
+
+    joint: str
+    torque_n_m: float
+    holding_n_m: float
+    limit_n_m: float
+    ratio: float
+    part: str
+    time_s: float
+
+
+class PlanTorques(BaseModel):
+    """What a plan asks of the joints with the load that is stated, for JSON.
+
+    Args:
+        load: where mass and inertia of the load are from, in words.
+        largest: None where no joint can be judged.
+        not_judged: joints with the reason, in words.
+    """
+
+    model_config = ConfigDict(frozen=True)
+
+    load: str
+    mass_kg: float
+    largest: LargestTorque | None
+    not_judged: list[str]
+
+
+class LostLoad(BaseModel):
+    """The flight of a load that comes off on the way which comes nearest to a protected zone, for JSON.
+
+    Args:
+        speed_m_s: of the fastest point as it comes off.
+        part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
+    """
+
+    model_config = ConfigDict(frozen=True)
+
+    zone: str
+    distance_m: float
+    speed_m_s: float
+    part: str
+    time_s: float
 
 
 class PlanSummary(BaseModel):
@@ -76,3 +133,5 @@ class PlanSummary(BaseModel):
     least_margin_m: float
     second_opinion: SecondOpinion | None = None
     """None in plans made before there was one."""
+    torques: PlanTorques | None = None
+    """None in plans made before they were judged."""

@@ -23,6 +23,7 @@ from core.errors import Held, Interrupted, Refused, Stopped
 from core.estimation.identification import identify_recording
 from core.estimation.online import OnlineEstimator
 from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped, StepFinished
+from core.joint_torques import Load, known_load
 from core.motion_sequence import MotionSequence, PlanRequest, Procedure
 from core.outcome import Outcome
 from core.plan import Leg, Plan
@@ -63,7 +64,8 @@ def identify(
         cell: where the robot stands, with its limits.
         session: the robot; entered and left here.
         payload_box: what certainly contains the payload, sensor frame. Nothing else need be known of it.
-        payload, reference: name and reference values, only written into the recording.
+        payload, reference: name and reference values, written into the recording; the joints' torques are judged with the payload of that
+            name where the cell knows it.
         timing: holds, accuracy and robot time.
         mass_guess_kg: what repetitions are planned for until the mass is known.
         planner: of the paths.
@@ -77,7 +79,7 @@ def identify(
         Interrupted: Ctrl-C; the robot is stopped and the recording written.
     """
     run = Run(cell, session, payload_box, Procedure(timing or Timing(), mass_guess_kg), planner, seed)
-    run.twin = twin
+    run.twin, run.load = twin, known_load(cell, payload)
     plan = yield from run.planned(np.array(cell.robot.home_rad))
     return (yield from carried_out(run, plan, payload, reference, out))
 
@@ -97,7 +99,7 @@ def carry_out(
 ) -> Generator[Event, None, Outcome]:
     """The second half of `identify`, for a plan that starts where the robot stands. Arguments and errors as there."""
     run = Run(cell, session, payload_box, Procedure(plan.timing, mass_guess_kg), "rrt_connect", seed)
-    run.plan_s, run.twin = plan.plan_s, twin
+    run.plan_s, run.twin, run.load = plan.plan_s, twin, known_load(cell, payload)
     return (yield from carried_out(run, plan, payload, reference, out))
 
 
@@ -150,6 +152,8 @@ class Run:
 
     twin: Twin = NOMINAL
     """What the estimate accounts for."""
+    load: Load | None = None
+    """What the joints' torques are judged with; guessed where nothing is known of it."""
     before: Recording | None = None
     """What the samples are appended to; of this robot as it stands here (`recording.check_same_robot`)."""
 
@@ -178,7 +182,7 @@ class Run:
     def plan_request(self, start: Array, done: int) -> PlanRequest:
         """What `planned` plans, for whoever does it."""
         seed = self.seed + self.restarts
-        return PlanRequest(self.cell, self.payload_box, start, done, self.session.period, self.planner, seed)
+        return PlanRequest(self.cell, self.payload_box, start, done, self.session.period, self.planner, seed, self.load)
 
     def moved(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
         """Carries the plan out; after a stop by the guard the rest of it from new start configurations, as the paper says.

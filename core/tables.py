@@ -12,6 +12,7 @@ from core.cell import Cell
 from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.inertia import PHI_NAMES, PHI_UNITS
 from core.plan import Plan
+from core.plan_summary import PlanTorques
 from core.result import Result
 from core.second_opinion.opinion import Opinion
 from core.verification_words import verification_sentence
@@ -112,7 +113,24 @@ def opinion_lines(opinion: Opinion) -> list[str]:
         lines.append(f"  {each.kind}: {each.first!r} {each.distance_m:.3f} m from {each.second!r} ({limit}), {where}")
     fast = opinion.fastest
     where = f"{fast.part!r} after {fast.time_s:.3f} s"
-    return [*lines, f"  fastest point: a corner of {fast.body!r} at {fast.speed_m_s:.3f} m/s (limit {fast.limit_m_s:.3f} m/s), {where}"]
+    lines.append(f"  fastest point: a corner of {fast.body!r} at {fast.speed_m_s:.3f} m/s (limit {fast.limit_m_s:.3f} m/s), {where}")
+    lost = opinion.lost_load
+    if lost is None:
+        return lines
+    where = f"{lost.part!r} after {lost.time_s:.3f} s"
+    return [*lines, f"  a load that comes off: flies past zone {lost.zone!r} at {lost.distance_m:.3f} m or more, from {where}"]
+
+
+def torque_lines(torques: PlanTorques) -> list[str]:
+    """What the plan asks of the joints, and which of them could not be judged."""
+    carried = f"{torques.mass_kg:.3f} kg ({torques.load})"
+    most = torques.largest
+    if most is None:
+        line = f"Joint torques with {carried}: not judged."
+    else:
+        of_limit = f"{most.torque_n_m:.1f} N m of {most.limit_n_m:.1f} N m ({100 * most.ratio:.0f} %)"
+        line = f"Joint torques with {carried}: at most {of_limit}, {most.joint!r} in {most.part!r} after {most.time_s:.3f} s."
+    return [line, *(f"  not judged: {why}" for why in torques.not_judged)]
 
 
 def cells_table(cells: list[Cell]) -> Table:

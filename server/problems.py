@@ -80,6 +80,7 @@ KINDS: dict[type[HeftError], Kind] = {
     core_errors.Refused: Kind(HTTPStatus.CONFLICT, "The cell leaves no safe way to do it"),
     core_errors.NoStartConfiguration: Kind(HTTPStatus.CONFLICT, "No start configuration"),
     core_errors.NoPath: Kind(HTTPStatus.CONFLICT, "No collision-free path"),
+    core_errors.TooHeavy: Kind(HTTPStatus.CONFLICT, "The load is too heavy for the robot"),
     core_errors.PlanDisputed: Kind(HTTPStatus.CONFLICT, "The finished plan was not confirmed"),
     core_errors.Stopped: Kind(HTTPStatus.CONFLICT, "The guard stopped the robot"),
     core_errors.TooClose: Kind(HTTPStatus.CONFLICT, "Too close to an obstacle or a protected zone"),

@@ -19,6 +19,7 @@ from core.control.decoupling import decoupling_profile
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.gap.experiment import HOLD_S, Stop, Swings, wave_shape
+from core.joint_torques import JointTorques, Load, guessed_load, refuse_too_heavy
 from core.plan import PATH_SECONDS, Leg, Plan, confirmed
 from core.plan_settings import Planner, Timing
 from core.planning.path import one_turn_away
@@ -26,9 +27,12 @@ from core.planning.start_configuration import Attitude, StartConfiguration, find
 from core.planning.transfer import plan_transfer
 from core.planning.wave import fit_wave
 from core.robot import RobotModel
+from core.second_opinion.opinion import JointPath
 from core.trajectory import AngularProfile
 
 Array = NDArray[np.float64]
+
+MASS_GUESS_KG = 1.0
 
 POSTURES = 4
 """Searches among which the posture farthest from another one is taken."""
@@ -45,16 +49,20 @@ def plan_experiment(
     period: float = 0.001,
     planner: Planner = "rrt_connect",
     seed: int = 0,
+    load: Load | None = None,
 ) -> Generator[Event, None, Plan]:
     """Plans from joint positions `start` (n,) through all stops back to home.
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
+        TooHeavy: the joints have not the torque, with the load or else with a guessed one.
         PlanDisputed: see `core.plan.confirmed`.
     """
     began = time.perf_counter()
-    search = _Search(cell, robot, collision, payload_box, period, planner, seed)
     home = np.array(cell.robot.home_rad)
+    torques = JointTorques(cell, robot, load or guessed_load(cell, payload_box, MASS_GUESS_KG))
+    refuse_too_heavy(torques.of([JointPath("start", start[None]), JointPath("home", home[None])], period))
+    search = _Search(cell, robot, collision, payload_box, period, planner, seed, torques)
     legs: list[Leg] = []
     here = start
     for stop in stops:
@@ -62,8 +70,8 @@ def plan_experiment(
         here = legs[-1].transfer.goal
     back = plan_transfer(cell, robot, collision, here, home, period=period, planner=planner, seed=seed, seconds=PATH_SECONDS[-1])
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
-    opinion = confirmed(cell, robot, collision, payload_box, legs, back)
-    plan = Plan(tuple(legs), back, Timing(hold_s=HOLD_S), time.perf_counter() - began, opinion)
+    found = confirmed(cell, robot, collision, payload_box, legs, back, torques)
+    plan = Plan(tuple(legs), back, Timing(hold_s=HOLD_S), time.perf_counter() - began, found.opinion, found.torques)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
 
@@ -79,6 +87,7 @@ class _Search:
     period: float
     planner: Planner
     seed: int
+    torques: JointTorques
 
     def leg(self, stop: Stop, here: Array) -> Generator[Event, None, Leg]:
         """A stop that can be reached from joint positions `here`, and left room for its movement; others where one cannot."""
@@ -108,9 +117,11 @@ class _Search:
         rotation = None if stop.swings is None else self._profile(stop.swings, 1)
         attitude = Attitude(stop.label, np.array(stop.down), about, rotation)
         if stop.away_from_rad is None:
-            return find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed, near=here)
+            return find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed, near=here, torques=self.torques)
         avoided = np.array(stop.away_from_rad)
-        found = [find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed + k) for k in range(POSTURES)]
+        found = [
+            find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed + k, torques=self.torques) for k in range(POSTURES)
+        ]
         return max(found, key=lambda start: float(np.abs(start.q - avoided).max()))
 
     def _connected(self, stop: Stop, start: StartConfiguration, here: Array, seconds: float) -> Leg:

@@ -11,6 +11,7 @@ from core.cell import Box, Cell
 from core.events import Event
 from core.experiment.stops import Stops
 from core.gap.experiment import Stop
+from core.joint_torques import known_load
 from core.outcome import Outcome
 from core.plan_settings import Planner
 from core.procedure import Run, carried_out
@@ -48,6 +49,6 @@ def measure_more(
     """
     run = Run(cell, session, payload_box, Stops.of(stops), planner, seed)
     check_same_robot(before, run.robot.description, cell.gravity_in_base)
-    run.twin, run.before = twin, before
+    run.twin, run.before, run.load = twin, before, known_load(cell, before.payload)
     plan = yield from run.planned(np.array(cell.robot.home_rad))
     return (yield from carried_out(run, plan, before.payload, None, out))

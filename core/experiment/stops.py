@@ -50,4 +50,5 @@ class Stops:
             period=asked.period,
             planner=asked.planner,
             seed=asked.seed,
+            load=asked.load,
         )

@@ -21,6 +21,7 @@ from core.planning.certificate import LeastMargin, least_margin
 from core.planning.pair_margins import PairMargins
 from core.planning.room import Room
 from core.planning.shortcut import shortened
+from core.planning.throw import ThrowCheck
 from core.planning.timing import MotionLimits, least_seconds
 from core.robot import RobotModel
 
@@ -75,10 +76,11 @@ def plan_path(
         NoPath: start or goal outside the limits or too close to something; or nothing found in the time.
     """
     start = np.array(start, dtype=float)
-    _check_end("start", start, robot, collision)
-    ends = np.stack((start, *_possible_goals(np.atleast_2d(np.array(goal, dtype=float)), robot, collision)))
+    throws = ThrowCheck(cell)
+    _check_end("start", start, robot, collision, throws)
+    ends = np.stack((start, *_possible_goals(np.atleast_2d(np.array(goal, dtype=float)), robot, collision, throws)))
     limits = MotionLimits.of_cell(cell, robot, collision)
-    room = Room(robot, collision, ends, SPARE_M)
+    room = Room(robot, collision, throws, ends, SPARE_M)
 
     def cost(q: Array) -> float:
         return least_seconds(q, robot, limits)
@@ -125,12 +127,12 @@ def _described(q: Array, margins: PairMargins, collision: CollisionModel) -> Pat
     return Path(rows, least.margin_m, nearest_names(collision, least), length)
 
 
-def _possible_goals(goals: Array, robot: RobotModel, collision: CollisionModel) -> list[Array]:
+def _possible_goals(goals: Array, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck) -> list[Array]:
     """Those that the robot may be at; if there are none, the reason of the first is raised."""
     possible, reasons = [], []
     for q in goals:
         try:
-            _check_end("goal", q, robot, collision)
+            _check_end("goal", q, robot, collision, throws)
             possible.append(q)
         except NoPath as reason:
             reasons.append(reason)
@@ -139,7 +141,7 @@ def _possible_goals(goals: Array, robot: RobotModel, collision: CollisionModel) 
     return possible
 
 
-def _check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel) -> None:
+def _check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck) -> None:
     if q.shape != (robot.n,) or not np.isfinite(q).all():
         raise NoPath(f"the {name} of the path is {q.tolist()}, expected {robot.n} finite joint positions in rad.")
     outside = np.flatnonzero((q < robot.lower) | (q > robot.upper))
@@ -155,6 +157,25 @@ def _check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel
             f"at the {name} of the path {nearest.first!r} is {nearest.distance_m:.4f} m from {nearest.second!r} "
             f"(limit {nearest.required_m:.3f} m). Choose another {name} configuration or clear the cell.",
             nearest.second,
+        )
+    check_drop(name, q, robot, collision, throws)
+
+
+def check_drop(name: str, q: Array, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck) -> None:
+    """Nothing where a load that comes off at rest at q (n,) falls into no zone.
+
+    Args:
+        name: of the end of a path.
+
+    Raises:
+        NoPath: it falls into one.
+    """
+    drop = throws.drop(collision.payload_box, robot.sensor_poses(q[None]))
+    if drop is not None and drop.distance_m < 0.0:
+        raise NoPath(
+            f"at the {name} of the path a load that comes off would fall {-drop.distance_m:.4f} m into zone {drop.zone!r}. "
+            f"Choose another {name} configuration, reduce the payload box, or move the zone.",
+            drop.zone,
         )
 
 

@@ -1,4 +1,4 @@
-"""Where a path may go: within the joint limits, with every required distance and something to spare."""
+"""Where a path may go: within the joint limits, with every required distance and something to spare, and where a load may come off."""
 
 from __future__ import annotations
 
@@ -8,12 +8,18 @@ from numpy.typing import NDArray
 from core.collision import CollisionModel
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
+from core.planning.throw import ThrowCheck
 from core.robot import RobotModel
 
 Array = NDArray[np.float64]
 
 LIMIT_ROOM_RAD = 0.02
 """Paths keep this far from the joint limits, except where start or goal is closer."""
+
+BESIDE = 4.0
+"""How far beside a zone a load falls that comes off at rest, in wanted margins: a slow motion throws it no farther than these 2 cm."""
+
+_DROP_STEP_RAD = 0.04
 
 _RISE = 0.05
 """How fast the wanted margin rises with the bound of the motion from a tight end; that bound is far larger than what leads away."""
@@ -23,16 +29,19 @@ class Room:
     """Where a path between given ends may go.
 
     Args:
+        throws: of the cell as it is now.
         ends: (K, n), start and goals.
         spare_m: wanted margin. Near an end that has less, less is asked: half of that end's margin, rising with the distance from it.
     """
 
-    def __init__(self, robot: RobotModel, collision: CollisionModel, ends: Array, spare_m: float) -> None:
+    def __init__(self, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck, ends: Array, spare_m: float) -> None:
         self.margins = PairMargins(collision)
         self._collision = collision
         self.lower = np.minimum(robot.lower + LIMIT_ROOM_RAD, ends.min(axis=0))
         self.upper = np.maximum(robot.upper - LIMIT_ROOM_RAD, ends.max(axis=0))
         self._spare_m = spare_m
+        self._robot, self._throws = robot, throws
+        self._beside_m = min(BESIDE * spare_m, 0.5 * self._drop_m(ends))
         self._tight = [(q, margin) for q in ends if (margin := collision.room(q)) < 2.0 * spare_m]
 
     def spare(self, q: Array) -> float:
@@ -43,7 +52,7 @@ class Room:
     def has(self, q: Array) -> bool:
         """Whether the robot may be at q (n,)."""
         within = bool((q >= self.lower).all() and (q <= self.upper).all())
-        return within and self._collision.is_free(q) and self._collision.room(q) >= self.spare(q)
+        return within and self._collision.is_free(q) and self._collision.room(q) >= self.spare(q) and self._falls_beside(q[None])
 
     def has_all(self, q: Array) -> bool:
         """Whether the robot may move along the polyline q (N, n); what is cheap to refuse is refused first."""
@@ -51,4 +60,20 @@ class Room:
             return False
         free = self._collision.is_free
         middles = 0.5 * (q[:-1] + q[1:])
-        return all(free(row) for row in (*q, *middles)) and is_clear(self.margins, q, self.spare)
+        return all(free(row) for row in (*q, *middles)) and self._falls_beside(_dense(q)) and is_clear(self.margins, q, self.spare)
+
+    def _falls_beside(self, q: Array) -> bool:
+        """Whether a load that comes off at rest anywhere at q (N, n) falls beside the zones."""
+        return self._drop_m(q) >= self._beside_m
+
+    def _drop_m(self, q: Array) -> float:
+        """How near to a zone a load falls that comes off at rest anywhere at q (N, n), m; negative where it falls into one."""
+        drop = self._throws.drop(self._collision.payload_box, self._robot.sensor_poses(q))
+        return np.inf if drop is None else drop.distance_m
+
+
+def _dense(q: Array) -> Array:
+    """The polyline q (N, n), N >= 2, with rows at most `_DROP_STEP_RAD` rad apart."""
+    along = np.concatenate(([0.0], np.cumsum(np.linalg.norm(np.diff(q, axis=0), axis=1))))
+    at = np.unique(np.concatenate((along, np.linspace(0.0, along[-1], 1 + int(np.ceil(along[-1] / _DROP_STEP_RAD))))))
+    return np.stack([np.interp(at, along, column) for column in q.T], axis=1)

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from core.cell import Cell
 from core.collision import CollisionModel
-from core.errors import NoStartConfiguration
+from core.errors import NoStartConfiguration, TooHeavy
+from core.joint_torques import HOLDING_SHARE, JointTorques
 from core.planning.candidates import Candidates, CandidateSearch, Weights
 from core.planning.certificate import is_clear
 from core.planning.grid import draw_postures, first_grid, second_grid
@@ -101,7 +102,9 @@ class Checks:
         axis: Array,
         rotation: AngularProfile | None,
         limits: tuple[Array, Array],
+        torques: JointTorques | None = None,
     ) -> None:
+        self._torques = torques
         self._cell, self._robot, self._collision = cell, robot, collision
         self._margins = PairMargins(collision)
         self._throw = ThrowCheck(cell)
@@ -112,6 +115,7 @@ class Checks:
         self.rejected: Counter[str] = Counter()
         self._with_room = 0
         self._thrown_into: Counter[str] = Counter()
+        self._too_weak: list[tuple[float, str]] = []
 
     def passed(self, candidates: Candidates, row: int) -> Accepted | None:
         """The candidate with its rotation, or None, which is counted."""
@@ -126,6 +130,20 @@ class Checks:
         """The zone that a load could fly into from most of the candidates that have room to stand."""
         return next((zone for zone, times in self._thrown_into.items() if 2 * times > self._with_room), None)
 
+    def refuse_too_weak(self, axis: str) -> None:
+        """Nothing unless holding the load is what keeps most of the candidates that have room to stand from being used.
+
+        Raises:
+            TooHeavy: it is.
+        """
+        if 2 * len(self._too_weak) > self._with_room:
+            share, joint = min(self._too_weak)
+            raise TooHeavy(
+                f"no start configuration with sensor axis {axis} along gravity: the load is too heavy, to hold it still {joint!r} would "
+                f"need {100 * share:.0f} % of its torque at least (limit {100 * HOLDING_SHARE:.0f} %). Take a lighter payload, give the "
+                "robot more room, or correct the effort in the URDF."
+            )
+
     def _check(self, q: Array, clearance: float) -> tuple[Array, Throw | None] | str:
         """The path of the rotation (K, n) and the worst throw, or the reason for the refusal."""
         if clearance < self._cell.limits.clearance_m + ROOM_M:
@@ -133,17 +151,29 @@ class Checks:
         if self._collision.self_room(q) < ROOM_M:
             return _too_close(self._collision, q[None])
         self._with_room += 1
-        pose = self._robot.sensor_pose(q)
-        throw = self._throw.nearest(self._loads, pose.rotation, pose.position)
-        if throw is not None and throw.distance_m < 0.0:
-            self._thrown_into[throw.zone] += 1
-            return f"a released load would fly into zone {throw.zone!r}"
+        throw = self._throw_with_load(q)
+        if isinstance(throw, str):
+            return throw
         path = q[None] if self._rotation is None else self._rotation(q)
         if isinstance(path, Obstruction):
             return str(path)
         if len(path) > 1 and not is_clear(self._margins, path, ROOM_M):
             return f"no room for the rotation: {_too_close(self._collision, path)}"
         return path, throw
+
+    def _throw_with_load(self, q: Array) -> Throw | str | None:
+        """The worst throw from q (n,), or why the load may not be there."""
+        weak = None if self._torques is None else self._torques.too_weak_to_hold(q)
+        if weak is not None:
+            joint, share = weak
+            self._too_weak.append((share, joint))
+            return f"{joint!r} too weak to hold the load"
+        pose = self._robot.sensor_pose(q)
+        throw = self._throw.nearest(self._loads, pose.rotation, pose.position)
+        if throw is not None and throw.distance_m < 0.0:
+            self._thrown_into[throw.zone] += 1
+            return f"a released load would fly into zone {throw.zone!r}"
+        return throw
 
 
 def _too_close(collision: CollisionModel, path: Array) -> str:
@@ -163,6 +193,7 @@ def find_start_configuration(
     near: Array | None = None,
     grid: Grid | None = None,
     weights: Weights | None = None,
+    torques: JointTorques | None = None,
 ) -> StartConfiguration:
     """The best configuration with a sensor axis along ("x+") or against ("x-") gravity from which the whole rotation can be done safely.
 
@@ -170,13 +201,15 @@ def find_start_configuration(
         rotation: about the sensor axis through the sensor origin, positive about the sensor's own axis; None for a pose that is only held.
         seed: the same seed gives the same configuration.
         near: (n,), where the robot comes from: every second of the way there costs `weights.travel_per_s`.
+        torques: with the load; a configuration that the joints cannot hold is none. None where they are not to be judged.
 
     Raises:
         NoStartConfiguration: there is none, with what rejected how many candidates.
+        TooHeavy: there is none because the joints cannot hold the load.
     """
     unit = np.eye(3)["xyz".index(axis[0])]
     attitude = Attitude(axis, unit if axis[1] == "+" else -unit, unit, rotation)
-    return find_attitude(cell, robot, collision, attitude, seed=seed, near=near, grid=grid, weights=weights)
+    return find_attitude(cell, robot, collision, attitude, seed=seed, near=near, grid=grid, weights=weights, torques=torques)
 
 
 @dataclass(frozen=True)
@@ -205,6 +238,7 @@ def find_attitude(
     near: Array | None = None,
     grid: Grid | None = None,
     weights: Weights | None = None,
+    torques: JointTorques | None = None,
 ) -> StartConfiguration:
     """The same for any direction of the sensor along gravity, and a rotation about any other. Arguments and errors as there."""
     grid, weights = grid or Grid(), weights or Weights()
@@ -212,7 +246,7 @@ def find_attitude(
     axis, direction = attitude.name, attitude.down
     down = cell.gravity / np.linalg.norm(cell.gravity)
     limits = (robot.lower + LIMIT_MARGIN_RAD, robot.upper - LIMIT_MARGIN_RAD)
-    checks = Checks(cell, robot, collision, attitude.about, attitude.rotation, limits)
+    checks = Checks(cell, robot, collision, attitude.about, attitude.rotation, limits, torques)
     search = CandidateSearch(cell, robot, collision, limits=limits, near=near, diameter=2.0 * float(collision.reach[0]), weights=weights)
     everything: list[Candidates] = []
     for k in range(grid.rounds):
@@ -228,6 +262,7 @@ def find_attitude(
             better = _first_accepted(second, checks, above=float(first.score[best.row]))
             chosen = (first, best) if better is None else (second, better)
             return _described(axis, *chosen, collision, sum(candidates.tried for candidates in everything))
+    checks.refuse_too_weak(axis)
     raise _refusal(axis, everything, checks, collision)
 
 

@@ -1,4 +1,4 @@
-"""Where a load flies that comes off while it is turned, and whether that is into a protected zone (section 4 of the paper).
+"""Where a load flies that comes off on the way, and whether that is into a protected zone (section 4 of the paper).
 
 The load is the whole payload box. It is released with its rigid-body velocity at some moment of the motion, then falls freely down to the
 floor. Watched are the ball round the box, which flies with the box's centre and contains the tumbling box as long as the centre of mass is
@@ -7,14 +7,15 @@ near it, and every corner as if it came off by itself. What the load does after 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from core.cell import Box, Capsule, Cell, Cylinder, Sphere, Zone
+from core.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
+from core.robot import SensorPose
 from core.trajectory import AngularProfile
 
 Array = NDArray[np.float64]
@@ -22,7 +23,6 @@ Array = NDArray[np.float64]
 PAD_M = 0.005
 """Added to everything that flies, for the moments between those that are looked at."""
 
-_KIND = {"box": 0, "sphere": 1, "capsule": 1, "cylinder": 2}
 _MOMENTS = 24
 _LONGEST_FALL_S = 3.0
 _SHORTEST_STEP_S = 0.001
@@ -35,7 +35,7 @@ class Throw:
     Args:
         zone: name of that zone.
         distance_m: smallest distance between them, at most a tenth too large; negative where the load would enter the zone.
-        time_s: moment of release, from the start of the rotation.
+        time_s: moment of release, from the start of the motion.
         speed_m_s: of the fastest point at release.
     """
 
@@ -166,8 +166,9 @@ class ThrowCheck:
         self._zones = cell.zones
         self._gravity = cell.gravity
         self._floor_z = cell.floor_z_m
-        self._kind = np.array([_KIND[zone.shape.kind] for zone in cell.zones], dtype=np.int64)
-        self._size = np.array([_half_size(zone) for zone in cell.zones]).reshape(-1, 3)
+        solids = [_solid(zone.shape) for zone in cell.zones]
+        self._kind = np.array([kind for kind, _ in solids], dtype=np.int64)
+        self._size = np.array([size for _, size in solids]).reshape(-1, 3)
         self._R = np.array([zone.shape.pose.rotation for zone in cell.zones]).reshape(-1, 3, 3)
         self._p = np.array([zone.shape.pose.translation for zone in cell.zones]).reshape(-1, 3)
 
@@ -179,22 +180,64 @@ class ThrowCheck:
         """
         if not self._zones:
             return None
-        x = position + loads.position @ rotation.T
-        v = loads.velocity @ rotation.T
+        return self._nearest(replace(loads, position=position + loads.position @ rotation.T, velocity=loads.velocity @ rotation.T))
+
+    def into_zone(self, box: Box, sensor: SensorPose, period: float) -> Throw | None:
+        """The first flight into a zone of a load that comes off at any sample of a motion; None where none gets there.
+
+        From one sample to another no flight changes by more than the load has moved, and its velocity changed times the longest fall. Those
+        samples are passed over at which it can therefore not have come into a zone.
+
+        Args:
+            box: the load, sensor frame.
+            sensor: (N, 3, 3) and (N, 3), in the world.
+            period: between samples, s.
+        """
+        if not self._zones:
+            return None
+        loads = loads_along(box, sensor.rotation, sensor.position, period)
+        moved, changed = (np.linalg.norm(np.diff(each, axis=0), axis=2).max(axis=1) for each in (loads.position, loads.velocity))
+        way = np.concatenate(([0.0], np.cumsum(moved + self._longest_fall_s(loads) * changed)))
+        m = 0
+        while m < len(way):
+            one = slice(m, m + 1)
+            throw = self._nearest(Loads(loads.time[one], loads.position[one], loads.velocity[one], loads.radius))
+            if throw.distance_m < 0.0:
+                return throw
+            m = max(m + 1, int(np.searchsorted(way, way[m] + throw.distance_m / 1.1)))
+        return None
+
+    def drop(self, box: Box, sensor: SensorPose) -> Throw | None:
+        """The nearest flight of a load that comes off at rest, at any of some poses; None when the cell has no zones."""
+        if not self._zones:
+            return None
+        points, radius = _flying(box)
+        centres = sensor.position + sensor.rotation @ points[0]
+        return self._nearest(Loads(np.zeros(len(centres)), centres[:, None], np.zeros((len(centres), 1, 3)), radius[:1]))
+
+    def _nearest(self, loads: Loads) -> Throw:
+        """The flight nearest to a zone of loads given in the world."""
+        x, v = np.ascontiguousarray(loads.position), np.ascontiguousarray(loads.velocity)
         distance, m, k = _nearest_flight(x, v, loads.radius, self._gravity, self._floor_z, self._kind, self._size, self._R, self._p)
-        speed = float(np.linalg.norm(loads.velocity[m], axis=1).max())
+        speed = float(np.linalg.norm(v[m], axis=1).max())
         return Throw(self._zones[k].name, float(distance), float(loads.time[m]), speed)
 
+    def _longest_fall_s(self, loads: Loads) -> float:
+        """No point of the loads falls longer than this."""
+        g, up = -float(self._gravity[2]), float(loads.velocity[..., 2].max())
+        height = max(float(loads.position[..., 2].max()) - self._floor_z, 0.0)
+        return min((max(up, 0.0) + float(np.sqrt(max(up, 0.0) ** 2 + 2.0 * g * height))) / g, _LONGEST_FALL_S)
 
-def _half_size(zone: Zone) -> tuple[float, float, float]:
-    shape = zone.shape
+
+def _solid(shape: Shape) -> tuple[int, tuple[float, float, float]]:
+    """Kind and size of a zone's shape, as `_distance` takes them."""
     match shape:
         case Box():
             x, y, z = shape.size_m
-            return 0.5 * x, 0.5 * y, 0.5 * z
-        case Sphere():
-            return shape.radius_m, 0.0, 0.0
+            return 0, (0.5 * x, 0.5 * y, 0.5 * z)
         case Capsule():
-            return shape.radius_m, 0.0, 0.5 * shape.length_m
+            return 1, (shape.radius_m, 0.0, 0.5 * shape.length_m)
+        case Sphere():
+            return 1, (shape.radius_m, 0.0, 0.0)
         case Cylinder():
-            return shape.radius_m, np.inf, 0.5 * shape.length_m
+            return 2, (shape.radius_m, np.inf, 0.5 * shape.length_m)

@@ -1,4 +1,7 @@
-"""A transfer: from one configuration to another, planned, rounded, timed, and checked once more as it will be commanded."""
+"""A transfer: from one configuration to another, planned, rounded, timed, and checked once more as it will be commanded.
+
+Where a load that comes off would fly into a protected zone the transfer is made slower, and where that does not help, another way.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import PPoly
 
 from core.cell import Cell
 from core.collision import CollisionModel
@@ -13,8 +17,9 @@ from core.errors import NoPath
 from core.plan_settings import Planner
 from core.planning.blending import rounded
 from core.planning.certificate import least_margin
-from core.planning.path import SPARE_M, nearest_names, plan_path
+from core.planning.path import SPARE_M, check_drop, nearest_names, plan_path
 from core.planning.room import Room
+from core.planning.throw import ThrowCheck
 from core.planning.timing import MotionLimits, time_curve
 from core.robot import RobotModel
 from core.trajectory import JointTrajectory
@@ -26,6 +31,9 @@ SPEED_FRACTION = 0.96
 
 ROUNDING_SPARE_M = 0.6 * SPARE_M
 """Margin that rounding a corner may not use up: what is left for the controller's tracking error."""
+
+SLOWER = (1.0, 0.5, 0.25, 0.12)
+"""Parts of the speed, one after the other, at which a load is not thrown into a zone."""
 
 _TRIES = 4
 
@@ -76,15 +84,17 @@ def plan_transfer(
     Raises:
         NoPath: with the reason of the last try.
     """
+    throws = ThrowCheck(cell)
     if any(np.array_equal(start, q) for q in np.atleast_2d(goal)):
+        check_drop("start", np.array(start, dtype=float), robot, collision, throws)
         return _resting(collision, start, period)
     limits = MotionLimits.of_cell(cell, robot, collision)
     limits = replace(limits, cartesian_speed_m_s=SPEED_FRACTION * limits.cartesian_speed_m_s)
     for attempt in range(_TRIES):
         path = plan_path(cell, robot, collision, start, goal, planner=planner, seed=seed + 1000 * attempt, seconds=seconds)
-        room = Room(robot, collision, path.q[[0, -1]], ROUNDING_SPARE_M)
+        room = Room(robot, collision, throws, path.q[[0, -1]], ROUNDING_SPARE_M)
         try:
-            trajectory = _between(path.q, time_curve(rounded(path.q, room.has_all), robot, limits, period=period))
+            trajectory = _timed(path.q, rounded(path.q, room.has_all), robot, collision, throws, limits, period)
         except NoPath as error:
             failure = error
             continue
@@ -96,6 +106,28 @@ def plan_transfer(
             f"the timed path comes {-least.margin_m:.4f} m too close ({nearest_names(collision, least)}) where its corners are rounded. "
             "Plan again with another seed, or give the path more room.",
             collision.nearest(least.q).second,
+        )
+    raise failure
+
+
+def _timed(
+    path_q: Array, curve: PPoly, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck, limits: MotionLimits, period: float
+) -> JointTrajectory:
+    """The trajectory along a curve, as fast as a load that comes off anywhere stays out of the zones.
+
+    Raises:
+        NoPath: it cannot be timed, or a load flies into a zone even from the slowest.
+    """
+    for share in SLOWER:
+        slower = replace(limits, cartesian_speed_m_s=share * limits.cartesian_speed_m_s)
+        trajectory = _between(path_q, time_curve(curve, robot, slower, period=period))
+        throw = throws.into_zone(collision.payload_box, robot.sensor_poses(trajectory.q), period)
+        if throw is None:
+            return trajectory
+        failure = NoPath(
+            f"a load that comes off {throw.time_s:.3f} s after the beginning of the path, at {throw.speed_m_s:.3f} m/s, would fly "
+            f"{-throw.distance_m:.4f} m into zone {throw.zone!r}. Plan again with another seed, reduce the payload box, or move the zone.",
+            throw.zone,
         )
     raise failure
 

@@ -14,7 +14,7 @@ from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
 from core.planning.rotation_room import SHARE
 from core.planning.start_configuration import LIMIT_MARGIN_RAD
-from core.planning.throw import ThrowCheck, loads_along
+from core.planning.throw import ThrowCheck
 from core.planning.timing import MotionLimits, limit_usage
 from core.robot import RobotModel
 from core.trajectory import JointTrajectory
@@ -26,7 +26,6 @@ ACCELERATION_SHARE = 0.6
 """Of the joints' acceleration limits: such a motion shakes the arm for many seconds."""
 SHRINK = 0.8
 _TRIES = 12
-_MOMENTS = 200
 
 
 def fit_wave(cell: Cell, robot: RobotModel, collision: CollisionModel, q: Array, shape: Array, period: float) -> JointTrajectory:
@@ -74,9 +73,4 @@ def _is_allowed(
 
 def _throws_nothing(trajectory: JointTrajectory, robot: RobotModel, collision: CollisionModel, throw: ThrowCheck) -> bool:
     """Whether a load that comes off, at whatever moment, stays out of the zones."""
-    poses = robot.sensor_poses(trajectory.q)
-    loads = loads_along(collision.payload_box, poses.rotation, poses.position, trajectory.period)
-    every = max(1, len(trajectory) // _MOMENTS)
-    some = replace(loads, time=loads.time[::every], position=loads.position[::every], velocity=loads.velocity[::every])
-    nearest = throw.nearest(some, np.eye(3), np.zeros(3))
-    return nearest is None or nearest.distance_m >= 0.0
+    return throw.into_zone(collision.payload_box, robot.sensor_poses(trajectory.q), trajectory.period) is None

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from core.cell import Box, Cell
 from core.second_opinion.arm import Frames, arm_of_cell
 from core.second_opinion.least import least_margin
+from core.second_opinion.lost_load import nearest_flight
 from core.second_opinion.pairs import AccountedPair, Kind, Placed, accounted_pairs, placed, standing
 from core.second_opinion.solids import PlacedSolid, distance
 
@@ -67,26 +68,46 @@ class FastestPoint:
 
 
 @dataclass(frozen=True)
+class LostLoad:
+    """The flight of a load that comes off on the way which comes nearest to a protected zone.
+
+    Args:
+        distance_m: signed, negative where it gets into the zone.
+        speed_m_s: of the fastest point as it comes off.
+        time_s: when it comes off, since the beginning of the part.
+    """
+
+    zone: str
+    distance_m: float
+    speed_m_s: float
+    part: str
+    time_s: float
+
+
+@dataclass(frozen=True)
 class Opinion:
     """What the second opinion found.
 
     Args:
         approaches: one for each kind of which there are pairs.
         pairs: all pairs, with what is asked of each and why.
+        lost_load: None where there is no protected zone.
     """
 
     approaches: tuple[Approach, ...]
     fastest: FastestPoint
     pairs: tuple[AccountedPair, ...]
     samples: int
+    lost_load: LostLoad | None = None
 
     @property
-    def violations(self) -> tuple[Approach | FastestPoint, ...]:
-        """What does not keep the cell's limits, distances first."""
+    def violations(self) -> tuple[Approach | FastestPoint | LostLoad, ...]:
+        """What does not keep the cell's limits, distances first, then where a lost load flies."""
         judged = [each for each in self.approaches if each.kind.is_judged]
         close = [each for each in judged if each.distance_m < each.required_m - NUMERICAL_M]
         fast = [self.fastest] if self.fastest.speed_m_s > self.fastest.limit_m_s * (1.0 + NUMERICAL) else []
-        return (*close, *fast)
+        lost = [self.lost_load] if self.lost_load is not None and self.lost_load.distance_m < 0.0 else []
+        return (*close, *lost, *fast)
 
     @property
     def passes(self) -> bool:
@@ -135,7 +156,9 @@ def second_opinion(cell: Cell, payload_box: Box, paths: Sequence[JointPath], per
         ways = [_way_between(bodies, pair) if kind.is_close else alone[pair.bodies[0]] + alone[pair.bodies[1]] for pair in these]
         approaches.append(_approach(kind, these, at, ways, times))
     fastest = _fastest(bodies, steps, times, cell.limits.cartesian_speed_m_s)
-    return Opinion(tuple(approaches), fastest, tuple(pairs), len(q))
+    flight = nearest_flight(cell, payload_box, arm.sensor_frames(q), period)
+    lost = None if flight is None else LostLoad(flight.zone, flight.distance_m, flight.speed_m_s, *times.of(flight.sample))
+    return Opinion(tuple(approaches), fastest, tuple(pairs), len(q), lost)
 
 
 def _steps(frames: Frames, corners: Array) -> Array:

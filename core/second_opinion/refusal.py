@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from core.errors import PlanDisputed
-from core.second_opinion.opinion import Approach, Opinion
+from core.second_opinion.opinion import Approach, LostLoad, Opinion
 
 
 def refuse_disputed(opinion: Opinion) -> None:
@@ -19,6 +19,13 @@ def refuse_disputed(opinion: Opinion) -> None:
                 f"(limit {found.required_m:.3f} m), {found.time_s:.3f} s after the beginning of {found.part}. "
                 "Plan again with another seed, or give the robot more room.",
                 found.second,
+            )
+        if isinstance(found, LostLoad):
+            raise PlanDisputed(
+                f"a second look at the finished plan finds that a load that comes off at {found.speed_m_s:.3f} m/s, {found.time_s:.3f} s "
+                f"after the beginning of {found.part}, would fly {-found.distance_m:.4f} m into zone {found.zone!r}. "
+                "Plan again with another seed, or give the robot more room.",
+                found.zone,
             )
         raise PlanDisputed(
             f"a second look at the finished plan finds a corner of {found.body!r} at {found.speed_m_s:.4f} m/s "

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from core.errors import Commanded, HeftError, Stopped
 from core.events import Event, Finished, RecordingWritten, RobotStopped
 from core.experiment.stops import Stops
+from core.joint_torques import known_load
 from core.motion_sequence import MotionSequence, Procedure
 from core.outcome import Outcome
 from core.plan import Plan
@@ -78,7 +79,7 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     start = _start(order, before)
     robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin, start=start)
     run = ServedRun(order, LeasedSession(robot, lease), planning, listener, speaker)
-    run.twin = twin
+    run.twin, run.load = twin, known_load(order.cell, order.payload)
     if order.continues is not None and before is not None:
         check_same_robot(before, run.robot.description, order.cell.gravity_in_base)
         run.before, run.done = before, order.continues.done or 0

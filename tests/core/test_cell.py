@@ -83,6 +83,35 @@ BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
     "angle in degrees": (swap("base_frame", "base.rpy_rad = [0, 0, 90]\nbase_frame"), "robot.base.rpy_rad.2: found 90"),
     "name twice": (swap('name = "wall_left"', 'name = "wall_back"'), "the name 'wall_back' 2 times"),
     "zone named like an obstacle": (swap('name = "operator"', 'name = "bench"'), "the name 'bench' 2 times"),
+    "speed 250 for 250 mm/s": (
+        swap("cartesian_speed_m_s = 0.25", "cartesian_speed_m_s = 250"),
+        "limits.cartesian_speed_m_s: found 250, expected less than or equal to 1",
+    ),
+    "speed that never arrives": (swap("cartesian_speed_m_s = 0.25", "cartesian_speed_m_s = 1e-6"), "found 1e-06, expected greater than or"),
+    "clearance larger than the cell": (swap("clearance_m = 0.03", "clearance_m = 30"), "limits.clearance_m: found 30, expected less than"),
+    "self-clearance larger than the arm": (
+        swap("clearance_m = 0.03", "clearance_m = 0.03\nself_clearance_m = 2"),
+        "limits.self_clearance_m: found 2, expected less than or equal to 0.2",
+    ),
+    "acceleration of a bullet": (
+        swap("acceleration_rad_s2 = [15.0", "acceleration_rad_s2 = [900.0"),
+        "rad_s2.0: found 900.0, expected less",
+    ),
+    "velocity of a turbine": (swap("base_frame", "velocity_rad_s = [900,1,1,1,1,1,1]\nbase_frame"), "velocity_rad_s.0: found 900"),
+    "gravity that points up": (
+        swap("floor_z_m", "gravity_m_s2 = [0, 0, 9.81]\nfloor_z_m"),
+        "gravity_m_s2: found .*180 degrees from straight down, expected at most 30 degrees.*robot.base",
+    ),
+    "gravity of a robot on a wall": (
+        swap("floor_z_m", "gravity_m_s2 = [9.81, 0, 0]\nfloor_z_m"),
+        "gravity_m_s2: found .*, 90 degrees from",
+    ),
+    "floor at the centre of the earth": (swap("floor_z_m = -0.75", "floor_z_m = -900"), "floor_z_m: found -900.0, 900.0 m below .*20 m"),
+    "payload of a ship": (swap("[payload_box]\nsize_m = [0.16", "[payload_box]\nsize_m = [16"), "payload_box: found a corner 8.00 m from"),
+    "payload heavier than the arm may carry": (
+        swap("base_frame", "payload_limit_kg = 2.5\nbase_frame"),
+        "payloads.steel_block.mass_kg: found 2.783, expected at most the robot's payload_limit_kg, 2.5",
+    ),
     "gravity of the moon": (swap("floor_z_m", "gravity_m_s2 = [0, 0, -1.62]\nfloor_z_m"), "gravity_m_s2: .*1.62"),
     "floor above the base": (swap("floor_z_m = -0.75", "floor_z_m = 0.4"), "floor_z_m: found 0.4 above"),
     "zone swallows the base": (
@@ -290,3 +319,15 @@ def test_corners_of_a_box_are_on_its_surface_and_as_far_apart_as_its_diagonals(s
     assert [shape.depth(corner) for corner in shape.corners] == pytest.approx([0.0] * 8, abs=1e-12)
     apart = np.linalg.norm(shape.corners[:, None] - shape.corners[None], axis=2)
     assert apart.max(axis=1) == pytest.approx(np.full(8, np.linalg.norm(shape.size_m)))
+
+
+@pytest.mark.parametrize(("degrees", "right"), [(0.0, True), (29.0, True), (31.0, False), (180.0, False)])
+def test_gravity_may_be_tilted_as_a_floor_is_and_no_more(degrees: float, right: bool, folder: Path) -> None:
+    angle = np.radians(degrees)
+    swap("floor_z_m", f"gravity_m_s2 = [{9.81 * np.sin(angle)}, 0.0, {-9.81 * np.cos(angle)}]\nfloor_z_m")(folder)
+    assert [flaw.where.rpartition(": ")[2] for flaw in read_cell(folder).flaws] == ([] if right else ["gravity_m_s2"])
+
+
+def test_a_robot_that_hangs_from_the_ceiling_is_no_flaw(folder: Path) -> None:
+    swap("base_frame", "base = { xyz_m = [0.0, 0.0, 2.5], rpy_rad = [3.14159, 0.0, 0.0] }\nbase_frame")(folder)
+    assert read_cell(folder).flaws == ()

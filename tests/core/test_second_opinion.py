@@ -19,6 +19,7 @@ from core.cell import Box, Cell, Pose, load_cell
 from core.collision import CollisionModel
 from core.commanded_path import Motion, commanded_paths
 from core.errors import BadRobot, PlanDisputed
+from core.joint_torques import JointTorques, guessed_load
 from core.plan import Plan, confirmed, plan_procedure, plan_summary
 from core.planning.point_speed import point_speeds
 from core.robot import RobotModel
@@ -341,11 +342,23 @@ def test_what_it_says_stands_in_the_plans_summary_beside_the_planners_own_figure
     assert [(each.first, each.second) for each in told.closest] == [(each.first, each.second) for each in plan.opinion.approaches]
     assert [each.required_m for each in told.closest] == [each.required_m for each in plan.opinion.approaches]
     assert told.fastest.speed_m_s == plan.opinion.fastest.speed_m_s
+    assert told.lost_load is not None and plan.opinion.lost_load is not None
+    assert (told.lost_load.zone, told.lost_load.distance_m) == (plan.opinion.lost_load.zone, plan.opinion.lost_load.distance_m)
+
+
+def test_the_largest_share_of_a_torque_stands_in_the_plans_summary() -> None:
+    plan = planned("lwr4_bench")
+    told = plan_summary(bench("lwr4_bench").cell, plan).torques
+    assert told == plan.torques
+    assert told is not None and told.largest is not None and not told.not_judged
+    assert told.mass_kg == 1.0
+    assert 0.0 < told.largest.ratio < 1.0
 
 
 def test_a_plan_that_is_not_confirmed_is_not_offered() -> None:
     at = bench("ur5e_line")
     slower = at.cell.model_copy(update={"limits": at.cell.limits.model_copy(update={"cartesian_speed_m_s": 0.2})})
     plan = planned("ur5e_line")
+    torques = JointTorques(at.cell, at.robot, guessed_load(at.cell, at.cell.payload_box, 1.0))
     with pytest.raises(PlanDisputed, match=r"limit 0\.200 m/s"):
-        confirmed(slower, at.robot, at.collision, at.cell.payload_box, plan.legs, plan.home)
+        confirmed(slower, at.robot, at.collision, at.cell.payload_box, plan.legs, plan.home, torques)

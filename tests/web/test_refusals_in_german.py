@@ -35,7 +35,8 @@ from tests.web.screens import show, signed_in
 IN_HOLES = {
     "joint {}", "payload", "start", "goal", "transfer {}", "rotation {}", "wave {}", "home",
     "unreachable {}", "too close to {}", "{} too close to {}",
-    "a released load would fly into zone {}", "no room for the rotation: {}", *(f"{each} {HOLE}" for each in Obstruction),
+    "a released load would fly into zone {}", "{} too weak to hold the load",
+    "no room for the rotation: {}", *(f"{each} {HOLE}" for each in Obstruction),
     "{} ms (limit {} ms)", *_LATE.values(), *State, ADDITION, DIAGNOSIS, TRIALS, *(f"{HOLE}: {step}" for _, step in NEXT_STEPS.values()),
 }  # fmt: skip
 """What sentences name in words, made elsewhere than the sentence."""

@@ -1965,6 +1965,32 @@ export interface components {
             expires_at: string | null;
         };
         /**
+         * LargestTorque
+         * @description Where a joint has to give the largest share of its torque, for JSON.
+         *
+         *     Args:
+         *         torque_n_m: dynamic, friction as far as the cell states it; `holding_n_m` of it hold arm and load still there.
+         *         limit_n_m: `effort` of the URDF.
+         *         ratio: torque over limit.
+         *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
+         */
+        LargestTorque: {
+            /** Joint */
+            joint: string;
+            /** Torque N M */
+            torque_n_m: number;
+            /** Holding N M */
+            holding_n_m: number;
+            /** Limit N M */
+            limit_n_m: number;
+            /** Ratio */
+            ratio: number;
+            /** Part */
+            part: string;
+            /** Time S */
+            time_s: number;
+        };
+        /**
          * Lateness
          * @description How late it was, and what was allowed.
          */
@@ -1980,9 +2006,11 @@ export interface components {
          * @description What no point of the robot may exceed.
          *
          *     Args:
-         *         cartesian_speed_m_s: of every point of every link and every corner of the payload box.
-         *         clearance_m: smallest distance to obstacles and protected zones.
-         *         self_clearance_m: smallest distance between links.
+         *         cartesian_speed_m_s: of every point of every link and every corner of the payload box. At most four times what ISO 10218-1 calls
+         *             reduced speed, 0.25 m/s: room for cells whose own safety functions allow more, and none for 25 or 250 by a slip of the unit.
+         *             Below 5 mm/s a plan takes hours.
+         *         clearance_m: smallest distance to obstacles and protected zones. At most 0.5 m, all round: no arm has room for more.
+         *         self_clearance_m: smallest distance between links. At most 0.2 m: links of one arm are no farther apart.
          */
         Limits: {
             /**
@@ -2079,6 +2107,26 @@ export interface components {
             unit: string;
             /** Times Std */
             times_std: number;
+        };
+        /**
+         * LostLoad
+         * @description The flight of a load that comes off on the way which comes nearest to a protected zone, for JSON.
+         *
+         *     Args:
+         *         speed_m_s: of the fastest point as it comes off.
+         *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
+         */
+        LostLoad: {
+            /** Zone */
+            zone: string;
+            /** Distance M */
+            distance_m: number;
+            /** Speed M S */
+            speed_m_s: number;
+            /** Part */
+            part: string;
+            /** Time S */
+            time_s: number;
         };
         /**
          * Minor
@@ -2451,6 +2499,25 @@ export interface components {
             /** Least Margin M */
             least_margin_m: number;
             second_opinion?: components["schemas"]["SecondOpinion"] | null;
+            torques?: components["schemas"]["PlanTorques"] | null;
+        };
+        /**
+         * PlanTorques
+         * @description What a plan asks of the joints with the load that is stated, for JSON.
+         *
+         *     Args:
+         *         load: where mass and inertia of the load are from, in words.
+         *         largest: None where no joint can be judged.
+         *         not_judged: joints with the reason, in words.
+         */
+        PlanTorques: {
+            /** Load */
+            load: string;
+            /** Mass Kg */
+            mass_kg: number;
+            largest: components["schemas"]["LargestTorque"] | null;
+            /** Not Judged */
+            not_judged: string[];
         };
         /**
          * Planned
@@ -2652,6 +2719,8 @@ export interface components {
             /** Velocity Rad S */
             velocity_rad_s?: number[] | null;
             friction?: components["schemas"]["Friction"] | null;
+            /** Payload Limit Kg */
+            payload_limit_kg?: number | null;
             /**
              * @default {
              *       "xyz_m": [
@@ -2918,6 +2987,7 @@ export interface components {
             fastest: components["schemas"]["FastestCorner"];
             /** Samples */
             samples: number;
+            lost_load?: components["schemas"]["LostLoad"] | null;
         };
         /**
          * SecondsPart
@@ -3888,11 +3958,13 @@ export type JobState = components['schemas']['JobState'];
 export type JointGap = components['schemas']['JointGap'];
 export type KeyMade = components['schemas']['KeyMade'];
 export type KeyShown = components['schemas']['KeyShown'];
+export type LargestTorque = components['schemas']['LargestTorque'];
 export type Lateness = components['schemas']['Lateness'];
 export type Limits = components['schemas']['Limits'];
 export type LinkAnswer = components['schemas']['LinkAnswer'];
 export type LiveBatch = components['schemas']['LiveBatch'];
 export type Lost = components['schemas']['Lost'];
+export type LostLoad = components['schemas']['LostLoad'];
 export type Minor = components['schemas']['Minor'];
 export type MotionBody = components['schemas']['MotionBody'];
 export type NamedEffect = components['schemas']['NamedEffect'];
@@ -3912,6 +3984,7 @@ export type PhaseStarted = components['schemas']['PhaseStarted'];
 export type PlanAnswer = components['schemas']['PlanAnswer'];
 export type PlanShown = components['schemas']['PlanShown'];
 export type PlanSummary = components['schemas']['PlanSummary'];
+export type PlanTorques = components['schemas']['PlanTorques'];
 export type Planned = components['schemas']['Planned'];
 export type PlannedPose = components['schemas']['PlannedPose'];
 export type Pose = components['schemas']['Pose'];

@@ -7,7 +7,7 @@ import pytest
 
 from bench.brute_force import BruteForce
 from bench.random_cells import judge, judge_refusal, summary
-from core.cell import Obstacle, Zone
+from core.cell import Obstacle
 from core.collision import CollisionModel
 from core.robot import RobotModel
 from core.shapes import Box, Pose
@@ -81,13 +81,13 @@ def test_skipping_samples_gives_the_verdict_of_looking_at_all() -> None:
 
 
 def low_cell() -> RandomCell:
-    """A tool 0.8 m long under a zone 1.05 m above the floor: it can lie, but neither stand nor hang."""
+    """A tool 0.8 m long under a ceiling 1.05 m above the floor: it can lie, but neither stand nor hang."""
     drawn = random_cell(0)
     floor = Obstacle(name="floor", shape=Box(size_m=(4.0, 4.0, 0.1), pose=Pose(xyz_m=(0.0, 0.0, -0.05))))
-    ceiling = Zone(name="ceiling", shape=Box(size_m=(4.0, 4.0, 0.5), pose=Pose(xyz_m=(0.0, 0.0, 1.3))))
+    ceiling = Obstacle(name="ceiling", shape=Box(size_m=(4.0, 4.0, 0.5), pose=Pose(xyz_m=(0.0, 0.0, 1.3))))
     tool = Box(size_m=(0.1, 0.1, 0.8), pose=Pose(xyz_m=(0.0, 0.0, 0.4)))
     robot = drawn.cell.robot.model_copy(update={"home_rad": (0.0, -0.7, 0.0, -1.4, 0.0, 1.2, 0.0)})
-    return RandomCell(0, drawn.cell.model_copy(update={"zones": (ceiling,), "obstacles": (floor,), "robot": robot}), tool)
+    return RandomCell(0, drawn.cell.model_copy(update={"zones": (), "obstacles": (floor, ceiling), "robot": robot}), tool)
 
 
 def test_brute_force_tells_what_can_be_solved_from_what_cannot() -> None:

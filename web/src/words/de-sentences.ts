@@ -88,6 +88,7 @@ export const sentences: Record<string, string> = {
   'too close to {}': 'zu nah an {}',
   '{} too close to {}': '{} zu nah an {}',
   'a released load would fly into zone {}': 'eine Last, die sich löst, flöge in die Zone {}',
+  '{} too weak to hold the load': '{} zu schwach, um die Last zu halten',
   'no room for the rotation: {}': 'kein Platz für die Drehung: {}',
   'joint limits during the rotation {}': 'Gelenkgrenzen während der Drehung {}',
   'joint velocity during the rotation {}': 'Gelenkgeschwindigkeit während der Drehung {}',
@@ -115,6 +116,16 @@ export const sentences: Record<string, string> = {
     'der Weg kommt {} m zu nahe ({}), wo seine Ecken gerundet sind. Planen Sie neu mit einem anderen Startwert, oder geben Sie ihm mehr Platz.',
   'a second look at the finished plan finds {} {} m from {} (limit {} m), {} s after the beginning of {}. Plan again with another seed, or give the robot more room.':
     'ein zweiter Blick auf den fertigen Plan findet {} {} m von {} (Grenze {} m), {} s nach dem Beginn von {}. Planen Sie neu mit einem anderen Startwert, oder geben Sie dem Roboter mehr Platz.',
+  'at the {} of the path a load that comes off would fall {} m into zone {}. Choose another {} configuration, reduce the payload box, or move the zone.':
+    '{} des Weges: eine Last, die sich löst, fiele {} m in die Zone {}. Wählen Sie eine andere Stellung, verkleinern Sie den Hüllquader, oder verschieben Sie die Zone.',
+  'a load that comes off {} s after the beginning of the path, at {} m/s, would fly {} m into zone {}. Plan again with another seed, reduce the payload box, or move the zone.':
+    'eine Last, die sich {} s nach dem Beginn des Weges bei {} m/s löst, flöge {} m in die Zone {}. Planen Sie neu mit einem anderen Startwert, verkleinern Sie den Hüllquader, oder verschieben Sie die Zone.',
+  'the load of {} kg is too heavy for {}: it would need {} N m (limit {} N m), {} N m of them to hold still, {} s after the beginning of {}. Take a lighter payload or another home, or correct the effort in the URDF.':
+    'die Last von {} kg ist zu schwer für {}: gebraucht würden {} N m (Grenze {} N m), davon {} N m, um stillzuhalten, {} s nach dem Beginn von {}. Nehmen Sie eine leichtere Last oder eine andere Heimstellung, oder berichtigen Sie effort in der URDF.',
+  'no start configuration with sensor axis {} along gravity: the load is too heavy, to hold it still {} would need {} % of its torque at least (limit {} %). Take a lighter payload, give the robot more room, or correct the effort in the URDF.':
+    'keine Startstellung mit der Sensorachse {} längs der Schwerkraft: die Last ist zu schwer, um sie stillzuhalten, bräuchte {} mindestens {} % seines Drehmoments (Grenze {} %). Nehmen Sie eine leichtere Last, geben Sie dem Roboter mehr Platz, oder berichtigen Sie effort in der URDF.',
+  'a second look at the finished plan finds that a load that comes off at {} m/s, {} s after the beginning of {}, would fly {} m into zone {}. Plan again with another seed, or give the robot more room.':
+    'ein zweiter Blick auf den fertigen Plan findet, dass eine Last, die sich bei {} m/s löst, {} s nach dem Beginn von {}, {} m in die Zone {} flöge. Planen Sie neu mit einem anderen Startwert, oder geben Sie dem Roboter mehr Platz.',
   'a second look at the finished plan finds a corner of {} at {} m/s (limit {} m/s), {} s after the beginning of {}. Plan again with another seed.':
     'ein zweiter Blick auf den fertigen Plan findet eine Ecke von {} bei {} m/s (Grenze {} m/s), {} s nach dem Beginn von {}. Planen Sie neu mit einem anderen Startwert.',
   'the finished plan cannot be carried out in {}. Plan again with another seed.':
