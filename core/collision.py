@@ -17,7 +17,17 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from core.bodies import (
-    FLOOR, PAYLOAD, Body, SpeedPoints, corners_of, fixed_body, floor_body, link_bodies, payload_body, reach_of, tool_bodies,
+    FLOOR,
+    PAYLOAD,
+    Body,
+    SpeedPoints,
+    corners_of,
+    fixed_body,
+    floor_body,
+    link_bodies,
+    payload_body,
+    reach_of,
+    tool_bodies,
 )  # fmt: skip
 from core.cell import Box, Cell, Obstacle, Pose, Zone
 from core.cell_contradictions import BASE_IN_OBSTACLE

@@ -13,9 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Box, Cell
+from core.cell_tools import known_tools
 from core.dynamics import LinkDynamics
 from core.errors import TooHeavy
 from core.inertia import InertialParameters
+from core.known_tool import carried
 from core.plan_summary import LargestTorque, PlanTorques
 from core.robot import RobotModel
 from core.second_opinion.opinion import JointPath
@@ -63,14 +65,15 @@ def guessed_load(cell: Cell, box: Box, mass_guess_kg: float) -> Load:
 
 
 class JointTorques:
-    """The torques of one cell's robot with one load, and its joints' limits.
+    """The torques of one cell's robot with one load and the cell's tools, and its joints' limits.
 
     A joint is not judged where the URDF states no torque for it (`effort` 0), or no mass for something that it carries.
     """
 
     def __init__(self, cell: Cell, robot: RobotModel, load: Load) -> None:
         self.load = load
-        self._dynamics = LinkDynamics(robot, cell.gravity, load.parameters)
+        stated = [tool for tool in known_tools(cell) if cell.tools[tool.name].links is None]  # links are in the robot's model already
+        self._dynamics = LinkDynamics(robot, cell.gravity, carried(stated, load.parameters))
         self._joints = robot.description.joints
         effort = {joint.name: joint.effort or 0.0 for joint in check_urdf(cell.urdf, str(cell.folder / cell.robot.urdf)).joints}
         self._limits = np.array([effort[joint] for joint in self._joints])

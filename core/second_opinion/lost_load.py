@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Capsule, Cell, Shape, Sphere
+from core.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
 from core.second_opinion.arm import Frames, frame_of_pose
 from core.second_opinion.least import least_margin
 
@@ -99,10 +99,18 @@ def distance_to(shape: Shape) -> Distance:
         case Capsule():
             radius, end = shape.radius_m, np.array([0.0, 0.0, 0.5 * shape.length_m])
             return lambda points: np.linalg.norm(local(points) - np.clip(local(points), -end, end), axis=-1) - radius
+        case Cylinder():
+            reach = np.array([shape.radius_m, 0.5 * shape.length_m])
+            return lambda points: _outside(_in_half_plane(local(points)) - reach)
+
+
+def _in_half_plane(points: Array) -> Array:
+    """(..., 2), distance from the z axis and along it."""
+    return np.stack([np.hypot(points[..., 0], points[..., 1]), np.abs(points[..., 2])], axis=-1)
 
 
 def _outside(beyond: Array) -> Array:
-    """Signed distance of points that are `beyond` (..., 3) the faces of a box, negative inside each."""
+    """Signed distance of points that are `beyond` (..., k) the faces of a box (or of a cylinder, in a half plane), negative inside each."""
     return np.asarray(np.linalg.norm(np.maximum(beyond, 0.0), axis=-1) + np.minimum(beyond.max(axis=-1), 0.0))
 
 
