@@ -113,9 +113,22 @@ class BadRecording(BadInput):
 
 
 class Refused(HeftError):
-    """The cell leaves no safe way to do what was asked. The robot has not moved."""
+    """The cell leaves no safe way to do what was asked. The robot has not moved.
+
+    Attributes:
+        axis: sensor axis, with its sign, that has no room or cannot be reached; None where it is about something else.
+        axes_with_room: sensor axes for which there is a plan without it; empty where none is known.
+    """
 
     exit_code = 3
+    axis: str | None = None
+    axes_with_room: str = ""
+
+    def __str__(self) -> str:
+        """The sentence, and what can be done instead."""
+        said = super().__str__()
+        axes = ",".join(self.axes_with_room)
+        return f"{said} There is a plan for the other sensor axes: --axes {axes}." if axes else said
 
 
 class NoStartConfiguration(Refused):
@@ -142,7 +155,7 @@ class NoStartConfiguration(Refused):
         super().__init__(
             f"no start configuration with sensor axis {axis} along gravity: rejected {counts or 'nothing, no candidate'}"
             + met
-            + ". Move what is in the way, reduce the payload box or the clearance, and plan again."
+            + ". Move what is in the way, reduce the payload box or the clearance, or search more (--effort), and plan again."
         )
         self.axis = axis
         self.reasons = reasons

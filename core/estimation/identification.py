@@ -62,7 +62,8 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
         return _nothing(segments, f"{recording.t[-1] - recording.t[0]:.2f} s are too short to say anything")
     effects = effects_on(recording, poses, segments, twin, static=static)
     found, change = _fitted(form, wrench, noise or unknown_noise(), effects)
-    estimate = _estimate(found, motion, static=rows_only)
+    turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
+    estimate = _estimate(found, motion, static=rows_only, turned=turned)
     paper = _paper(wrench - change, motion, speed, still, found.noise)
     series = None if rows_only else _series(recording.t, wrench, motion, found, change)
     warnings = (*warnings_of(recording, estimate, found, static=rows_only), *_not_accounted(effects))
@@ -106,7 +107,7 @@ def _labelled_still(recording: Recording, segments: tuple[Segment, ...]) -> Bool
     return still
 
 
-def _estimate(found: Fit, motion: Motion, *, static: bool) -> Estimate:
+def _estimate(found: Fit, motion: Motion, *, static: bool, turned: str | None) -> Estimate:
     covariance = found.covariance
     phi, S = found.phi.copy(), covariance[:10, :10].copy()
     std = np.sqrt(np.diag(S))
@@ -114,7 +115,7 @@ def _estimate(found: Fit, motion: Motion, *, static: bool) -> Estimate:
     body = nearest_consistent(phi, S) if known[0] else phi
     constrained = bool((np.abs(body - phi)[known] > 0.01 * std[known]).any())
     phi = body.copy()
-    why = reasons(phi, std, known, static=static, motion=None if static else motion)
+    why = reasons(phi, std, known, static=static, motion=None if static else motion, turned=turned)
     phi[~known] = np.nan
     S[~known, :] = np.nan
     S[:, ~known] = np.nan

@@ -18,10 +18,11 @@ from core.control.decoupling import decoupling_profile
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.gap.experiment import HOLD_S, Stop, Swings, wave_shape
-from core.plan import PATH_SECONDS, Leg, Plan, confirmed
+from core.plan import Leg, Plan, confirmed, way_home
 from core.plan_settings import Planner, Timing
-from core.planning.path import one_turn_away
-from core.planning.start_configuration import Attitude, StartConfiguration, find_attitude
+from core.planning.effort import grid_rounds, path_iterations
+from core.planning.path import check_end, one_turn_away
+from core.planning.start_configuration import Attitude, Grid, StartConfiguration, find_attitude
 from core.planning.transfer import plan_transfer
 from core.planning.wave import fit_wave
 from core.robot import RobotModel
@@ -44,22 +45,26 @@ def plan_experiment(
     period: float = 0.001,
     planner: Planner = "rrt_connect",
     seed: int = 0,
+    effort: int = 1,
 ) -> Generator[Event, None, Plan]:
     """Plans from joint positions `start` (n,) through all stops back to home.
+
+    Args:
+        effort: how much is searched before a plan is refused, see `core.planning.effort`.
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
         PlanDisputed: see `core.plan.confirmed`.
     """
     began = time.perf_counter()
-    search = _Search(cell, robot, collision, payload_box, period, planner, seed)
-    home = np.array(cell.robot.home_rad)
+    check_end("start", start, robot, collision)
+    search = _Search(cell, robot, collision, payload_box, period, planner, seed, effort)
     legs: list[Leg] = []
     here = start
     for stop in stops:
         legs.append((yield from search.leg(stop, here)))
         here = legs[-1].transfer.goal
-    back = plan_transfer(cell, robot, collision, here, home, period=period, planner=planner, seed=seed, seconds=PATH_SECONDS[-1])
+    back = way_home(cell, robot, collision, here, period=period, planner=planner, seed=seed, effort=effort)
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
     opinion = confirmed(cell, robot, collision, payload_box, legs, back)
     plan = Plan(tuple(legs), back, Timing(hold_s=HOLD_S), time.perf_counter() - began, opinion)
@@ -78,10 +83,11 @@ class _Search:
     period: float
     planner: Planner
     seed: int
+    effort: int
 
     def leg(self, stop: Stop, here: Array) -> Generator[Event, None, Leg]:
         """A stop that can be reached from joint positions `here`, and left room for its movement; others where one cannot."""
-        for attempt, seconds in enumerate(PATH_SECONDS):
+        for attempt, iterations in enumerate(path_iterations(self.effort)):
             seed = self.seed + 101 * attempt
             start = self._start(stop, here, seed)
             yield StartConfigurationFound(
@@ -92,7 +98,7 @@ class _Search:
                 candidates=start.candidates,
             )
             try:
-                leg = self._connected(stop, start, here, seconds)
+                leg = self._connected(stop, start, here, iterations)
             except NoPath as error:
                 failure = error
                 continue
@@ -105,14 +111,15 @@ class _Search:
         """Where to stop; where the posture is to be another one, the farthest of several."""
         about = np.eye(3)["xyz".index(stop.swings.about)] if stop.swings else np.eye(3)[0]
         rotation = None if stop.swings is None else self._profile(stop.swings, 1)
+        grid = Grid(rounds=grid_rounds(self.effort))
         attitude = Attitude(stop.label, np.array(stop.down), about, rotation)
         if stop.away_from_rad is None:
-            return find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed, near=here)
+            return find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed, near=here, grid=grid)
         avoided = np.array(stop.away_from_rad)
-        found = [find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed + k) for k in range(POSTURES)]
+        found = [find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed + k, grid=grid) for k in range(POSTURES)]
         return max(found, key=lambda start: float(np.abs(start.q - avoided).max()))
 
-    def _connected(self, stop: Stop, start: StartConfiguration, here: Array, seconds: float) -> Leg:
+    def _connected(self, stop: Stop, start: StartConfiguration, here: Array, iterations: int) -> Leg:
         """The way there, and the movement at its end."""
         goals = one_turn_away(self.robot, start.q, here)
         transfer = plan_transfer(
@@ -124,7 +131,7 @@ class _Search:
             period=self.period,
             planner=self.planner,
             seed=self.seed,
-            seconds=seconds,
+            iterations=iterations,
         )
         start = replace(start, q=transfer.goal, about="" if stop.swings is None else stop.swings.about)
         if stop.swings is not None:

@@ -50,4 +50,5 @@ class Stops:
             period=asked.period,
             planner=asked.planner,
             seed=asked.seed,
+            effort=asked.effort,
         )
