@@ -22,7 +22,10 @@ AxesOption = Annotated[
 ]
 HoldsOnlyOption = Annotated[
     bool,
-    typer.Option("--holds-only", help="No rotations: mass and centre of mass, hardly anything about the inertia, in less room and time."),
+    typer.Option(
+        "--holds-only",
+        help="No rotations: for mass and centre of mass, in less room and time; the inertia only as far as transfers show it.",
+    ),
 ]
 SpeedOption = Annotated[
     float | None,

@@ -16,7 +16,7 @@ from core.estimation.regression import Thresholds, regression
 from core.estimation.segments import Segment, motionless, parted, segments_of_motion, segments_of_phase
 from core.estimation.torque_only import torque_only
 from core.estimation.twin_effects import TwinEffects, effects_on, fit_with_effects
-from core.estimation.verdict import verdict_of, warnings_of
+from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
 from core.estimation.verification import LeaveOneOut
 from core.estimation.weak_form import WeakForm
 from core.inertia import Motion, is_consistent, regressor
@@ -66,7 +66,8 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     estimate = _estimate(found, motion, static=rows_only, turned=turned)
     paper = _paper(wrench - change, motion, speed, still, found.noise)
     series = None if rows_only else _series(recording.t, wrench, motion, found, change)
-    warnings = (*warnings_of(recording, estimate, found, static=rows_only), *_not_accounted(effects))
+    said = warnings_of(recording, estimate, found, static=rows_only)
+    warnings = (*said, *on_transfers_alone(estimate, turned), *_not_accounted(effects))
     verdict = verdict_of(estimate, static=rows_only)
     verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found.noise, segments).verifications
     return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, verified=verified)

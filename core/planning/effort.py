@@ -5,7 +5,7 @@ More effort begins with what less effort does: it never changes a plan that less
 
 from __future__ import annotations
 
-PATH_ITERATIONS = (200, 300, 500, 1000)
+PATH_ITERATIONS = (800, 1200, 2000, 4000)
 """Of one search for a path after the other, in all twice the last: most paths take a tenth of the first, and where there is no path to a
 start configuration another one is cheaper than a longer search."""
 

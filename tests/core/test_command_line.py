@@ -177,13 +177,16 @@ def test_a_run_into_an_empty_folder_answers_before_its_report_and_says_what_hold
     assert {"recording.json", "result.json", "report.html"} <= {file.name for file in out.iterdir()}
     assert (out / "result.json").stat().st_mtime_ns <= (out / "report.html").stat().st_mtime_ns
     assert done.stdout.index("Payload in the sensor frame") < done.stdout.index("Report:")
-    estimate = json.loads((out / "result.json").read_text())["estimate"]
+    answer = json.loads((out / "result.json").read_text())
+    estimate = answer["estimate"]
     assert estimate["determined"][:4] == [True] * 4
     assert set(read_recording(out).phase) == {"transfer", "hold:y-", "hold:y+", "hold:z-", "hold:z+"}
-    missing = [name for name, known in zip(PHI_NAMES, estimate["determined"], strict=True) if not known]
-    assert {"Ixx", "Iyy", "Izz"} & set(missing)
+    missing = {name for name, known in zip(PHI_NAMES, estimate["determined"], strict=True) if not known}
+    assert set(estimate["reasons"]) == missing
     assert all(estimate["reasons"][name].startswith("no rotation about") for name in missing)
     assert all(estimate["phi"][PHI_NAMES.index(name)] is None for name in missing)
+    [told] = [warning["values"]["parameters"] for warning in answer["warnings"] if warning["id"] == "transfers_alone"] or [""]
+    assert missing | set(told.split(", ")) - {""} == set(PHI_NAMES[4:])
 
 
 def test_a_folder_with_anything_in_it_is_not_written_into(tmp_path):

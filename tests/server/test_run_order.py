@@ -52,9 +52,14 @@ def test_what_does_not_go_with_the_cell_is_refused_with_its_key(key: str, value:
 
 @pytest.mark.parametrize(
     ("key", "value"),
-    [("axes", ""), ("axes", "zx"), ("axes", "xx"), ("axes", "w"), ("effort", 0), ("effort", 101), ("speed_m_s", 0.0), ("speed_m_s", float("nan")),
-     ("start_rad", ()), ("start_rad", (float("inf"),)), ("rotations", "perhaps")],
-)  # fmt: skip
+    [
+        *(("axes", axes) for axes in ("", "zx", "xx", "w")),
+        *(("effort", effort) for effort in (0, 101)),
+        *(("speed_m_s", speed) for speed in (0.0, -0.1, float("nan"))),
+        *(("start_rad", start) for start in ((), (float("inf"),))),
+        ("rotations", "perhaps"),
+    ],
+)
 def test_what_no_cell_could_do_is_refused(key: str, value: object) -> None:
     with pytest.raises(ValidationError):
         RunOrder.model_validate({"cell": CELL, key: value})

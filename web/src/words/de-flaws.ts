@@ -80,7 +80,6 @@ export const flaws: Record<string, string> = {
   'something that is already there': 'etwas, das es schon gibt',
   '{} to {} m/s, the limit of the cell': '{} bis {} m/s, die Grenze der Zelle',
   '{} joint positions': '{} Gelenkstellungen',
-  '{} of them': '{} davon',
   'a new or empty folder; a recording is never overwritten':
     'ein neuer oder leerer Ordner; eine Aufzeichnung wird nie überschrieben',
 
