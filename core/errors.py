@@ -142,6 +142,8 @@ class NoStartConfiguration(Refused):
         in_the_way: what keeps most of those with room to stand from being used, where that is something else.
     """
 
+    axis: str
+
     def __init__(
         self,
         axis: str,

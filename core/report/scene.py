@@ -63,16 +63,16 @@ class View:
         return np.asarray(right_up * [1, -1] + [WIDTH / 2, HEIGHT / 2])
 
 
-def scene(cell: Cell, robot: RobotModel, payload_box: Box, start: StartConfiguration, parts: list[Part] | None = None) -> str:
+def scene(cell: Cell, robot: RobotModel, payload_box: Box, start: StartConfiguration, robot_parts: list[Part] | None = None) -> str:
     """SVG of the robot in a start configuration among obstacles and zones, with the sensor's axes and the throw.
 
     Args:
         payload_box: in the sensor frame.
-        parts: of the robot, as `arm_parts` reads them, for who draws more than one scene.
+        robot_parts: as `arm_parts` reads them, for who draws more than one scene.
     """
     sensor = robot.sensor_pose(start.q)
     box = placed(box_faces(np.array(payload_box.size_m)), payload_box.pose.rotation, payload_box.pose.translation)
-    arm = arm_faces(cell, robot, start.q, parts)
+    arm = arm_faces(cell, robot, start.q, robot_parts)
     load = placed(box, sensor.rotation, sensor.position)
     body = np.concatenate([*arm, *load])
     things = [(thing.name, "obstacle", shape_faces(thing.shape)) for thing in cell.obstacles]
