@@ -34,7 +34,7 @@ CANDIDATES = 100_000
 _ALIGNING_STEPS = 12
 _ALIGNED_RAD = 1e-4
 _PATHS = 10
-_PATH_S = 20.0
+_PATH_ITERATIONS = 32_000
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ class BruteForce:
 
     def _reaches(self, q: Array) -> bool:
         try:
-            plan_path(self._cell, self._robot, self._collision, self._home, q, seconds=_PATH_S)
+            plan_path(self._cell, self._robot, self._collision, self._home, q, iterations=_PATH_ITERATIONS)
         except NoPath:
             return False
         return True

@@ -101,7 +101,7 @@ class Limits(Model):
 
     Args:
         cartesian_speed_m_s: of every point of every link and every corner of the boxes of payload and tools. At most four times what
-            ISO 10218-1 calls reduced speed, 0.25 m/s: room for cells whose own safety functions allow more, and none for 25 or 250 by a slip
+            ISO 10218-1 calls reduced speed, 0.25 m/s: room for cells whose own safety functions allow more, none for 25 or 250 by a slip
             of the unit. Below 5 mm/s a plan takes hours.
         clearance_m: smallest distance to obstacles, protected zones and the floor. At most 0.5 m, all round: no arm has room for more.
         self_clearance_m: smallest distance between links. At most 0.2 m: links of one arm are no farther apart.

@@ -10,7 +10,6 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
-import numpy as np
 import typer
 
 from core import twin_commands
@@ -24,7 +23,11 @@ from core.experiment.run import measure_more
 from core.export.command import export
 from core.gap.diagnosis import examine
 from core.joint_torques import known_load
-from core.plan import plan_procedure, plan_summary
+from core.motion_sequence import PlanRequest, Procedure
+from core.plan import plan_summary
+from core.plan_options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
+from core.plan_settings import WHOLE, Timing
+from core.plant.mechanics import PERIOD
 from core.procedure import identify
 from core.progress import watch
 from core.recording_folder import read_recording
@@ -34,11 +37,16 @@ from core.result import Result, SecondsPart, result_of
 from core.robot import RobotModel
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
+from core.set_points import check_target as check_set_points
+from core.set_points import set_points_of, write_set_points
+from core.slow_run import slowed
+from core.starting_point import starting_point
 from core.stated_friction import knowing_friction
 from core.tables import (
     cells_table,
     diagnosis_lines,
     diagnosis_table,
+    not_excited_lines,
     opinion_lines,
     parameters_table,
     plan_table,
@@ -83,7 +91,14 @@ def run(
     payload: PayloadOption = None,
     seed: SeedOption = 0,
     planner: PlannerOption = PlannerName.rrt_connect,
-    out: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder to make for recording and report.")] = None,
+    start: FromOption = None,
+    axes: AxesOption = "xyz",
+    holds_only: HoldsOnlyOption = False,
+    speed: SpeedOption = None,
+    effort: EffortOption = 1,
+    out: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Folder to make, or an empty one, for recording, result.json and report.")
+    ] = None,
     json: JsonOption = None,
     real_time: Annotated[bool, typer.Option("--real-time", help="Move at the speed of a real robot, to watch it.")] = False,
     experiment: Annotated[
@@ -91,25 +106,46 @@ def run(
     ] = None,
     recording: Annotated[Path | None, typer.Option(metavar="DIR", help="The recording that the experiment continues, if moved.")] = None,
 ) -> None:
-    """Plan and run the procedure on the simulated robot, identify the payload, write recording and report."""
-    loaded = load_cell(find_cell(cell))
+    """Plan and run the procedure on the simulated robot, identify the payload, write recording, answer and report."""
+    loaded = slowed(load_cell(find_cell(cell)), speed, "--speed")
+    scope = scope_of(axes, holds_only=holds_only)
+    if experiment is not None and (start is not None or scope != WHOLE):
+        raise BadInput(
+            "--experiment", "--from, --axes or --holds-only beside it", "none of these: the experiment has its own motion, from home"
+        )
     asked, before = (None, None) if experiment is None else read_request(experiment, recording, loaded)
     name, carried = _payload(loaded, payload or (asked.payload if asked else None))
     folder = out or Path("recordings") / f"{loaded.name}-{name}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
     _check_new(folder, json)
     pace = RealTime() if real_time else AsFastAsPossible()
     twin = read_twin(loaded)
-    session = SimulatedSession(loaded, carried.parameters, seed=seed + (before is not None), pace=pace, twin=twin)
+    stands = starting_point(start, loaded, RobotModel.of_cell(loaded))
+    session = SimulatedSession(loaded, carried.parameters, seed=seed + (before is not None), pace=pace, twin=twin, start=stands)
     if asked is None or before is None:
         steps = identify(
-            loaded, session, carried.box, payload=name, reference=carried, planner=planner.value, seed=seed, out=folder, twin=twin
+            loaded,
+            session,
+            carried.box,
+            payload=name,
+            reference=carried,
+            scope=scope,
+            start=stands,
+            planner=planner.value,
+            seed=seed,
+            effort=effort,
+            out=folder,
+            twin=twin,
         )
     else:
-        steps = measure_more(before, asked.stops, loaded, session, carried.box, planner=planner.value, seed=seed, out=folder, twin=twin)
+        steps = measure_more(
+            before, asked.stops, loaded, session, carried.box, planner=planner.value, seed=seed, effort=effort, out=folder, twin=twin
+        )
     outcome = watch(steps, messages)
+    result = outcome.result(folder)
+    _write_json(result.model_dump_json(indent=2), str(folder / "result.json"))
+    _answer(result, json)
     page = folder / "report.html"
     write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
-    _answer(outcome.result(folder), json)
     if json != "-":
         answers.print(f"Report: {page}", soft_wrap=True, highlight=False)
 
@@ -159,7 +195,7 @@ def diagnose_command(
         diagnosis = addable_to(diagnosis, made_in, loaded, recording)
         diagnosis = plan_next(diagnosis, evidence, loaded, recording, made_in, experiment, messages)
     if report is not None:
-        report.mkdir(parents=True)
+        report.mkdir(parents=True, exist_ok=True)
         write_diagnosis(report / "diagnosis.html", diagnosis=diagnosis, overlay=None if evidence is None else overlay_of(evidence))
         _write_json(diagnosis.model_dump_json(indent=2), str(report / "diagnosis.json"))
     if json is not None:
@@ -183,23 +219,38 @@ def plan(
     payload: PayloadOption = None,
     seed: SeedOption = 0,
     planner: PlannerOption = PlannerName.rrt_connect,
+    start: FromOption = None,
+    axes: AxesOption = "xyz",
+    holds_only: HoldsOnlyOption = False,
+    speed: SpeedOption = None,
+    effort: EffortOption = 1,
     json: JsonOption = None,
+    trajectory: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write every set point, for one's own controller: .csv or .json.")
+    ] = None,
+    period: Annotated[
+        float | None, typer.Option(metavar="S", help="From one set point in that file to the next, s; whole milliseconds. [default: 0.001]")
+    ] = None,
 ) -> None:
     """Plan the procedure and show start configurations, distances and times. Nothing moves."""
-    loaded = load_cell(find_cell(cell))
+    loaded = slowed(load_cell(find_cell(cell)), speed, "--speed")
+    scope = scope_of(axes, holds_only=holds_only)
     box = loaded.payload_box if payload is None else _payload(loaded, payload)[1].box
     _check_new(None, json)
+    check_set_points(trajectory, period, PERIOD)
     robot = RobotModel.of_cell(loaded)
     collision = CollisionModel(loaded, robot, box)
-    home = np.array(loaded.robot.home_rad)
     load = known_load(loaded, payload)
-    found = watch(plan_procedure(loaded, robot, collision, box, start=home, planner=planner.value, seed=seed, load=load), messages)
+    asked = PlanRequest(loaded, box, starting_point(start, loaded, robot), 0, PERIOD, planner.value, seed, load, effort)
+    found = watch(Procedure(Timing(), scope=scope).planned(asked, robot, collision), messages)
+    if trajectory is not None:
+        write_set_points(trajectory, set_points_of(loaded, robot, collision, found, period_s=period))
     if json is not None:
         _write_json(plan_summary(loaded, found).model_dump_json(indent=2), json)
     if json != "-":
         answers.print(plan_table(found))
         answers.print(f"Robot time {found.robot_s:.0f} s, planned in {found.plan_s:.1f} s.", highlight=False)
-        for line in (*torque_lines(found.torques), *opinion_lines(found.opinion)):
+        for line in (*not_excited_lines(scope), *torque_lines(found.torques), *opinion_lines(found.opinion)):
             answers.print(line, highlight=False)
 
 
@@ -219,8 +270,8 @@ def _payload(cell: Cell, name: str | None) -> tuple[str, Payload]:
 
 def _check_new(target: Path | None, json: str | None) -> None:
     """Before anything long begins: what is to be written can be written, and overwrites nothing but a JSON file."""
-    if target is not None and target.exists():
-        raise BadInput(str(target), "something that exists already", "a new name")
+    if target is not None and target.exists() and not (target.is_dir() and not any(target.iterdir())):
+        raise BadInput(str(target), "something that exists already", "a new name, or an empty folder")
     if json is not None and json != "-" and not Path(json).absolute().parent.is_dir():
         raise BadInput(json, "a folder that does not exist", "a file in an existing folder")
 

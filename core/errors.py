@@ -114,9 +114,22 @@ class BadRecording(BadInput):
 
 
 class Refused(HeftError):
-    """The cell leaves no safe way to do what was asked. The robot has not moved."""
+    """The cell leaves no safe way to do what was asked. The robot has not moved.
+
+    Attributes:
+        axis: sensor axis, with its sign, that has no room or cannot be reached; None where it is about something else.
+        axes_with_room: sensor axes for which there is a plan without it; empty where none is known.
+    """
 
     exit_code = 3
+    axis: str | None = None
+    axes_with_room: str = ""
+
+    def __str__(self) -> str:
+        """The sentence, and what can be done instead."""
+        said = super().__str__()
+        axes = ",".join(self.axes_with_room)
+        return f"{said} There is a plan for the other sensor axes: --axes {axes}." if axes else said
 
 
 class NoStartConfiguration(Refused):
@@ -129,6 +142,8 @@ class NoStartConfiguration(Refused):
         nearest: name of the obstacle, zone or link that was nearest in that best candidate.
         in_the_way: what keeps most of those with room to stand from being used, where that is something else.
     """
+
+    axis: str
 
     def __init__(
         self,
@@ -143,7 +158,8 @@ class NoStartConfiguration(Refused):
         super().__init__(
             f"no start configuration with sensor axis {axis} along gravity: rejected {counts or 'nothing, no candidate'}"
             + met
-            + ". Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, and plan again."
+            + ". Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, "
+            "or search more (--effort), and plan again."
         )
         self.axis = axis
         self.reasons = reasons

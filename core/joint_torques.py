@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell import Box, Cell
-from core.cell_tools import known_tools
+from core.cell_tools import felt_with
 from core.dynamics import LinkDynamics
 from core.errors import TooHeavy
 from core.inertia import InertialParameters
-from core.known_tool import carried
 from core.plan_summary import LargestTorque, PlanTorques
 from core.robot import RobotModel
 from core.second_opinion.opinion import JointPath
@@ -72,8 +71,7 @@ class JointTorques:
 
     def __init__(self, cell: Cell, robot: RobotModel, load: Load) -> None:
         self.load = load
-        stated = [tool for tool in known_tools(cell) if cell.tools[tool.name].links is None]  # links are in the robot's model already
-        self._dynamics = LinkDynamics(robot, cell.gravity, carried(stated, load.parameters))
+        self._dynamics = LinkDynamics(robot, cell.gravity, felt_with(cell, load.parameters))
         self._joints = robot.description.joints
         effort = {joint.name: joint.effort or 0.0 for joint in check_urdf(cell.urdf, str(cell.folder / cell.robot.urdf)).joints}
         self._limits = np.array([effort[joint] for joint in self._joints])

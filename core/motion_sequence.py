@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 
 from core.cell import Box, Cell
 from core.collision import CollisionModel
+from core.errors import Refused
 from core.events import Event
+from core.fewer_axes import axes_with_room
 from core.joint_torques import Load
-from core.plan import POSES, Plan, plan_procedure
-from core.plan_settings import Planner, Timing
+from core.plan import Plan, plan_procedure
+from core.plan_settings import WHOLE, Planner, Scope, Timing
 from core.robot import RobotModel
 
 Array = NDArray[np.float64]
@@ -36,6 +38,7 @@ class PlanRequest:
     planner: Planner
     seed: int
     load: Load | None = None
+    effort: int = 1
 
 
 class MotionSequence(Protocol):
@@ -60,7 +63,7 @@ class MotionSequence(Protocol):
 
 @dataclass(frozen=True)
 class Procedure:
-    """All poses of the procedure (Fig. 2).
+    """The poses of the procedure (Fig. 2), all or a part of them.
 
     Args:
         mass_guess_kg: what repetitions are planned for.
@@ -68,25 +71,36 @@ class Procedure:
 
     timing: Timing
     mass_guess_kg: float = 1.0
+    scope: Scope = WHOLE
 
     @property
     def steps(self) -> int:
         """See `MotionSequence`."""
-        return len(POSES)
+        return len(self.scope.poses)
 
     def planned(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
-        """See `MotionSequence`."""
+        """See `MotionSequence`. A refusal of the whole says which axes can be planned, where an axis is what has no room."""
+        try:
+            return (yield from self._part(self.scope, asked, robot, collision))
+        except Refused as refusal:
+            if not asked.done:
+                refusal.axes_with_room = axes_with_room(self.scope, refusal, lambda part: self._part(part, asked, robot, collision))
+            raise
+
+    def _part(self, scope: Scope, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
         return plan_procedure(
             asked.cell,
             robot,
             collision,
             asked.payload_box,
             start=asked.start,
-            poses=POSES[asked.done :],
+            poses=scope.poses[asked.done :],
+            rotations=scope.rotations,
             period=asked.period,
             timing=self.timing,
             mass_guess_kg=self.mass_guess_kg,
             planner=asked.planner,
             seed=asked.seed,
             load=asked.load,
+            effort=asked.effort,
         )

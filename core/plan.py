@@ -22,10 +22,12 @@ from core.control.decoupling import decoupling_profile, expected_inertia, repeti
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.joint_torques import JointTorques, Load, guessed_load, refuse_too_heavy
-from core.plan_settings import Planner, Timing
+from core.plan_settings import WHOLE, Planner, Timing
 from core.plan_summary import ClosestPair, FastestCorner, LostLoad, PlannedPose, PlanSummary, PlanTorques, SecondOpinion
-from core.planning.path import one_turn_away
-from core.planning.start_configuration import StartConfiguration, find_start_configuration
+from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
+from core.planning.path import check_end, one_turn_away
+from core.planning.start_configuration import Grid, StartConfiguration, find_start_configuration
+from core.planning.throw import ThrowCheck
 from core.planning.transfer import Transfer, plan_transfer
 from core.robot import RobotModel
 from core.second_opinion.opinion import JointPath, Opinion, second_opinion
@@ -34,13 +36,7 @@ from core.trajectory import AngularProfile, JointTrajectory
 
 Array = NDArray[np.float64]
 
-POSES = ("x-", "x+", "y-", "y+", "z-", "z+")
-"""Against gravity first: the rotation then starts where the hold along gravity has just been measured."""
-
-
-PATH_SECONDS = (0.6, 1.0, 1.6, 3.0)
-"""For one search, try by try: most paths take a tenth of the first, and where there is no path to a start configuration another one is
-cheaper than a longer search."""
+POSES = WHOLE.poses
 
 
 @dataclass(frozen=True)
@@ -104,17 +100,21 @@ def plan_procedure(
     *,
     start: Array,
     poses: Sequence[str] = POSES,
+    rotations: bool = True,
     period: float = 0.001,
     timing: Timing | None = None,
     mass_guess_kg: float = 1.0,
     planner: Planner = "rrt_connect",
     seed: int = 0,
     load: Load | None = None,
+    effort: int = 1,
 ) -> Generator[Event, None, Plan]:
     """Plans from joint positions `start` through all `poses` back to home.
 
     Args:
+        rotations: whether there are any at the poses along gravity.
         load: what the joints' torques are judged with; `guessed_load` where nothing is known of it.
+        effort: how much is searched before a plan is refused, see `core.planning.effort`.
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
@@ -125,22 +125,23 @@ def plan_procedure(
     timing = timing or Timing()
     speed = cell.limits.cartesian_speed_m_s
     once = decoupling_profile(widest_box(cell, payload_box), cartesian_speed=speed, period=period, excursion=timing.swing_rad)
+    check_end("start", start, robot, collision, ThrowCheck(cell))
     home = np.array(cell.robot.home_rad)
     torques = JointTorques(cell, robot, load or guessed_load(cell, payload_box, mass_guess_kg))
     refuse_too_heavy(torques.of([JointPath("start", start[None]), JointPath("home", home[None])], period))
-    search = _Search(cell, robot, collision, once, planner, seed, torques)
+    search = _Search(cell, robot, collision, once, rotations, planner, seed, torques, effort)
     reached: list[Reached] = []
     for _, group in groupby(poses, key=lambda pose: pose[0]):
         here = reached[-1].start.q if reached else start
         reached += yield from search.reach(tuple(group), here)
     last = reached[-1].start.q if reached else start
-    back = plan_transfer(cell, robot, collision, last, home, period=period, planner=planner, seed=seed, seconds=PATH_SECONDS[-1])
+    back = way_home(cell, robot, collision, last, period=period, planner=planner, seed=seed, effort=effort)
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
     moving = back.trajectory.duration + sum(pose.transfer.trajectory.duration for pose in reached)
-    rotations = sum(axis.endswith("+") for axis in poses)
-    budget = (timing.robot_s - moving - timing.hold_s * len(poses)) / max(rotations, 1) - timing.settle_s
+    turns = sum(axis.endswith("+") for axis in poses)
+    budget = (timing.robot_s - moving - timing.hold_s * len(poses)) / max(turns, 1) - timing.settle_s
     legs = tuple(
-        Leg(axis, start, transfer, _repeated(cell, payload_box, axis, once, budget, mass_guess_kg, timing), axis[0])
+        Leg(axis, start, transfer, _repeated(cell, payload_box, axis, once, budget, mass_guess_kg, timing) if rotations else None, axis[0])
         for axis, start, transfer in reached
     )
     found = confirmed(cell, robot, collision, payload_box, legs, back, torques)
@@ -171,19 +172,42 @@ def confirmed(
         TooHeavy: a joint has not the torque.
         PlanDisputed: the second opinion does not confirm them.
     """
-    motions: list[Motion] = []
-    for leg in legs:
-        motions.append(Motion(f"transfer {leg.axis}", leg.transfer.trajectory))
-        motions += [] if leg.profile is None else [Motion(f"rotation {leg.about}", leg.profile, leg.about)]
-        motions += [] if leg.wave is None else [Motion(f"wave {leg.axis}", leg.wave)]
-    motions.append(Motion("home", home.trajectory))
     first = legs[0].transfer if legs else home
-    paths = commanded_paths(cell, robot, collision, motions, first.trajectory.q[0])
+    paths = commanded_paths(cell, robot, collision, motions_of(legs, home), first.trajectory.q[0])
     asked = torques.of(paths, home.trajectory.period)
     refuse_too_heavy(asked)
     opinion = second_opinion(cell, payload_box, paths, home.trajectory.period)
     refuse_disputed(opinion)
     return Confirmation(opinion, asked)
+
+
+def motions_of(legs: Sequence[Leg], home: Transfer) -> list[Motion]:
+    """Everything that moves, in order."""
+    motions: list[Motion] = []
+    for leg in legs:
+        motions.append(Motion(f"transfer {leg.axis}", leg.transfer.trajectory))
+        motions += [] if leg.profile is None else [Motion(f"rotation {leg.about}", leg.profile, leg.about)]
+        motions += [] if leg.wave is None else [Motion(f"wave {leg.axis}", leg.wave)]
+    return [*motions, Motion("home", home.trajectory)]
+
+
+def way_home(
+    cell: Cell, robot: RobotModel, collision: CollisionModel, here: Array, *, period: float, planner: Planner, seed: int, effort: int
+) -> Transfer:
+    """From joint positions `here` (n,) to home, which no other place can stand in for: the longest searches only.
+
+    Raises:
+        NoPath: with the reason of the last of them.
+    """
+    home = np.array(cell.robot.home_rad)
+    for attempt, iterations in enumerate(path_iterations(effort)[len(PATH_ITERATIONS) - 1 :]):
+        try:
+            return plan_transfer(
+                cell, robot, collision, here, home, period=period, planner=planner, seed=seed + 101 * attempt, iterations=iterations
+            )
+        except NoPath as error:
+            failure = error
+    raise failure
 
 
 class Reached(NamedTuple):
@@ -201,27 +225,31 @@ class _Search(NamedTuple):
     robot: RobotModel
     collision: CollisionModel
     rotation: AngularProfile
+    rotations: bool
     planner: Planner
     seed: int
     torques: JointTorques
+    effort: int
 
     def reach(self, poses: tuple[str, ...], here: Array) -> Generator[Event, None, list[Reached]]:
         """Start configurations that can be reached from joint positions `here`, other ones where there is no way to the first."""
-        for attempt, seconds in enumerate(PATH_SECONDS):
+        for attempt, iterations in enumerate(path_iterations(self.effort)):
             starts = yield from self._find(poses, here, self.seed + 101 * attempt)
             try:
-                return (yield from self._connect(poses, starts, here, seconds))
+                return (yield from self._connect(poses, starts, here, iterations))
             except NoPath as error:
                 failure = error
+        failure.axis = poses[0]
         raise failure
 
     def _find(self, poses: tuple[str, ...], here: Array, seed: int) -> Generator[Event, None, dict[str, StartConfiguration]]:
         """The axis along gravity first, which is the harder one; its opposite then near it."""
         starts: dict[str, StartConfiguration] = {}
         for axis in sorted(poses):
-            rotation = self.rotation if axis.endswith("+") else None
+            rotation = self.rotation if self.rotations and axis.endswith("+") else None
+            grid = Grid(rounds=grid_rounds(self.effort))
             found = find_start_configuration(
-                self.cell, self.robot, self.collision, axis, rotation, seed=seed, near=here, torques=self.torques
+                self.cell, self.robot, self.collision, axis, rotation, seed=seed, near=here, grid=grid, torques=self.torques
             )
             yield StartConfigurationFound(
                 axis=axis,
@@ -235,7 +263,7 @@ class _Search(NamedTuple):
         return starts
 
     def _connect(
-        self, poses: tuple[str, ...], starts: dict[str, StartConfiguration], here: Array, seconds: float
+        self, poses: tuple[str, ...], starts: dict[str, StartConfiguration], here: Array, iterations: int
     ) -> Generator[Event, None, list[Reached]]:
         """Transfers from one pose to the next."""
         reached: list[Reached] = []
@@ -250,7 +278,7 @@ class _Search(NamedTuple):
                 period=self.rotation.period,
                 planner=self.planner,
                 seed=self.seed,
-                seconds=seconds,
+                iterations=iterations,
             )
             yield TransferPlanned(axis=axis, robot_s=transfer.trajectory.duration, least_margin_m=transfer.least_margin_m)
             reached.append(Reached(axis, replace(starts[axis], q=transfer.goal), transfer))

@@ -1,4 +1,4 @@
-"""What a plan is asked to be like: how long the robot stands still, how accurate the answer is to be, how paths are searched."""
+"""What a plan is asked to be like: what of the procedure is wanted, how long the robot stands still, how accurate the answer is to be."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 Planner = Literal["rrt_connect", "rrt_star"]
+
+MAX_EFFORT = 100
+"""Times the usual search, see `core.planning.effort`."""
 
 
 @dataclass(frozen=True)
@@ -26,3 +29,33 @@ class Timing:
     inertia_std: float = 0.004
     robot_s: float = 115.0
     swing_rad: float = 0.25
+
+
+@dataclass(frozen=True)
+class Scope:
+    """Which part of the procedure is wanted.
+
+    Args:
+        axes: sensor axes that are laid along and against gravity and, where there are rotations, turned about; in the order x, y, z.
+        rotations: whether there are any. Holds alone tell mass and first moment.
+    """
+
+    axes: str = "xyz"
+    rotations: bool = True
+
+    @property
+    def poses(self) -> tuple[str, ...]:
+        """Against gravity first: the rotation then starts where the hold along gravity has just been measured."""
+        return tuple(f"{axis}{sign}" for axis in self.axes for sign in "-+")
+
+    @property
+    def not_excited(self) -> dict[str, str]:
+        """Name of each inertial parameter that no rotation of this part shows -> why. Transfers may show it all the same."""
+        turned = self.axes if self.rotations else ""
+        pairs = [(a, b) for a in "xyz" for b in "xyz" if a <= b]
+        left_out = [(a, b) for a, b in pairs if a not in turned and b not in turned]
+        return {f"I{a}{b}": f"no rotation about {a}" if a == b else f"no rotation about {a} or {b}" for a, b in left_out}
+
+
+WHOLE = Scope()
+"""The whole procedure."""

@@ -27,7 +27,7 @@ from core.joint_torques import Load, known_load
 from core.motion_sequence import MotionSequence, PlanRequest, Procedure
 from core.outcome import Outcome
 from core.plan import Leg, Plan
-from core.plan_settings import Planner, Timing
+from core.plan_settings import WHOLE, Planner, Scope, Timing
 from core.recording import Recording
 from core.recording_folder import write_recording
 from core.robot import RobotModel
@@ -53,8 +53,11 @@ def identify(
     reference: Payload | None = None,
     timing: Timing | None = None,
     mass_guess_kg: float = 1.0,
+    scope: Scope = WHOLE,
+    start: Array | None = None,
     planner: Planner = "rrt_connect",
     seed: int = 0,
+    effort: int = 1,
     out: Path | None = None,
     twin: Twin = NOMINAL,
 ) -> Generator[Event, None, Outcome]:
@@ -68,8 +71,11 @@ def identify(
             name where the cell knows it.
         timing: holds, accuracy and robot time.
         mass_guess_kg: what repetitions are planned for until the mass is known.
+        scope: what of the procedure is wanted.
+        start: (n,), where the robot stands, rad; at home where absent.
         planner: of the paths.
         seed: of planning.
+        effort: how much is searched before a plan is refused, see `core.planning.effort`.
         out: folder to make for the recording; nothing is written where absent.
         twin: of the cell; the estimate accounts for its effects.
 
@@ -78,9 +84,9 @@ def identify(
         Stopped: the guard stopped the robot more often than may be; the recording is written.
         Interrupted: Ctrl-C; the robot is stopped and the recording written.
     """
-    run = Run(cell, session, payload_box, Procedure(timing or Timing(), mass_guess_kg), planner, seed)
-    run.twin, run.load = twin, known_load(cell, payload)
-    plan = yield from run.planned(np.array(cell.robot.home_rad))
+    run = Run(cell, session, payload_box, Procedure(timing or Timing(), mass_guess_kg, scope), planner, seed)
+    run.twin, run.load, run.effort = twin, known_load(cell, payload), effort
+    plan = yield from run.planned(np.array(cell.robot.home_rad) if start is None else start)
     return (yield from carried_out(run, plan, payload, reference, out))
 
 
@@ -156,6 +162,8 @@ class Run:
     """What the joints' torques are judged with; guessed where nothing is known of it."""
     before: Recording | None = None
     """What the samples are appended to; of this robot as it stands here (`recording.check_same_robot`)."""
+    effort: int = 1
+    """How much is searched before a plan is refused."""
 
     def __init__(self, cell: Cell, session: RobotSession, payload_box: Box, sequence: MotionSequence, planner: Planner, seed: int) -> None:
         self.cell, self.session, self.payload_box = cell, session, payload_box
@@ -182,7 +190,7 @@ class Run:
     def plan_request(self, start: Array, done: int) -> PlanRequest:
         """What `planned` plans, for whoever does it."""
         seed = self.seed + self.restarts
-        return PlanRequest(self.cell, self.payload_box, start, done, self.session.period, self.planner, seed, self.load)
+        return PlanRequest(self.cell, self.payload_box, start, done, self.session.period, self.planner, seed, self.load, self.effort)
 
     def moved(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
         """Carries the plan out; after a stop by the guard the rest of it from new start configurations, as the paper says.

@@ -89,12 +89,12 @@ def write_recording(recording: Recording, folder: Path) -> None:
     """Writes a recording as a new folder; it appears under its name complete, or not at all.
 
     Raises:
-        BadInput: the folder exists; a recording is never overwritten.
+        BadInput: the folder exists and is not empty; a recording is never overwritten.
         BadRecording: columns of different lengths, values that are not finite, or time that does not increase.
     """
     folder = Path(folder)
-    if folder.exists():
-        raise BadInput(str(folder), "something that is already there", "a new folder; a recording is never overwritten")
+    if folder.exists() and not (folder.is_dir() and not any(folder.iterdir())):
+        raise BadInput(str(folder), "something that is already there", "a new or empty folder; a recording is never overwritten")
     columns = _columns_of(recording)
     manifest = manifest_of(recording).model_dump_json(indent=1, exclude_none=True)
     partial = folder.with_name(f".{folder.name}.{uuid.uuid4().hex[:8]}.partial")

@@ -12,6 +12,7 @@ from core.cell import Cell
 from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.inertia import PHI_NAMES, PHI_UNITS
 from core.plan import Plan
+from core.plan_settings import Scope
 from core.plan_summary import PlanTorques
 from core.result import Result
 from core.second_opinion.opinion import Opinion
@@ -102,6 +103,15 @@ def plan_table(plan: Plan) -> Table:
         )
     table.add_row("home", "", "", "", "", f"{plan.home.trajectory.duration:.1f}", f"{plan.home.least_margin_m:.3f}", "")
     return table
+
+
+def not_excited_lines(scope: Scope) -> list[str]:
+    """What a part of the procedure does not show, those with the same reason in one line."""
+    left_out = scope.not_excited
+    return [
+        f"Not to be determined by rotations: {', '.join(name for name in left_out if left_out[name] == why)} ({why})"
+        for why in dict.fromkeys(left_out.values())
+    ]
 
 
 def opinion_lines(opinion: Opinion) -> list[str]:

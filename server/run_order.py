@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from core.cell import Cell
+from core.errors import BadInput
 from core.plan_settings import Timing
+from core.slow_run import slowed
 from server.run_ledger import motion_of
 from server.run_schemas import Motion, RestOfRun, RunOrder
 from server.run_tables import RunRow
@@ -17,9 +19,10 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
     asked = RunOrder.model_validate_json(row.order)
     motion = motion_of(row)
     payload = asked.payload or next(iter(cell.payloads))  # orders of older services may name none
+    limit = cell.limits.cartesian_speed_m_s  # may have become lower since it was asked for
     return Order(
         run=row.id,
-        cell=cell,
+        cell=slowed(cell, min(asked.speed_m_s or limit, limit), "speed_m_s"),
         payload=payload,
         payload_box=asked.payload_box or cell.payloads[payload].box,
         timing=Timing(hold_s=asked.hold_s, settle_s=asked.settle_s, robot_s=asked.robot_s, inertia_std=asked.inertia_std),
@@ -29,7 +32,22 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
         pace=asked.pace,
         folder=folder,
         continues=None if motion is None else _continuation(motion),
+        scope=asked.scope,
+        effort=asked.effort,
+        start_rad=asked.start_rad,
     )
+
+
+def check_order(order: RunOrder, cell: Cell) -> None:
+    """What is asked for goes with the cell; whether the robot may be where it is said to stand is for planning to say.
+
+    Raises:
+        BadInput: a speed above the cell's limit, or not one joint position for each joint.
+    """
+    slowed(cell, order.speed_m_s, "speed_m_s")
+    count = len(cell.robot.home_rad)
+    if order.start_rad is not None and len(order.start_rad) != count:
+        raise BadInput("start_rad", f"{len(order.start_rad)} joint positions", f"{count} of them")
 
 
 def _continuation(motion: Motion) -> Continuation:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from datetime import datetime
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from core.gap.experiment import Stop
 from core.lateness import Lateness
-from core.plan_settings import Planner
-from core.shapes import Box
+from core.plan_settings import MAX_EFFORT, Planner, Scope
+from core.shapes import Angle, Box
 from server.packml import JobState, State
 from server.result_summary import ResultSummary
 from server.schemas import Answer, Body, Name
@@ -29,6 +29,11 @@ class RunOrder(Body):
         seed: makes planning and the simulated noise repeatable.
         hold_s, settle_s, robot_s, inertia_std: as in `core.plan_settings.Timing`.
         pace: of the simulated robot.
+        axes: sensor axes to hold along gravity and to turn about, in the order x, y, z; fewer where one has no room.
+        rotations: false for holds alone, which tell mass and centre of mass.
+        speed_m_s: no point moves faster; at most the cell's limit, that where absent.
+        effort: so many times the candidates and iterations before a plan is refused.
+        start_rad: where the robot stands; at home where absent.
     """
 
     cell: Name
@@ -42,6 +47,16 @@ class RunOrder(Body):
     robot_s: float = Field(115.0, ge=1.0, le=600.0)
     inertia_std: float = Field(0.004, gt=0.0, le=1.0)
     pace: Pace = "real_time"
+    axes: Annotated[str, Field(pattern=r"^x?y?z?$", min_length=1)] = "xyz"
+    rotations: bool = True
+    speed_m_s: float | None = Field(None, gt=0.0, allow_inf_nan=False)
+    effort: int = Field(1, ge=1, le=MAX_EFFORT)
+    start_rad: tuple[Angle, ...] | None = Field(None, min_length=1, max_length=32)
+
+    @property
+    def scope(self) -> Scope:
+        """Which part of the procedure is wanted."""
+        return Scope(self.axes, self.rotations)
 
 
 class ProposedMotion(Body):

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.inertia import PHI_NAMES, Motion
+from core.plan_settings import Scope
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -32,10 +33,16 @@ def determined(phi: Array, std: Array) -> Bools:
     return np.asarray(enough & mass_known)
 
 
-def reasons(phi: Array, std: Array, known: Bools, *, static: bool, motion: Motion | None) -> dict[str, str]:
-    """Name of each undetermined parameter -> why."""
+def reasons(phi: Array, std: Array, known: Bools, *, static: bool, motion: Motion | None, turned: str | None = None) -> dict[str, str]:
+    """Name of each undetermined parameter -> why.
+
+    Args:
+        turned: sensor axes that were turned about, `xy` for example; None where nobody has said what was done when.
+    """
+    missing = {} if static or turned is None else Scope(turned).not_excited
     return {
-        name: _reason(k, float(std[k]), float(scales(phi)[k]), static=static, motion=motion)
+        name: (f"{missing[name]}; " if name in missing else "")
+        + _reason(k, float(std[k]), float(scales(phi)[k]), static=static, motion=motion)
         for k, name in enumerate(PHI_NAMES)
         if not known[k]
     }

@@ -16,7 +16,7 @@ from core.estimation.regression import Thresholds, regression
 from core.estimation.segments import Segment, motionless, parted, segments_of_motion, segments_of_phase
 from core.estimation.torque_only import torque_only
 from core.estimation.twin_effects import TwinEffects, effects_on, fit_with_effects
-from core.estimation.verdict import verdict_of, warnings_of
+from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
 from core.estimation.verification import LeaveOneOut
 from core.estimation.weak_form import WeakForm
 from core.inertia import Motion, is_consistent, regressor
@@ -62,10 +62,12 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
         return _nothing(segments, f"{recording.t[-1] - recording.t[0]:.2f} s are too short to say anything")
     effects = effects_on(recording, poses, segments, twin, static=static)
     found, change = _fitted(form, wrench, noise or unknown_noise(), effects)
-    estimate = _estimate(found, motion, static=rows_only)
+    turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
+    estimate = _estimate(found, motion, static=rows_only, turned=turned)
     paper = _paper(wrench - change, motion, speed, still, found.noise)
     series = None if rows_only else _series(recording.t, wrench, motion, found, change)
-    warnings = (*warnings_of(recording, estimate, found, static=rows_only), *_not_accounted(effects))
+    said = warnings_of(recording, estimate, found, static=rows_only)
+    warnings = (*said, *on_transfers_alone(estimate, turned), *_not_accounted(effects))
     verdict = verdict_of(estimate, static=rows_only)
     verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found.noise, segments).verifications
     return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, verified=verified)
@@ -106,7 +108,7 @@ def _labelled_still(recording: Recording, segments: tuple[Segment, ...]) -> Bool
     return still
 
 
-def _estimate(found: Fit, motion: Motion, *, static: bool) -> Estimate:
+def _estimate(found: Fit, motion: Motion, *, static: bool, turned: str | None) -> Estimate:
     covariance = found.covariance
     phi, S = found.phi.copy(), covariance[:10, :10].copy()
     std = np.sqrt(np.diag(S))
@@ -114,7 +116,7 @@ def _estimate(found: Fit, motion: Motion, *, static: bool) -> Estimate:
     body = nearest_consistent(phi, S) if known[0] else phi
     constrained = bool((np.abs(body - phi)[known] > 0.01 * std[known]).any())
     phi = body.copy()
-    why = reasons(phi, std, known, static=static, motion=None if static else motion)
+    why = reasons(phi, std, known, static=static, motion=None if static else motion, turned=turned)
     phi[~known] = np.nan
     S[~known, :] = np.nan
     S[:, ~known] = np.nan

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from core.estimation.estimate import Estimate
 from core.estimation.generalised_least_squares import Fit
 from core.inertia import PHI_NAMES
+from core.plan_settings import Scope
 from core.recording import Recording
 from core.remark import Remark
 
@@ -65,6 +66,21 @@ def warnings_of(recording: Recording, estimate: Estimate, found: Fit, *, static:
     if (estimate.drift.range > np.maximum(4.0 * estimate.drift.std, 2.0 * estimate.noise_std)).any():
         said.append(Remark("drift", f"{estimate.drift.description}; taken into account"))
     return tuple(said)
+
+
+def on_transfers_alone(estimate: Estimate, turned: str | None) -> list[Remark]:
+    """Inertial parameters that are determined without any rotation that was meant to show them.
+
+    Args:
+        turned: sensor axes that were turned about; None where nobody has said what was done when.
+    """
+    left_out = {} if turned is None else Scope(turned).not_excited
+    names = ", ".join(name for name, known in zip(PHI_NAMES, estimate.determined, strict=True) if known and name in left_out)
+    if not names:
+        return []
+    axes = " or ".join(axis for axis in "xyz" if axis not in (turned or ""))
+    sentence = f"there was no rotation about {axes}: {names} rest on the transfers alone, and no rotation that was left out verifies them"
+    return [Remark("transfers_alone", sentence, {"axes": axes, "parameters": names})]
 
 
 def _saturation(recording: Recording) -> list[Remark]:

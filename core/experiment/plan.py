@@ -20,10 +20,12 @@ from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.gap.experiment import HOLD_S, Stop, Swings, wave_shape
 from core.joint_torques import JointTorques, Load, guessed_load, refuse_too_heavy
-from core.plan import PATH_SECONDS, Leg, Plan, confirmed
+from core.plan import Leg, Plan, confirmed, way_home
 from core.plan_settings import Planner, Timing
-from core.planning.path import one_turn_away
-from core.planning.start_configuration import Attitude, StartConfiguration, find_attitude
+from core.planning.effort import grid_rounds, path_iterations
+from core.planning.path import check_end, one_turn_away
+from core.planning.start_configuration import Attitude, Grid, StartConfiguration, find_attitude
+from core.planning.throw import ThrowCheck
 from core.planning.transfer import plan_transfer
 from core.planning.wave import fit_wave
 from core.robot import RobotModel
@@ -50,8 +52,12 @@ def plan_experiment(
     planner: Planner = "rrt_connect",
     seed: int = 0,
     load: Load | None = None,
+    effort: int = 1,
 ) -> Generator[Event, None, Plan]:
     """Plans from joint positions `start` (n,) through all stops back to home.
+
+    Args:
+        effort: how much is searched before a plan is refused, see `core.planning.effort`.
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
@@ -59,16 +65,17 @@ def plan_experiment(
         PlanDisputed: see `core.plan.confirmed`.
     """
     began = time.perf_counter()
+    check_end("start", start, robot, collision, ThrowCheck(cell))
     home = np.array(cell.robot.home_rad)
     torques = JointTorques(cell, robot, load or guessed_load(cell, payload_box, MASS_GUESS_KG))
     refuse_too_heavy(torques.of([JointPath("start", start[None]), JointPath("home", home[None])], period))
-    search = _Search(cell, robot, collision, payload_box, period, planner, seed, torques)
+    search = _Search(cell, robot, collision, payload_box, period, planner, seed, torques, effort)
     legs: list[Leg] = []
     here = start
     for stop in stops:
         legs.append((yield from search.leg(stop, here)))
         here = legs[-1].transfer.goal
-    back = plan_transfer(cell, robot, collision, here, home, period=period, planner=planner, seed=seed, seconds=PATH_SECONDS[-1])
+    back = way_home(cell, robot, collision, here, period=period, planner=planner, seed=seed, effort=effort)
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
     found = confirmed(cell, robot, collision, payload_box, legs, back, torques)
     plan = Plan(tuple(legs), back, Timing(hold_s=HOLD_S), time.perf_counter() - began, found.opinion, found.torques)
@@ -88,10 +95,11 @@ class _Search:
     planner: Planner
     seed: int
     torques: JointTorques
+    effort: int
 
     def leg(self, stop: Stop, here: Array) -> Generator[Event, None, Leg]:
         """A stop that can be reached from joint positions `here`, and left room for its movement; others where one cannot."""
-        for attempt, seconds in enumerate(PATH_SECONDS):
+        for attempt, iterations in enumerate(path_iterations(self.effort)):
             seed = self.seed + 101 * attempt
             start = self._start(stop, here, seed)
             yield StartConfigurationFound(
@@ -102,7 +110,7 @@ class _Search:
                 candidates=start.candidates,
             )
             try:
-                leg = self._connected(stop, start, here, seconds)
+                leg = self._connected(stop, start, here, iterations)
             except NoPath as error:
                 failure = error
                 continue
@@ -115,16 +123,18 @@ class _Search:
         """Where to stop; where the posture is to be another one, the farthest of several."""
         about = np.eye(3)["xyz".index(stop.swings.about)] if stop.swings else np.eye(3)[0]
         rotation = None if stop.swings is None else self._profile(stop.swings, 1)
+        grid = Grid(rounds=grid_rounds(self.effort))
         attitude = Attitude(stop.label, np.array(stop.down), about, rotation)
         if stop.away_from_rad is None:
-            return find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed, near=here, torques=self.torques)
+            return find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed, near=here, grid=grid, torques=self.torques)
         avoided = np.array(stop.away_from_rad)
         found = [
-            find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed + k, torques=self.torques) for k in range(POSTURES)
+            find_attitude(self.cell, self.robot, self.collision, attitude, seed=seed + k, grid=grid, torques=self.torques)
+            for k in range(POSTURES)
         ]
         return max(found, key=lambda start: float(np.abs(start.q - avoided).max()))
 
-    def _connected(self, stop: Stop, start: StartConfiguration, here: Array, seconds: float) -> Leg:
+    def _connected(self, stop: Stop, start: StartConfiguration, here: Array, iterations: int) -> Leg:
         """The way there, and the movement at its end."""
         goals = one_turn_away(self.robot, start.q, here)
         transfer = plan_transfer(
@@ -136,7 +146,7 @@ class _Search:
             period=self.period,
             planner=self.planner,
             seed=self.seed,
-            seconds=seconds,
+            iterations=iterations,
         )
         start = replace(start, q=transfer.goal, about="" if stop.swings is None else stop.swings.about)
         if stop.swings is not None:

@@ -29,6 +29,7 @@ def measure_more(
     *,
     planner: Planner = "rrt_connect",
     seed: int = 0,
+    effort: int = 1,
     out: Path | None = None,
     twin: Twin = NOMINAL,
 ) -> Generator[Event, None, Outcome]:
@@ -37,6 +38,7 @@ def measure_more(
     Args:
         before: the recording that is continued; only read.
         stops: of the experiment.
+        effort: how much is searched before a plan is refused.
         out: folder to make for both; nothing is written where absent.
         twin: of the cell; the estimate accounts for its effects.
 
@@ -49,6 +51,6 @@ def measure_more(
     """
     run = Run(cell, session, payload_box, Stops.of(stops), planner, seed)
     check_same_robot(before, run.robot.description, cell.gravity_in_base)
-    run.twin, run.before, run.load = twin, before, known_load(cell, before.payload)
+    run.twin, run.before, run.load, run.effort = twin, before, known_load(cell, before.payload), effort
     plan = yield from run.planned(np.array(cell.robot.home_rad))
     return (yield from carried_out(run, plan, before.payload, None, out))

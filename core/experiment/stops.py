@@ -51,4 +51,5 @@ class Stops:
             planner=asked.planner,
             seed=asked.seed,
             load=asked.load,
+            effort=asked.effort,
         )

@@ -18,6 +18,7 @@ from core.collision import CollisionModel
 from core.errors import NoPath
 from core.plan_settings import Planner
 from core.planning.certificate import LeastMargin, least_margin
+from core.planning.effort import PATH_ITERATIONS
 from core.planning.pair_margins import PairMargins
 from core.planning.room import Room
 from core.planning.shortcut import shortened
@@ -63,21 +64,21 @@ def plan_path(
     *,
     planner: Planner = "rrt_connect",
     seed: int = 0,
-    seconds: float = 5.0,
+    iterations: int = PATH_ITERATIONS[-1],
 ) -> Path:
     """Path from start (n,) to a goal that keeps every required distance, short in time at the cell's Cartesian speed limit.
 
     Args:
         goal: (n,), or (K, n) for a path to any one of them, whichever is found (see `one_turn_away`).
-        seed: the same seed gives the same path, unless the time runs out or the planner uses all of it (RRT*).
-        seconds: bound on the search.
+        seed: the same seed gives the same path, however busy the machine is.
+        iterations: bound on the search; RRT* uses all of them.
 
     Raises:
-        NoPath: start or goal outside the limits or too close to something; or nothing found in the time.
+        NoPath: start or goal outside the limits or too close to something; or nothing found in so many iterations.
     """
     start = np.array(start, dtype=float)
     throws = ThrowCheck(cell)
-    _check_end("start", start, robot, collision, throws)
+    check_end("start", start, robot, collision, throws)
     ends = np.stack((start, *_possible_goals(np.atleast_2d(np.array(goal, dtype=float)), robot, collision, throws)))
     limits = MotionLimits.of_cell(cell, robot, collision)
     room = Room(robot, collision, throws, ends, SPARE_M)
@@ -87,7 +88,7 @@ def plan_path(
 
     lines = sorted((np.stack((start, q)) for q in ends[1:]), key=cost)
     straight = next((line for line in lines if room.has_all(line)), None)
-    found = _searched(room, collision, ends, planner, seed, seconds) if straight is None else [straight]
+    found = _searched(room, collision, ends, planner, seed, iterations) if straight is None else [straight]
     rng = np.random.default_rng(seed)
     short = [shortened(q, cost, room.has_all, rng, attempts=_SHORTENING_ATTEMPTS) for q in found]
     return _described(min(short, key=cost), room.margins, collision)
@@ -132,7 +133,7 @@ def _possible_goals(goals: Array, robot: RobotModel, collision: CollisionModel, 
     possible, reasons = [], []
     for q in goals:
         try:
-            _check_end("goal", q, robot, collision, throws)
+            check_end("goal", q, robot, collision, throws)
             possible.append(q)
         except NoPath as reason:
             reasons.append(reason)
@@ -141,7 +142,13 @@ def _possible_goals(goals: Array, robot: RobotModel, collision: CollisionModel, 
     return possible
 
 
-def _check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck) -> None:
+def check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck) -> None:
+    """Whether a path may start or end at q (n,); `name` is "start" or "goal".
+
+    Raises:
+        NoPath: no configuration of this robot, outside the joint limits, too close to something, or a load that comes off there falls into
+            a zone.
+    """
     if q.shape != (robot.n,) or not np.isfinite(q).all():
         raise NoPath(f"the {name} of the path is {q.tolist()}, expected {robot.n} finite joint positions in rad.")
     outside = np.flatnonzero((q < robot.lower) | (q > robot.upper))
@@ -179,14 +186,14 @@ def check_drop(name: str, q: Array, robot: RobotModel, collision: CollisionModel
         )
 
 
-def _searched(room: Room, collision: CollisionModel, ends: Array, planner: Planner, seed: int, seconds: float) -> list[Array]:
+def _searched(room: Room, collision: CollisionModel, ends: Array, planner: Planner, seed: int, iterations: int) -> list[Array]:
     """Paths (M, n) from the first row of `ends` to any other: the first that is found, and one more that may be shorter in time."""
-    first = _search(room, ends, planner, seed, seconds)
+    first = _search(room, ends, planner, seed, iterations)
     if not first.arrived:
-        raise _not_found(collision, first, ends, planner, seconds)
+        raise _not_found(collision, first, ends, planner, iterations)
     if planner == "rrt_star":
         return [first.q]
-    second = _search(room, ends, planner, seed + 1, seconds)
+    second = _search(room, ends, planner, seed + 1, iterations)
     return [first.q, second.q] if second.arrived else [first.q]
 
 
@@ -198,7 +205,7 @@ class _Found:
     arrived: bool
 
 
-def _search(room: Room, ends: Array, planner: Planner, seed: int, seconds: float) -> _Found:
+def _search(room: Room, ends: Array, planner: Planner, seed: int, iterations: int) -> _Found:
     """One search by OMPL. What is returned is a copy: OMPL's states die with it."""
     util.RNG.setSeed(seed + 1)  # 0 would mean a random seed
     n = ends.shape[1]
@@ -216,7 +223,7 @@ def _search(room: Room, ends: Array, planner: Planner, seed: int, seconds: float
     search = {"rrt_connect": geometric.RRTConnect, "rrt_star": geometric.RRTstar}[planner](information)
     search.setRange(_RANGE_RAD)
     setup.setPlanner(search)
-    setup.solve(seconds)
+    setup.solve(base.PlannerTerminationCondition(_Countdown(iterations).is_over))
     if not setup.getProblemDefinition().hasSolution():
         return _Found(ends[:1], False)
     q = np.array([state[0:n] for state in setup.getSolutionPath().getStates()])
@@ -228,6 +235,18 @@ def _state(space: base.RealVectorStateSpace, q: Array) -> base.State:
     for j, value in enumerate(q):
         state[j] = float(value)
     return state
+
+
+class _Countdown:
+    """Ends a search after so many iterations: OMPL asks once in each. Seconds would make the path depend on what else the machine does."""
+
+    def __init__(self, iterations: int) -> None:
+        self._left = iterations
+
+    def is_over(self) -> bool:
+        """Whether no iteration is left."""
+        self._left -= 1
+        return self._left < 0
 
 
 class _Edges(base.MotionValidator):
@@ -252,12 +271,13 @@ def _bounds(room: Room, ends: Array) -> base.RealVectorBounds:
     return bounds
 
 
-def _not_found(collision: CollisionModel, best: _Found, ends: Array, planner: Planner, seconds: float) -> NoPath:
+def _not_found(collision: CollisionModel, best: _Found, ends: Array, planner: Planner, iterations: int) -> NoPath:
     tight = min((collision.nearest(q) for q in ends), key=lambda pair: pair.margin_m)
     left, whole = (float(np.linalg.norm(ends[1:] - q, axis=1).min()) for q in (best.q[-1], ends[0]))
     return NoPath(
-        f"no path found in {seconds:.1f} s by {planner}: the search from the start came within {left:.2f} rad of the goal, "
+        f"no path found in {iterations} iterations by {planner}: the search from the start came within {left:.2f} rad of the goal, "
         f"{whole:.2f} rad away; the tighter end has {tight.first!r} {tight.distance_m:.3f} m from "
-        f"{tight.second!r} (limit {tight.required_m:.3f} m). Give it more time, choose another start configuration, or clear the cell.",
+        f"{tight.second!r} (limit {tight.required_m:.3f} m). "
+        "Search more (--effort), choose another start configuration, or clear the cell.",
         tight.second,
     )

@@ -20,6 +20,7 @@ from core.errors import NoStartConfiguration, TooHeavy
 from core.joint_torques import HOLDING_SHARE, JointTorques
 from core.planning.candidates import Candidates, CandidateSearch, Weights
 from core.planning.certificate import is_clear
+from core.planning.effort import GRID_ROUNDS
 from core.planning.grid import draw_postures, first_grid, second_grid
 from core.planning.pair_margins import PairMargins
 from core.planning.rotation_room import Obstruction, RotationCheck, Turn
@@ -50,7 +51,7 @@ class Grid:
     per_vertex: int = 10
     per_side: int = 5
     postures: int = 20_000
-    rounds: int = 3
+    rounds: int = GRID_ROUNDS
 
 
 @dataclass(frozen=True)

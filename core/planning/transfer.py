@@ -17,6 +17,7 @@ from core.errors import NoPath
 from core.plan_settings import Planner
 from core.planning.blending import rounded
 from core.planning.certificate import least_margin
+from core.planning.effort import PATH_ITERATIONS
 from core.planning.path import SPARE_M, check_drop, nearest_names, plan_path
 from core.planning.room import Room
 from core.planning.throw import ThrowCheck
@@ -72,14 +73,14 @@ def plan_transfer(
     period: float,
     seed: int = 0,
     planner: Planner = "rrt_connect",
-    seconds: float = 5.0,
+    iterations: int = PATH_ITERATIONS[-1],
 ) -> Transfer:
     """Timed transfer from start (n,) to goal that keeps all distances and limits.
 
     Args:
         goal: (n,), or (K, n) for a transfer to any one of them; `Transfer.goal` tells which.
         period: control period, s.
-        seconds: bound on the search for a path, for each of a few tries.
+        iterations: bound on the search for a path, for each of a few tries.
 
     Raises:
         NoPath: with the reason of the last try.
@@ -91,7 +92,7 @@ def plan_transfer(
     limits = MotionLimits.of_cell(cell, robot, collision)
     limits = replace(limits, cartesian_speed_m_s=SPEED_FRACTION * limits.cartesian_speed_m_s)
     for attempt in range(_TRIES):
-        path = plan_path(cell, robot, collision, start, goal, planner=planner, seed=seed + 1000 * attempt, seconds=seconds)
+        path = plan_path(cell, robot, collision, start, goal, planner=planner, seed=seed + 1000 * attempt, iterations=iterations)
         room = Room(robot, collision, throws, path.q[[0, -1]], ROUNDING_SPARE_M)
         try:
             trajectory = _timed(path.q, rounded(path.q, room.has_all), robot, collision, throws, limits, period)

@@ -18,6 +18,11 @@ Faces = list[Array]
 """Convex polygons, each (k, 3), counter-clockwise seen from outside, m."""
 
 ROUND = 20  # corners of a circle
+MESH_CORNERS = 48
+"""Of a mesh as it is drawn: about as many faces as a cylinder with round ends has, however fine the mesh."""
+
+Part = tuple[int, Faces]
+"""A body of the robot: the number of the joint that carries it (0 for the base), and its faces in that joint's frame."""
 
 
 def faces_of_points(points: Array) -> Faces:
@@ -29,6 +34,21 @@ def faces_of_points(points: Array) -> Faces:
         outward = np.cross(b - a, c - a) @ equation[:3] > 0
         faces.append(np.array([a, b, c] if outward else [a, c, b]))
     return faces
+
+
+def mesh_faces(points: Array) -> Faces:
+    """About the convex hull of a mesh's vertices (k, 3), with `MESH_CORNERS` corners at most; no faces where it has no volume.
+
+    The corners are the vertices that are farthest out in directions spread evenly over the sphere (a Fibonacci lattice).
+    """
+    points = np.unique(points[np.isfinite(points).all(axis=1)], axis=0)
+    if len(points) < 4 or np.linalg.matrix_rank(points - points.mean(axis=0), tol=1e-9) < 3:
+        return []
+    k = np.arange(MESH_CORNERS) + 0.5
+    up, turn = 1.0 - 2.0 * k / MESH_CORNERS, np.pi * (1.0 + np.sqrt(5.0)) * k
+    level = np.sqrt(1.0 - up**2)
+    directions = np.column_stack([level * np.cos(turn), level * np.sin(turn), up])
+    return faces_of_points(points[np.unique(np.argmax((points - points.mean(axis=0)) @ directions.T, axis=0))])
 
 
 def box_faces(size: Array) -> Faces:
@@ -106,13 +126,17 @@ def shape_faces(shape: Shape) -> Faces:
     return placed(faces, shape.pose.rotation, shape.pose.translation)
 
 
-def arm_faces(cell: Cell, robot: RobotModel, q: Array) -> Faces:
-    """The robot at q (n,) as its URDF pictures it, or its collision shapes where it has no picture."""
+def arm_faces(cell: Cell, robot: RobotModel, q: Array, parts: list[Part] | None = None) -> Faces:
+    """The robot at q (n,) as its URDF pictures it, or its collision shapes where it has no picture.
+
+    Args:
+        parts: what `arm_parts` has read, for who draws it more than once.
+    """
     poses = joint_poses(robot, q)
-    return [face for joint, faces in arm_parts(cell, robot) for face in placed(faces, *poses[joint])]
+    return [face for joint, faces in parts or arm_parts(cell, robot) for face in placed(faces, *poses[joint])]
 
 
-def arm_parts(cell: Cell, robot: RobotModel) -> list[tuple[int, Faces]]:
+def arm_parts(cell: Cell, robot: RobotModel) -> list[Part]:
     """The robot's bodies, each with the number of the joint that carries it (0 for the base) and its faces in that joint's frame."""
     shapes = visual_shapes(cell, robot) or collision_shapes(cell, robot)
     return [(each.joint, placed(_faces(each), each.placement.rotation, each.placement.translation)) for each in shapes]
@@ -137,4 +161,4 @@ def _faces(each: LinkShape) -> Faces:
             return cylinder_faces(*sizes)
         case "capsule":
             return capsule_faces(*sizes)
-    return [face for part in each.parts for face in faces_of_points(part)]
+    return [face for part in each.parts for face in mesh_faces(part)]

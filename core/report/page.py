@@ -10,6 +10,7 @@ import numpy as np
 from core.estimation.estimate import Identification
 from core.recording import Recording
 from core.report.charts import distance_chart, rotation_chart, wrench_chart
+from core.report.faces import arm_parts
 from core.report.html_file import write_html
 from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
 from core.report.scene import scene
@@ -71,9 +72,10 @@ def _charts(identification: Identification) -> dict[str, str | None]:
 
 def _starts(run: RunSummary) -> list[dict[str, Any]]:
     robot = RobotModel.of_cell(run.cell)
+    parts = arm_parts(run.cell, robot)
     return [
         {
-            "scene": scene(run.cell, robot, run.payload_box, start),
+            "scene": scene(run.cell, robot, run.payload_box, start, parts),
             "axis": start.axis.replace("-", "−"),
             "lines": start_lines(start),
         }

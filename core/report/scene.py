@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from core.cell import Box, Cell
 from core.cell_tools import tool_boxes
 from core.planning.start_configuration import StartConfiguration
-from core.report.faces import Faces, arm_faces, box_faces, placed, shape_faces
+from core.report.faces import Faces, Part, arm_faces, box_faces, placed, shape_faces
 from core.robot import RobotModel, SensorPose
 
 Array = NDArray[np.float64]
@@ -64,16 +64,17 @@ class View:
         return np.asarray(right_up * [1, -1] + [WIDTH / 2, HEIGHT / 2])
 
 
-def scene(cell: Cell, robot: RobotModel, payload_box: Box, start: StartConfiguration) -> str:
+def scene(cell: Cell, robot: RobotModel, payload_box: Box, start: StartConfiguration, robot_parts: list[Part] | None = None) -> str:
     """SVG of the robot in a start configuration among obstacles and zones, with the sensor's axes and the throw.
 
     Args:
         payload_box: in the sensor frame.
+        robot_parts: as `arm_parts` reads them, for who draws more than one scene.
     """
     sensor = robot.sensor_pose(start.q)
     carried = (payload_box, *tool_boxes(cell).values())
     boxes = [placed(box_faces(np.array(box.size_m)), box.pose.rotation, box.pose.translation) for box in carried]
-    arm = arm_faces(cell, robot, start.q)
+    arm = arm_faces(cell, robot, start.q, robot_parts)
     load = [face for box in boxes for face in placed(box, sensor.rotation, sensor.position)]
     body = np.concatenate([*arm, *load])
     things = [(thing.name, "obstacle", shape_faces(thing.shape)) for thing in cell.obstacles]

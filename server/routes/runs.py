@@ -17,6 +17,7 @@ from server.packml import Command, State
 from server.reason import cancelled
 from server.rest_of_run import rest_of
 from server.run_answer import answer_now, answered
+from server.run_order import check_order
 from server.run_queue import IdempotencyKey, Request, queued
 from server.run_schemas import RunAnswer, RunOrder
 from server.run_tables import RunRow
@@ -30,7 +31,9 @@ def queue_run(
 ) -> RunAnswer:
     """Queues a run; nothing moves before an operator at the cell has released its plan. The same `Idempotency-Key` makes one run."""
     body = order.model_dump_json().encode()
-    order = with_payload(order, here.cells.read(order.cell).cell)
+    cell = here.cells.read(order.cell).cell
+    check_order(order, cell)
+    order = with_payload(order, cell)
     return queued(here, response, Request(asking.who, now, idempotency_key, body), order)
 
 

@@ -27,11 +27,12 @@ from core.sessions.leased import Lease, LeasedSession
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
 from core.twin_file import read_twin
+from core.whole_file import write_whole
 from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnded, Order, Paced, Ready, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
 from server.runner.priority import Priority, take
-from server.runner.run_folder import RECORDING, REPORT, locked
+from server.runner.run_folder import RECORDING, REPORT, RESULT, locked
 from server.runner.served_run import ServedRun
 from server.runner.shown_plan import shown
 
@@ -65,7 +66,7 @@ def _failed(error: HeftError) -> Failed:
 
 def _sequence_of(order: Order) -> MotionSequence:
     if order.continues is None or order.continues.stops is None:
-        return Procedure(order.timing, order.mass_guess_kg)
+        return Procedure(order.timing, order.mass_guess_kg, order.scope)
     return Stops(order.continues.stops)
 
 
@@ -79,7 +80,7 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     start = _start(order, before)
     robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin, start=start)
     run = ServedRun(order, LeasedSession(robot, lease), planning, listener, speaker)
-    run.twin, run.load = twin, known_load(order.cell, order.payload)
+    run.twin, run.load, run.effort = twin, known_load(order.cell, order.payload), order.effort
     if order.continues is not None and before is not None:
         check_same_robot(before, run.robot.description, order.cell.gravity_in_base)
         run.before, run.done = before, order.continues.done or 0
@@ -90,13 +91,17 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     finally:
         if isinstance(pace, RealTime):
             speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s, pace.median_s))
+    result = outcome.result(order.folder / RECORDING)
+    write_whole(order.folder / RESULT, result.model_dump_json(indent=2) + "\n")
     page = order.folder / REPORT
     write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
-    speaker.tell(Done(outcome.result(order.folder / RECORDING)))
+    speaker.tell(Done(result))
 
 
 def _start(order: Order, before: Recording | None) -> Array:
-    """Where the robot is: at home, or where the run ended that this one goes on with."""
+    """Where the robot is: at home, where the order says, or where the run ended that this one goes on with."""
+    if order.continues is None and order.start_rad is not None:
+        return np.array(order.start_rad)
     if order.continues is None or order.continues.done is None or before is None or before.q_cmd is None:
         return np.array(order.cell.robot.home_rad)
     return np.asarray(before.q_cmd[-1])

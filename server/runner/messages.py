@@ -9,7 +9,7 @@ from core.cell import Box, Cell, Pose
 from core.events import Event
 from core.gap.experiment import Stop
 from core.lateness import Lateness
-from core.plan_settings import Planner, Timing
+from core.plan_settings import WHOLE, Planner, Scope, Timing
 from core.result import Result
 from core.sessions.leased import Renewal
 from server.event_schemas import LiveBatch
@@ -42,7 +42,10 @@ class Order:
         payload: a payload that the cell knows; what the simulated robot carries.
         payload_box: what certainly contains it, sensor frame.
         folder: of the run; exists. Samples go there as they come, the recording in the end.
-        continues: what the run goes on with; None for a whole procedure.
+        continues: what the run goes on with; None for a procedure from its beginning.
+        scope: what of the procedure is wanted.
+        effort: how much is searched before a plan is refused.
+        start_rad: where the robot stands when a procedure begins; at home where None.
     """
 
     run: str
@@ -56,6 +59,9 @@ class Order:
     pace: Pace
     folder: Path
     continues: Continuation | None = None
+    scope: Scope = WHOLE
+    effort: int = 1
+    start_rad: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ LOCK = "control.lock"
 RECORDING = "recording"
 SAMPLES = "samples.arrows"
 REPORT = "report.html"
+RESULT = "result.json"
 
 
 def locked(folder: Path) -> TextIO:

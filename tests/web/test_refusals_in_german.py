@@ -37,6 +37,7 @@ IN_HOLES = {
     "unreachable {}", "too close to {}", "{} too close to {}",
     "a released load would fly into zone {}", "{} too weak to hold the load",
     "no room for the rotation: {}", *(f"{each} {HOLE}" for each in Obstruction),
+    "{} There is a plan for the other sensor axes: --axes {}.",
     "{} ms (limit {} ms)", *_LATE.values(), *State, ADDITION, DIAGNOSIS, TRIALS, *(f"{HOLE}: {step}" for _, step in NEXT_STEPS.values()),
 }  # fmt: skip
 """What sentences name in words, made elsewhere than the sentence."""

@@ -2872,6 +2872,11 @@ export interface components {
          *         seed: makes planning and the simulated noise repeatable.
          *         hold_s, settle_s, robot_s, inertia_std: as in `core.plan_settings.Timing`.
          *         pace: of the simulated robot.
+         *         axes: sensor axes to hold along gravity and to turn about, in the order x, y, z; fewer where one has no room.
+         *         rotations: false for holds alone, which tell mass and centre of mass.
+         *         speed_m_s: no point moves faster; at most the cell's limit, that where absent.
+         *         effort: so many times the candidates and iterations before a plan is refused.
+         *         start_rad: where the robot stands; at home where absent.
          */
         RunOrder: {
             /** Cell */
@@ -2921,6 +2926,25 @@ export interface components {
              * @enum {string}
              */
             pace?: "real_time" | "as_fast_as_possible";
+            /**
+             * Axes
+             * @default xyz
+             */
+            axes?: string;
+            /**
+             * Rotations
+             * @default true
+             */
+            rotations?: boolean;
+            /** Speed M S */
+            speed_m_s?: number | null;
+            /**
+             * Effort
+             * @default 1
+             */
+            effort?: number;
+            /** Start Rad */
+            start_rad?: number[] | null;
         };
         /**
          * RunPlan

@@ -86,7 +86,7 @@ def test_a_goal_behind_a_folded_wrist_is_reached_the_other_way_round() -> None:
     goal = np.array([*home[:4], home[4] - np.pi - 0.1, 0.0])
     assert collision.margin(goal) > 0.0
     with pytest.raises(NoPath, match="no path found"):
-        plan_transfer(cell, robot, collision, home, goal, period=0.001, seconds=0.5)
-    moved = plan_transfer(cell, robot, collision, home, one_turn_away(robot, goal, home), period=0.001, seconds=1.0)
+        plan_transfer(cell, robot, collision, home, goal, period=0.001, iterations=150)
+    moved = plan_transfer(cell, robot, collision, home, one_turn_away(robot, goal, home), period=0.001, iterations=300)
     np.testing.assert_allclose(moved.goal, goal + 2 * np.pi * np.eye(6)[4])
     np.testing.assert_allclose(robot.sensor_pose(moved.goal).rotation, robot.sensor_pose(goal).rotation, atol=1e-9)

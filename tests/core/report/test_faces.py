@@ -17,6 +17,7 @@ from core.report.faces import (
     capsule_faces,
     cylinder_faces,
     faces_of_points,
+    mesh_faces,
     placed,
     shape_faces,
     sphere_faces,
@@ -36,12 +37,19 @@ def volume(faces: Faces) -> float:
     return float(sum(face.mean(axis=0) @ area for face, area in zip(faces, area_vectors(faces), strict=True)) / 3)
 
 
+def ball(count: int) -> np.ndarray:
+    """(count, 3), vertices of a fine mesh of a ball of radius 0.2 m."""
+    points = np.random.default_rng(5).normal(size=(count, 3))
+    return 0.2 * points / np.linalg.norm(points, axis=1, keepdims=True)
+
+
 # a circle of 20 corners has 0.984 of the circle's area, a ball of 20 by 10 faces about 0.95 of the ball's volume
 SOLIDS: dict[str, tuple[Callable[[], Faces], float, float]] = {
     "box": (lambda: box_faces(np.array([0.2, 0.3, 0.5])), 0.03, 1e-12),
     "cylinder": (lambda: cylinder_faces(0.1, 0.4), np.pi * 0.004, 0.02),
     "sphere": (lambda: sphere_faces(0.2), 4 / 3 * np.pi * 0.008, 0.06),
     "capsule": (lambda: capsule_faces(0.1, 0.4), np.pi * 0.004 + 4 / 3 * np.pi * 0.001, 0.03),
+    "mesh": (lambda: mesh_faces(ball(20_000)), 4 / 3 * np.pi * 0.008, 0.15),
     "hull": (lambda: faces_of_points(np.vstack([np.eye(3), np.zeros(3)])), 1 / 6, 1e-12),
 }
 
@@ -69,3 +77,23 @@ def test_the_arm_is_drawn_up_to_its_sensor() -> None:
     assert corners[:, 2].max() == pytest.approx(robot.sensor_pose(np.zeros(7)).position[2], abs=1e-3)
     assert corners[:, 2].min() == pytest.approx(0.0, abs=1e-9)
     assert np.abs(corners[:, :2]).max() == pytest.approx(0.085, abs=1e-9)
+
+
+def test_a_mesh_is_drawn_with_few_faces_however_fine_it_is() -> None:
+    fine, coarse = (mesh_faces(ball(count)) for count in (50_000, 500))
+    capsule = capsule_faces(0.1, 0.4)
+    assert len(fine) <= len(capsule)
+    assert len(coarse) <= len(capsule)
+    np.testing.assert_array_less(np.linalg.norm(np.concatenate(fine), axis=1), 0.2 + 1e-9)
+
+
+def test_a_coarse_mesh_keeps_its_corners() -> None:
+    corners = np.array(np.meshgrid([-1, 1], [-2, 2], [-3, 3]), dtype=float).reshape(3, -1).T
+    assert volume(mesh_faces(np.repeat(corners, 5, axis=0))) == pytest.approx(48.0)
+
+
+@pytest.mark.parametrize(
+    "points", [np.zeros((9, 3)), np.eye(3), np.full((5, 3), np.nan), np.random.default_rng(0).normal(size=(30, 3)) * [1, 1, 0]]
+)
+def test_a_mesh_without_volume_is_not_drawn(points: np.ndarray) -> None:
+    assert mesh_faces(points) == []

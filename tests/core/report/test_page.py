@@ -312,3 +312,33 @@ def test_facts_need_no_run() -> None:
     names = [fact.name for fact in facts(identification, None)]
     assert names == ["Mass", "Centre of mass", "Principal moments", "Tilt of the base", "Delay of the wrench"]
     assert [fact.name for fact in facts(identification, run)][5:] == ["Smallest distance", "Largest speed", "Restarts"]
+
+
+def fine_mesh(file: Path, count: int) -> None:
+    """A binary STL of a capsule-like body with about so many triangles."""
+    around, along = 200, count // 400
+    angle, height = np.meshgrid(np.linspace(0, 2 * np.pi, around), np.linspace(-1, 1, along))
+    radius = 0.06 * np.sqrt(1.0 - 0.9 * height**2)
+    p = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0.12 * height], axis=-1).astype("<f4")
+    quads = [np.stack([p[:-1, :-1], p[:-1, 1:], p[1:, 1:]], axis=2), np.stack([p[:-1, :-1], p[1:, 1:], p[1:, :-1]], axis=2)]
+    triangles = np.concatenate([each.reshape(-1, 3, 3) for each in quads])
+    rows = np.zeros(len(triangles), dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")])
+    rows["corners"] = triangles
+    file.write_bytes(bytes(80) + np.uint32(len(rows)).tobytes() + rows.tobytes())
+
+
+def test_a_robot_of_fine_meshes_makes_a_page_that_is_hardly_larger(whole: str, tmp_path: Path) -> None:
+    """Each mesh is read once: the page has six scenes."""
+    fine_mesh(tmp_path / "body.stl", 40_000)
+    urdf = (CELL.folder / "robot.urdf").read_text()
+    shape = re.compile(r"<geometry>.*?</geometry>", re.DOTALL)
+    (tmp_path / "robot.urdf").write_text(shape.sub('<geometry><mesh filename="body.stl"/></geometry>', urdf))
+    recording, identification, run = case()
+    assert run is not None
+    meshed = CELL.model_copy(update={"folder": tmp_path})
+    meshed.__dict__.pop("urdf", None)
+    text = written(tmp_path, recording, identification, replace(run, cell=meshed))
+    assert text.count('class="arm"') <= 2 * whole.count('class="arm"')
+    assert len(text.encode()) <= 2 * len(whole.encode())
+    assert len(text.encode()) <= 2_000_000
+    assert text.count('class="arm"') > 100

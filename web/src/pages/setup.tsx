@@ -2,6 +2,7 @@ import { CellChoice } from '../parts/cell-choice';
 import { CellFlaws } from '../parts/cell-flaws';
 import { Choice } from '../parts/choice';
 import { Facts } from '../parts/facts';
+import { MoreSettings } from '../parts/more-settings';
 import { Press } from '../parts/press';
 import type { Screen } from '../parts/screen';
 import { ToolFields } from '../parts/tool-fields';
@@ -48,6 +49,7 @@ function Setup() {
         }}
       />
       <ToolFields />
+      <MoreSettings />
       <CellFacts />
     </div>
   );

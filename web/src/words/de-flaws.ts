@@ -125,8 +125,10 @@ export const flaws: Record<string, string> = {
   'one that the service may change': 'einer, den der Dienst ändern darf',
   'a new folder': 'ein neuer Ordner',
   'something that is already there': 'etwas, das es schon gibt',
-  'a new folder; a recording is never overwritten':
-    'ein neuer Ordner; eine Aufzeichnung wird nie überschrieben',
+  '{} to {} m/s, the limit of the cell': '{} bis {} m/s, die Grenze der Zelle',
+  '{} joint positions': '{} Gelenkstellungen',
+  'a new or empty folder; a recording is never overwritten':
+    'ein neuer oder leerer Ordner; eine Aufzeichnung wird nie überschrieben',
 
   // zips
   'a zip that cannot be unpacked ({})': 'eine ZIP-Datei, die sich nicht entpacken lässt ({})',

@@ -12,6 +12,8 @@ export const remarks: typeof english = {
       'Kein Stillstand war lang genug, um das Rauschen des Sensors zu messen: es wurde dem Rest entnommen.',
     base_tilt: ({ angle_rad }) => `Die Basis steht schief: ${angle_rad}; berücksichtigt.`,
     delay: ({ delay_s }) => `Die Kraftmessung kommt gegen die Gelenke ${delay_s} zu spät; berücksichtigt.`,
+    transfers_alone: ({ axes, parameters }) =>
+      `Nicht gedreht wurde um ${axes?.replaceAll(' or ', ', ')}: ${parameters} beruhen allein auf den Fahrten, und keine ausgelassene Drehung prüft sie nach.`,
     drift: () => 'Der Nullpunkt des Sensors wandert; berücksichtigt.',
     saturated: ({ channels }) => `Der Sensor stand am Ende seines Bereichs: ${channels}.`,
     effect_left_out: ({ effect }) =>

@@ -79,10 +79,12 @@ export const sentences: Record<string, string> = {
   ' and the recording so far closed in {}': ', die Aufzeichnung bis dahin steht in {}',
 
   // no safe way
-  'no start configuration with sensor axis {} along gravity: rejected {}. Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, and plan again.':
-    'keine Startstellung mit der Sensorachse {} längs der Schwerkraft; ausgeschieden: {}. Räumen Sie weg, was im Weg ist, verkleinern Sie den Hüllquader, limits.clearance_m oder limits.self_clearance_m und planen Sie neu.',
-  'no start configuration with sensor axis {} along gravity: rejected {}; the best clearance met was {} m to {}. Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, and plan again.':
-    'keine Startstellung mit der Sensorachse {} längs der Schwerkraft; ausgeschieden: {}; der größte Abstand, der sich fand, war {} m zu {}. Räumen Sie weg, was im Weg ist, verkleinern Sie den Hüllquader, limits.clearance_m oder limits.self_clearance_m und planen Sie neu.',
+  'no start configuration with sensor axis {} along gravity: rejected {}. Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, or search more (--effort), and plan again.':
+    'keine Startstellung mit der Sensorachse {} längs der Schwerkraft; ausgeschieden: {}. Räumen Sie weg, was im Weg ist, verkleinern Sie den Hüllquader, limits.clearance_m oder limits.self_clearance_m, oder suchen Sie mehr (--effort), und planen Sie neu.',
+  'no start configuration with sensor axis {} along gravity: rejected {}; the best clearance met was {} m to {}. Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, or search more (--effort), and plan again.':
+    'keine Startstellung mit der Sensorachse {} längs der Schwerkraft; ausgeschieden: {}; der größte Abstand, der sich fand, war {} m zu {}. Räumen Sie weg, was im Weg ist, verkleinern Sie den Hüllquader, limits.clearance_m oder limits.self_clearance_m, oder suchen Sie mehr (--effort), und planen Sie neu.',
+  '{} There is a plan for the other sensor axes: --axes {}.':
+    '{} Für die anderen Sensorachsen gibt es einen Plan: --axes {}.',
   'nothing, no candidate': 'nichts, es gab keine Stellung',
   'unreachable {}': 'unerreichbar {}',
   'too close to {}': 'zu nah an {}',
@@ -104,8 +106,8 @@ export const sentences: Record<string, string> = {
     '{} des Weges: {} ist {} m von {} entfernt (Grenze {} m). Wählen Sie eine andere Stellung oder räumen Sie die Zelle.',
   start: 'Anfang',
   goal: 'Ende',
-  'no path found in {} s by {}: the search from the start came within {} rad of the goal, {} rad away; the tighter end has {} {} m from {} (limit {} m). Give it more time, choose another start configuration, or clear the cell.':
-    'kein Weg gefunden in {} s mit {}: die Suche kam bis auf {} rad an das Ziel, das {} rad entfernt ist; am engeren Ende ist {} {} m von {} (Grenze {} m). Geben Sie mehr Zeit, wählen Sie eine andere Startstellung oder räumen Sie die Zelle.',
+  'no path found in {} iterations by {}: the search from the start came within {} rad of the goal, {} rad away; the tighter end has {} {} m from {} (limit {} m). Search more (--effort), choose another start configuration, or clear the cell.':
+    'kein Weg gefunden in {} Durchgängen mit {}: die Suche kam bis auf {} rad an das Ziel, das {} rad entfernt ist; am engeren Ende ist {} {} m von {} (Grenze {} m). Suchen Sie mehr (--effort), wählen Sie eine andere Startstellung oder räumen Sie die Zelle.',
   'no room for a wide-band motion: even joint swings of {} mrad leave the limits, come too close to something, or could throw a load into a zone. Choose another motion, or give the robot more room.':
     'kein Platz für eine breitbandige Bewegung: schon Ausschläge von {} mrad verlassen die Grenzen, kommen etwas zu nahe oder könnten eine Last in eine Zone werfen. Wählen Sie eine andere Bewegung, oder geben Sie dem Roboter mehr Platz.',
   'no timing of the path keeps the limits: {} times a limit after {} rounds. Plan again.':
