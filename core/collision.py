@@ -120,12 +120,23 @@ class CollisionModel:
         return self._environment.is_free(q, extra_m) and self._self.is_free(q, extra_m)
 
     def obstacle_distance(self, q: Array) -> Nearest:
-        """The smallest distance to obstacles and protected zones at q (n,); infinite when the cell has none."""
+        """The smallest distance to obstacles and protected zones at q (n,), without `left_out_distance`; infinite when there is none."""
         return self._environment.nearest(q)
+
+    def left_out_distance(self, q: Array) -> Nearest:
+        """The smallest distance at q (n,) of the pairs that are left out: links that only the first joint moves, with what they clear anyway.
+
+        Infinite where none is left out.
+        """
+        return self._environment.nearest_left_out(q)
 
     def obstacle_margin(self, q: Array) -> float:
         """Smallest margin to obstacles and zones at q (n,), m; infinite when the cell has none."""
         return self._environment.margin(q)
+
+    def obstacle_margins(self, q: Array) -> Array:
+        """The first part of `margins(q)`: every pair with an obstacle or a zone, m; infinite where it is not watched."""
+        return self._environment.margins(q)
 
     def self_margin(self, q: Array) -> float:
         """Smallest margin between links at q (n,), m."""
@@ -206,6 +217,19 @@ class _Pairs:
         first, second = self.bodies[k]
         points = np.array(result.getNearestPoint1()), np.array(result.getNearestPoint2())
         return Nearest(float(result.min_distance), self.required_m, first.name, second.name, *points)
+
+    def nearest_left_out(self, q: Array) -> Nearest:
+        """The nearest of those that are not watched, without its points; infinite where all are."""
+        nowhere = np.full(3, np.nan)
+        nearest = Nearest(inf, self.required_m, "robot", "nothing", nowhere, nowhere)
+        pin.forwardKinematics(self._model, self._data, q)
+        for k in np.flatnonzero(~self.watched):
+            first, second = self.bodies[k]
+            placement = self._data.oMi[first.joint] * first.placement
+            distance = _distance(first.geometry, placement, second.geometry, self.placement(second.name))
+            if distance < nearest.distance_m:
+                nearest = Nearest(distance, self.required_m, first.name, second.name, nowhere, nowhere)
+        return nearest
 
     def is_free(self, q: Array, extra_m: float) -> bool:
         if not self.watched.any():

@@ -5,6 +5,7 @@ Planning moves nothing. The plan is data: it can be shown, checked and released 
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
@@ -21,7 +22,7 @@ from core.control.decoupling import decoupling_profile, expected_inertia, repeti
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.plan_settings import Planner, Timing
-from core.plan_summary import ClosestPair, FastestCorner, PlannedPose, PlanSummary, SecondOpinion
+from core.plan_summary import ClosestPair, FastestCorner, LeftOutPair, PlannedPose, PlanSummary, SecondOpinion
 from core.planning.path import one_turn_away
 from core.planning.start_configuration import StartConfiguration, find_start_configuration
 from core.planning.transfer import Transfer, plan_transfer
@@ -88,8 +89,14 @@ class Plan:
 
     @property
     def least_margin_m(self) -> float:
-        """Smallest distance beyond the required clearance on all transfers, m."""
-        return min(transfer.least_margin_m for transfer in (self.home, *(leg.transfer for leg in self.legs)))
+        """Smallest distance beyond what is required, of everything that moves, m.
+
+        The planner's own on the transfers, and on all of the plan what the second opinion found: it measures links that only the first
+        joint moves as well, which the planner leaves out where they cannot come too close.
+        """
+        judged = [each for each in self.opinion.approaches if each.kind.is_judged and not each.kind.is_close]
+        seen = [each.distance_m - each.required_m for each in judged]
+        return min(*seen, *(transfer.least_margin_m for transfer in (self.home, *(leg.transfer for leg in self.legs))), math.inf)
 
 
 def plan_procedure(
@@ -264,6 +271,7 @@ def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:
         )
         for leg in plan.legs
     ]
+    nearest = plan.opinion.nearest_thing
     return PlanSummary(
         cell=cell.name,
         poses=poses,
@@ -272,6 +280,8 @@ def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:
         plan_s=plan.plan_s,
         least_margin_m=plan.least_margin_m,
         second_opinion=_opinion_summary(plan.opinion),
+        least_distance_m=None if nearest is None else nearest.distance_m,
+        left_out=[LeftOutPair(first=pair.first, second=pair.second, why=pair.why) for pair in plan.opinion.left_out],
     )
 
 

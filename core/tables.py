@@ -13,6 +13,7 @@ from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.inertia import PHI_NAMES, PHI_UNITS
 from core.plan import Plan
 from core.result import Result
+from core.second_opinion.left_out import left_out_lines
 from core.second_opinion.opinion import Opinion
 from core.verification_words import verification_sentence
 
@@ -108,7 +109,9 @@ def opinion_lines(opinion: Opinion) -> list[str]:
         lines.append(f"  {each.kind}: {each.first!r} {each.distance_m:.3f} m from {each.second!r} ({limit}), {where}")
     fast = opinion.fastest
     where = f"{fast.part!r} after {fast.time_s:.3f} s"
-    return [*lines, f"  fastest point: a corner of {fast.body!r} at {fast.speed_m_s:.3f} m/s (limit {fast.limit_m_s:.3f} m/s), {where}"]
+    lines.append(f"  fastest point: a corner of {fast.body!r} at {fast.speed_m_s:.3f} m/s (limit {fast.limit_m_s:.3f} m/s), {where}")
+    without = left_out_lines(opinion.left_out)
+    return [*lines, *(["Pairs of which nothing is asked:"] if without else []), *(f"  {line}" for line in without)]
 
 
 def cells_table(cells: list[Cell]) -> Table:

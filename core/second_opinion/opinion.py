@@ -89,6 +89,17 @@ class Opinion:
         return (*close, *fast)
 
     @property
+    def nearest_thing(self) -> Approach | None:
+        """Where anything that moves comes closest to an obstacle or a zone, the first link included; None where there is neither."""
+        around = [each for each in self.approaches if each.kind in (Kind.ENVIRONMENT, Kind.FIRST_LINK)]
+        return min(around, key=lambda each: each.distance_m, default=None)
+
+    @property
+    def left_out(self) -> tuple[AccountedPair, ...]:
+        """The pairs of which nothing is asked."""
+        return tuple(pair for pair in self.pairs if not pair.kind.is_judged)
+
+    @property
     def passes(self) -> bool:
         """Whether every limit is kept."""
         return not self.violations

@@ -3,6 +3,7 @@ import { flaws } from './de-flaws';
 import { deGap } from './de-gap';
 import { comparison, history } from './de-history';
 import { absent, continuing, held, link, lost, now } from './de-link';
+import { leftOut, secondLook } from './de-plan';
 import { problems } from './de-problems';
 import { remarks } from './de-remarks';
 import { sentences } from './de-sentences';
@@ -67,6 +68,8 @@ export const de: Words = {
   problems,
   remarks,
   sentences,
+  leftOut,
+  secondLook,
   now,
   lost,
   held,
@@ -141,8 +144,10 @@ export const de: Words = {
     expired: 'Vor zu langer Zeit gezeigt: vor der Freigabe erneut ansehen',
     changed: 'Der Plan hat sich geändert. Sehen Sie ihn erneut an.',
     robotTime: 'Roboterzeit',
-    margin: 'Spielraum auf dem Weg',
-    marginNote: (kept) => `über die gehaltenen ${kept} hinaus`,
+    margin: 'Spielraum',
+    marginNote: 'über das Geforderte hinaus, von allem, was sich bewegt',
+    least: 'Kleinster Abstand',
+    leastNote: (kept) => `zu Hindernissen und Zonen; gefordert sind ${kept}`,
     speed: 'Kein Punkt schneller als',
     zones: 'Schutzzonen',
     poses: 'Posen',
@@ -188,6 +193,8 @@ export const de: Words = {
     stoppedNext: 'Der Roboter steht. Beginnen Sie neu, wenn Sie bereit sind.',
     refusedNext:
       'Nichts hat sich bewegt. Räumen Sie weg, was im Weg ist, oder wählen Sie ein anderes Werkzeug; dann planen Sie neu.',
+    disputedNext:
+      'Es hat sich nichts bewegt. Planen Sie neu; wird auch das abgelehnt, geben Sie dem Roboter mehr Platz.',
     abortedNext: 'Der Roboter steht. Sehen Sie nach der Zelle; quittieren Sie dann für den nächsten Lauf.',
     again: 'Neuer Lauf',
     samples: 'Was bis dahin aufgezeichnet wurde, bleibt erhalten.',

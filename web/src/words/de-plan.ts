@@ -1,0 +1,36 @@
+import type { secondLook as enSecondLook } from './en-plan';
+
+/** Was sich fand, als ein fertiger Plan noch einmal vermessen wurde, mit einem Programm, das der Planer nicht benutzt. */
+export const secondLook: typeof enSecondLook = {
+  title: 'Ein zweites Mal geprüft',
+  how: (points) =>
+    `Mit einem anderen Programm als dem des Planers, an allen ${points} Punkten der Bewegung. Alle Grenzen sind eingehalten.`,
+  what: 'Was',
+  least: 'Kleinster oder größter Wert',
+  where: 'Wo und wann',
+  kinds: {
+    'obstacles and zones': 'Zu Hindernissen und Zonen',
+    'first link against obstacles and zones': 'Dasselbe beim ersten Glied, das sich nur auf der Stelle dreht',
+    'payload against links': 'Last zu Gliedern',
+    'links against links': 'Glieder zueinander',
+    'neighbours in the arm': 'Nachbarn im Arm',
+  },
+  fastest: 'Schnellster Punkt',
+  limit: (limit) => `Grenze ${limit}`,
+  mayTouch: 'dürfen nicht ineinander',
+  between: (first, second) => `${first} – ${second}`,
+  corner: (body) => `${body} (eine Ecke)`,
+  when: (part, time) => `${part}, nach ${time}`,
+  load: 'Last',
+  leftOut: (count) => `${count} Paare, die nicht beurteilt werden, und warum`,
+};
+
+/** Warum von zwei Körpern nichts verlangt wird: nach den englischen Worten des Dienstes, `{}` für das, was sie nennen. */
+export const leftOut: Record<string, string> = {
+  'no joint between them: they do not move against each other':
+    'kein Gelenk zwischen ihnen: sie bewegen sich nicht gegeneinander',
+  'they share a joint: their shapes meet there':
+    'sie haben ein Gelenk gemeinsam: dort treffen sich ihre Formen',
+  '{} mm apart at home already: simplified shapes of one wrist':
+    '{} mm Abstand schon in der Grundstellung: vereinfachte Formen eines Handgelenks',
+};
