@@ -124,7 +124,7 @@ class CollisionModel:
         return self._environment.nearest(q)
 
     def left_out_distance(self, q: Array) -> Nearest:
-        """The smallest distance at q (n,) of the pairs that are left out: links that only the first joint moves, with what they clear anyway.
+        """The smallest distance at q (n,) of links that only the first joint moves to what they clear anyway: pairs that are left out.
 
         Infinite where none is left out.
         """

@@ -102,7 +102,7 @@ class Guard:
         self.cell, self.robot, self.collision, self.period = cell, robot, collision, period
         self.limits = JointLimits.of(cell, robot)
         self.distances: list[tuple[float, float]] = []
-        """Time (s) and smallest distance to obstacles and zones (m), every `SAMPLING` seconds, without `left_out_distance`: it would be flat."""
+        """Time (s) and smallest `CollisionModel.obstacle_distance` (m), every `SAMPLING` seconds."""
         self._numbers = Numbers(
             period,
             LATE * period,

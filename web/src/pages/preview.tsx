@@ -6,7 +6,7 @@ import { PlannedPoses } from '../parts/planned-poses';
 import { Press } from '../parts/press';
 import { ProposedBy } from '../parts/proposed-by';
 import type { Screen } from '../parts/screen';
-import { SecondLook } from '../parts/second-look';
+import { betweenSaid, SecondLook } from '../parts/second-look';
 import { Viewer } from '../parts/viewer';
 import { cell } from '../stores/cells';
 import { holder, mine, takeControl } from '../stores/control';
@@ -70,12 +70,12 @@ function Preview() {
   );
 }
 
-/** The smallest distance of anything that moves, where there is something to keep away from. */
-function leastDistance({ least_distance_m }: PlanSummary): Fact[] {
+/** The smallest distance of anything that moves to an obstacle or a zone, where there is one. */
+function leastDistance({ least_distance_m, second_opinion }: PlanSummary): Fact[] {
   if (least_distance_m == null) return [];
-  const said = words.value.preview;
-  const note = said.leastNote(spelt('length', cell.value?.limits?.clearance_m ?? 0));
-  return [{ name: said.least, value: spelt('length', least_distance_m), note }];
+  const pair = second_opinion?.closest.find(({ distance_m }) => distance_m === least_distance_m);
+  const note = pair && betweenSaid(pair.first, pair.second);
+  return [{ name: words.value.preview.least, value: spelt('length', least_distance_m), note }];
 }
 
 /** For how long the shown plan may be released: a shape that empties, and words. */

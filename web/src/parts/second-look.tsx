@@ -56,7 +56,7 @@ function Closest({ kind, first, second, distance_m, required_m, part, time_s }: 
         <small>{limit < 0 ? said.mayTouch : said.limit(spelt('length', limit))}</small>
       </td>
       <td>
-        {said.between(bodySaid(first), bodySaid(second))} <small>{when(part, time_s)}</small>
+        {betweenSaid(first, second)} <small>{when(part, time_s)}</small>
       </td>
     </tr>
   );
@@ -77,7 +77,7 @@ function LeftOut({ pairs }: { pairs: LeftOutPair[] }) {
             <small>
               {pairs
                 .filter((pair) => pair.why === why)
-                .map(({ first, second }) => said.between(bodySaid(first), bodySaid(second)))
+                .map(({ first, second }) => betweenSaid(first, second))
                 .join(', ')}
             </small>
           </li>
@@ -86,6 +86,10 @@ function LeftOut({ pairs }: { pairs: LeftOutPair[] }) {
     </details>
   );
 }
+
+/** Two bodies by their names. */
+export const betweenSaid = (first: string, second: string) =>
+  words.value.secondLook.between(bodySaid(first), bodySaid(second));
 
 const bodySaid = (name: string) => (name === 'payload' ? words.value.secondLook.load : name);
 

@@ -6,11 +6,11 @@ export const secondLook: typeof enSecondLook = {
   how: (points) =>
     `Mit einem anderen Programm als dem des Planers, an allen ${points} Punkten der Bewegung. Alle Grenzen sind eingehalten.`,
   what: 'Was',
-  least: 'Kleinster oder größter Wert',
+  least: 'Gemessen',
   where: 'Wo und wann',
   kinds: {
     'obstacles and zones': 'Zu Hindernissen und Zonen',
-    'first link against obstacles and zones': 'Dasselbe beim ersten Glied, das sich nur auf der Stelle dreht',
+    'first link against obstacles and zones': 'Erstes Glied, das sich nur auf dem Sockel dreht',
     'payload against links': 'Last zu Gliedern',
     'links against links': 'Glieder zueinander',
     'neighbours in the arm': 'Nachbarn im Arm',

@@ -4,11 +4,11 @@ export const secondLook = {
   how: (points: string) =>
     `By other code than the planner’s, at all ${points} points of the motion. Every limit is kept.`,
   what: 'What',
-  least: 'Least or most',
+  least: 'Measured',
   where: 'Where and when',
   kinds: {
     'obstacles and zones': 'To obstacles and zones',
-    'first link against obstacles and zones': 'The same of the first link, which only turns where it stands',
+    'first link against obstacles and zones': 'First link, which only turns on its base',
     'payload against links': 'Load to links',
     'links against links': 'Links to each other',
     'neighbours in the arm': 'Neighbours in the arm',
