@@ -22,6 +22,3 @@ export const secondLook = {
   load: 'load',
   leftOut: (count: number) => `${count} pairs that are not judged, and why`,
 };
-
-/** Why nothing is asked of two bodies, as the engine says it in English. English needs no others. */
-export const leftOut: Record<string, string> = {};
