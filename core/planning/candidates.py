@@ -27,12 +27,12 @@ class Weights:
         distance: w_d of Eq. (6), of the least of the normalised distances to obstacles and zones (`LinkRoom.normalised`).
         manipulability: w_m of Eq. (6), of the smallest over the largest singular value of the Jacobian.
         travel_per_s: what one second of the way from the previous configuration costs, in the unit of the objective. Not in Eq. (6), but
-            robot time is limited: 0.006 trades one second for 12 mm of the payload's room on an arm of 1 m reach.
+            robot time is limited: 0.01 trades one second for 20 mm of the payload's room on an arm of 1 m reach.
     """
 
     distance: float = 1.0
     manipulability: float = 0.3
-    travel_per_s: float = 0.006
+    travel_per_s: float = 0.01
 
 
 @dataclass(frozen=True)
