@@ -161,8 +161,15 @@ class CollisionModel:
         return all(group.is_free(q, extra_m) for group in self._groups)
 
     def obstacle_distance(self, q: Array) -> Nearest:
-        """The smallest distance to obstacles, protected zones and the floor at q (n,)."""
+        """The smallest distance to obstacles, protected zones and the floor at q (n,), without `left_out_distance`."""
         return min((group.nearest(q) for group in self._standing.values()), key=lambda pair: pair.distance_m)
+
+    def left_out_distance(self, q: Array) -> Nearest:
+        """The smallest distance at q (n,) of the first links to what they clear anyway, or are mounted on: of all of which less is asked.
+
+        Infinite where there is none.
+        """
+        return self._standing[Watch.CLEARANCE].nearest_left_out(q)
 
     def obstacle_margin(self, q: Array) -> float:
         """Smallest margin to obstacles, zones and the floor at q (n,), m."""
@@ -175,6 +182,10 @@ class CollisionModel:
     def obstacle_room(self, q: Array) -> float:
         """`obstacle_margin`, those of pairs whose construction leaves them little room counted larger by as much."""
         return min(group.margin(q) / watch.share for watch, group in self._standing.items())
+
+    def obstacle_rooms(self, q: Array) -> Array:
+        """The same of every pair with an obstacle, a zone or the floor, in the order of `pairs`."""
+        return np.concatenate([group.margins(q)[group.watched] / watch.share for watch, group in self._standing.items()])
 
     def self_room(self, q: Array) -> float:
         """`self_margin`, counted likewise."""
@@ -287,6 +298,19 @@ class _Pairs:
         first, second = self.bodies[k]
         points = np.array(result.getNearestPoint1()), np.array(result.getNearestPoint2())
         return Nearest(float(result.min_distance), self.required_m, first.name, second.name, *points)
+
+    def nearest_left_out(self, q: Array) -> Nearest:
+        """The nearest of those that are not watched, without its points; infinite where all are."""
+        nowhere = np.full(3, np.nan)
+        nearest = Nearest(inf, self.required_m, "robot", "nothing", nowhere, nowhere)
+        pin.forwardKinematics(self._model, self._data, q)
+        for k in np.flatnonzero(~self.watched):
+            first, second = self.bodies[k]
+            placement = self._data.oMi[first.joint] * first.placement
+            distance = _distance(first.geometry, placement, second.geometry, self.placement(second.name))
+            if distance < nearest.distance_m:
+                nearest = Nearest(distance, self.required_m, first.name, second.name, nowhere, nowhere)
+        return nearest
 
     def is_free(self, q: Array, extra_m: float) -> bool:
         if not self.watched.any():

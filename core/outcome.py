@@ -52,6 +52,7 @@ class Outcome:
             nearest=None if nearest is None else nearest.second,
             max_speed_m_s=self.safety.max_speed_m_s,
             restarts=self.restarts,
+            min_distance_beyond_first_joint_m=self._beyond_first_m,
         )
         seconds = SecondsPart(plan=self.plan_s, robot=self.robot_s, estimate=self.estimate_s)
         return result_of(self.identification, self.recording, seconds=seconds, safety=safety, folder=folder)
@@ -61,6 +62,12 @@ class Outcome:
         """What came nearest; None in a cell without obstacles and zones."""
         nearest = self.safety.nearest
         return None if nearest is None or not np.isfinite(nearest.distance_m) else nearest
+
+    @property
+    def _beyond_first_m(self) -> float | None:
+        """The smallest distance without the links that only the first joint moves."""
+        least = self.safety.beyond_first_m
+        return least if np.isfinite(least) else None
 
     @property
     def summary(self) -> RunSummary:
@@ -81,4 +88,6 @@ class Outcome:
             robot_s=self.robot_s,
             estimate_s=self.estimate_s,
             seed=self.seed,
+            beyond_first_m=self._beyond_first_m,
+            opinion=self.plan.opinion,
         )

@@ -5,6 +5,7 @@ Planning moves nothing. The plan is data: it can be shown, checked and released 
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
@@ -23,7 +24,7 @@ from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.joint_torques import JointTorques, Load, guessed_load, refuse_too_heavy
 from core.plan_settings import WHOLE, Planner, Timing
-from core.plan_summary import ClosestPair, FastestCorner, LostLoad, PlannedPose, PlanSummary, PlanTorques, SecondOpinion
+from core.plan_summary import ClosestPair, FastestCorner, LeftOutPair, LostLoad, PlannedPose, PlanSummary, PlanTorques, SecondOpinion
 from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
 from core.planning.path import check_end, one_turn_away
 from core.planning.start_configuration import Grid, StartConfiguration, find_start_configuration
@@ -88,8 +89,14 @@ class Plan:
 
     @property
     def least_margin_m(self) -> float:
-        """Smallest distance beyond the required clearance on all transfers, m."""
-        return min(transfer.least_margin_m for transfer in (self.home, *(leg.transfer for leg in self.legs)))
+        """Smallest distance beyond what is required, of everything that moves, m.
+
+        The planner's own on the transfers, and on all of the plan what the second opinion found: it measures links that only the first
+        joint moves as well, which the planner leaves out where they cannot come too close.
+        """
+        judged = [each for each in self.opinion.approaches if each.kind.is_judged and not each.kind.is_close]
+        seen = [each.distance_m - each.required_m for each in judged]
+        return min(*seen, *(transfer.least_margin_m for transfer in (self.home, *(leg.transfer for leg in self.legs))), math.inf)
 
 
 def plan_procedure(
@@ -324,6 +331,7 @@ def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:
         )
         for leg in plan.legs
     ]
+    nearest = plan.opinion.nearest_thing
     return PlanSummary(
         cell=cell.name,
         poses=poses,
@@ -333,6 +341,8 @@ def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:
         least_margin_m=plan.least_margin_m,
         second_opinion=_opinion_summary(plan.opinion),
         torques=plan.torques,
+        least_distance_m=None if nearest is None else nearest.distance_m,
+        left_out=[LeftOutPair(first=pair.first, second=pair.second, why=pair.why) for pair in plan.opinion.left_out],
     )
 
 

@@ -120,8 +120,25 @@ class LostLoad(BaseModel):
     time_s: float
 
 
+class LeftOutPair(BaseModel):
+    """Two bodies of which nothing is asked, and why, for JSON."""
+
+    model_config = ConfigDict(frozen=True)
+
+    first: str
+    second: str
+    why: str
+
+
 class PlanSummary(BaseModel):
-    """A plan for JSON."""
+    """A plan for JSON.
+
+    Args:
+        least_margin_m: smallest distance beyond what is required, of everything that moves and along all of the plan.
+        least_distance_m: smallest distance of anything that moves to obstacles and zones; `second_opinion.closest` says of what, and what
+            it is without the links that only the first joint moves. None where there is neither, or in older plans.
+        left_out: pairs of which nothing is asked.
+    """
 
     model_config = ConfigDict(frozen=True)
 
@@ -135,3 +152,5 @@ class PlanSummary(BaseModel):
     """None in plans made before there was one."""
     torques: PlanTorques | None = None
     """None in plans made before they were judged."""
+    least_distance_m: float | None = None
+    left_out: list[LeftOutPair] = []

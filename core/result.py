@@ -86,13 +86,19 @@ class VerificationPart(Part):
 
 
 class SafetyPart(Part):
-    """What the guard saw. Not a safety function: `safety_rated` is always false."""
+    """What the guard saw. Not a safety function: `safety_rated` is always false.
+
+    Args:
+        min_distance_m: of everything that moves to obstacles and zones, `nearest` is what was that near.
+        min_distance_beyond_first_joint_m: the same without the links that only the first joint moves, whose distance hardly changes.
+    """
 
     min_distance_m: float | None
     nearest: str | None
     max_speed_m_s: float
     restarts: int
     safety_rated: Literal[False] = False
+    min_distance_beyond_first_joint_m: float | None = None
 
 
 class SecondsPart(Part):

@@ -15,6 +15,7 @@ from core.plan import Plan
 from core.plan_settings import Scope
 from core.plan_summary import PlanTorques
 from core.result import Result
+from core.second_opinion.left_out import left_out_lines
 from core.second_opinion.opinion import Opinion
 from core.verification_words import verification_sentence
 
@@ -124,6 +125,8 @@ def opinion_lines(opinion: Opinion) -> list[str]:
     fast = opinion.fastest
     where = f"{fast.part!r} after {fast.time_s:.3f} s"
     lines.append(f"  fastest point: a corner of {fast.body!r} at {fast.speed_m_s:.3f} m/s (limit {fast.limit_m_s:.3f} m/s), {where}")
+    without = left_out_lines(opinion.left_out)
+    lines += [*(["Pairs of which nothing is asked:"] if without else []), *(f"  {line}" for line in without)]
     lost = opinion.lost_load
     if lost is None:
         return lines

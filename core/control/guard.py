@@ -58,8 +58,9 @@ class SafetyRecord:
     """What the guard saw.
 
     Args:
-        min_distance_m: smallest distance to obstacles and zones that was sampled; `nearest` says between what, None
-            before the first tick.
+        min_distance_m: smallest distance to obstacles and zones that was sampled, of everything that moves; `nearest` says
+            between what, None before the first tick.
+        beyond_first_m: the same without the links that only the first joint moves, as in `Guard.distances`.
         min_margin_m: smallest distance beyond what is required, between links too.
         max_speed_m_s: largest measured Cartesian speed, of `fastest`.
         ticks: number of states checked; `queries`: exact distances among them.
@@ -67,6 +68,7 @@ class SafetyRecord:
 
     min_distance_m: float
     nearest: Nearest | None
+    beyond_first_m: float
     min_margin_m: float
     max_speed_m_s: float
     fastest: str
@@ -100,7 +102,7 @@ class Guard:
         self.cell, self.robot, self.collision, self.period = cell, robot, collision, period
         self.limits = JointLimits.of(cell, robot)
         self.distances: list[tuple[float, float]] = []
-        """Time (s) and smallest distance to obstacles and zones (m), every `SAMPLING` seconds."""
+        """Time (s) and smallest `CollisionModel.obstacle_distance` (m), every `SAMPLING` seconds."""
         self._numbers = Numbers(
             period,
             LATE * period,
@@ -122,6 +124,7 @@ class Guard:
         self._ticks = self._queries = 0
         self._max_speed, self._fastest = 0.0, "nothing"
         self._nearest: Nearest | None = None
+        self._left_out: Nearest | None = None
         self._min_margin = math.inf
         self._wrench, self._still_s = np.full(6, np.nan), 0.0  # a sensor that dies may do so between two phases
         self._warm_up()
@@ -157,8 +160,11 @@ class Guard:
     @property
     def record(self) -> SafetyRecord:
         """What was seen so far."""
-        least = math.inf if self._nearest is None else self._nearest.distance_m
-        return SafetyRecord(least, self._nearest, self._min_margin, self._max_speed, self._fastest, self._ticks, self._queries)
+        beyond = math.inf if self._nearest is None else self._nearest.distance_m
+        seen = [each for each in (self._nearest, self._left_out) if each is not None]
+        nearest = min(seen, key=lambda each: each.distance_m, default=None)
+        least = math.inf if nearest is None else nearest.distance_m
+        return SafetyRecord(least, nearest, beyond, self._min_margin, self._max_speed, self._fastest, self._ticks, self._queries)
 
     def _warm_up(self) -> None:
         """Compiles the checks, or loads them, before anything moves."""
@@ -201,6 +207,10 @@ class Guard:
         self._found.known_margin[1] = self._found.certified[1] = -math.inf
         nearest = self.collision.obstacle_distance(state.q)
         self.distances.append((state.t, nearest.distance_m))
-        if self._nearest is None or nearest.distance_m < self._nearest.distance_m:
-            self._nearest = nearest
+        self._nearest = _nearer(self._nearest, nearest)
+        self._left_out = _nearer(self._left_out, self.collision.left_out_distance(state.q))
         return min(nearest.margin_m, self.collision.self_margin(state.q))
+
+
+def _nearer(so_far: Nearest | None, now: Nearest) -> Nearest:
+    return now if so_far is None or now.distance_m < so_far.distance_m else so_far

@@ -11,6 +11,7 @@ from core.cell import Cell
 from core.collision import CollisionModel
 from core.planning.grid import Postures
 from core.planning.inverse_kinematics import solve_poses
+from core.planning.link_room import LinkRoom
 from core.planning.point_speed import point_speeds
 from core.planning.timing import MotionLimits
 from core.robot import RobotModel
@@ -23,15 +24,15 @@ class Weights:
     """What a good start configuration is.
 
     Args:
-        distance: w_d of Eq. (6), of the smallest distance to obstacles and zones divided by the diameter of the workspace.
+        distance: w_d of Eq. (6), of the least of the normalised distances to obstacles and zones (`LinkRoom.normalised`).
         manipulability: w_m of Eq. (6), of the smallest over the largest singular value of the Jacobian.
         travel_per_s: what one second of the way from the previous configuration costs, in the unit of the objective. Not in Eq. (6), but
-            robot time is limited: 0.006 trades one second for 12 mm of clearance on an arm of 1 m reach.
+            robot time is limited: 0.01 trades one second for 20 mm of the payload's room on an arm of 1 m reach.
     """
 
     distance: float = 1.0
     manipulability: float = 0.3
-    travel_per_s: float = 0.006
+    travel_per_s: float = 0.01
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,7 @@ class CandidateSearch:
         self._robot, self._collision = robot, collision
         self._lower, self._upper = limits
         self._near = near
-        self._diameter = diameter
+        self._room = LinkRoom(robot, collision, limits, diameter)
         self._weights = weights
         self._motion = MotionLimits.of_cell(cell, robot, collision)
 
@@ -102,11 +103,11 @@ class CandidateSearch:
     def _evaluated(self, q: Array, vertex: NDArray[np.intp], tried: int) -> Candidates:
         """Eq. (6) and the way there."""
         weights = self._weights
-        required = self._collision.cell.limits.clearance_m
-        clearance = np.array([self._collision.obstacle_room(row) for row in q]) + required
+        distances = self._room.distances(q)
+        clearance = distances.min(axis=1, initial=np.inf)
         manipulability = self._manipulability(q)
-        normalized = np.minimum(clearance / self._diameter, 1.0)
-        objective = weights.distance * normalized + weights.manipulability * manipulability
+        least = self._room.normalised(distances).min(axis=1, initial=1.0)
+        objective = weights.distance * least + weights.manipulability * manipulability
         score = objective - weights.travel_per_s * self._travel_seconds(q)
         return Candidates(q, vertex, objective, score, clearance, manipulability, tried)
 

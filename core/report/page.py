@@ -12,6 +12,7 @@ from core.recording import Recording
 from core.report.charts import distance_chart, rotation_chart, wrench_chart
 from core.report.faces import arm_parts
 from core.report.html_file import write_html
+from core.report.opinion_rows import opinion_table
 from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
 from core.report.scene import scene
 from core.report.summary import RunSummary
@@ -52,6 +53,7 @@ def _content(recording: Recording, identification: Identification, run: RunSumma
         **_charts(identification),
         "starts": [] if run is None else _starts(run),
         "distance_chart": None if run is None else _distances(run),
+        "opinion": None if run is None or run.opinion is None else opinion_table(run.opinion),
         "origin": origin_facts(recording, run),
         "source": recording.source,
     }

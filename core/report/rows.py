@@ -205,6 +205,8 @@ def _safety_facts(run: RunSummary) -> list[Fact]:
     found = []
     if run.min_distance_m is not None:
         note = f"to {run.nearest}; limit {limits.clearance_m:.3f} m"
+        if run.beyond_first_m is not None and run.beyond_first_m > run.min_distance_m:
+            note += f"; {run.beyond_first_m:.3f} m without the links that only the first joint moves"
         low = run.min_distance_m < limits.clearance_m
         found.append(Fact("Smallest distance", f"{run.min_distance_m:.3f} m", note, alarm=low))
     fast = run.max_speed_m_s > limits.cartesian_speed_m_s

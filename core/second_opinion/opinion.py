@@ -110,6 +110,19 @@ class Opinion:
         return (*close, *lost, *fast)
 
     @property
+    def nearest_thing(self) -> Approach | None:
+        """Where anything that moves comes closest to an obstacle or a zone, the first link included; None where there is neither."""
+        around = [each for each in self.approaches if each.kind in (Kind.ENVIRONMENT, Kind.FIRST_LINK, Kind.MOUNT)]
+        return min(around, key=lambda each: each.distance_m, default=None)
+
+    @property
+    def left_out(self) -> tuple[AccountedPair, ...]:
+        """The pairs of links, payload and tools of which nothing is asked, each once."""
+        judged = {(pair.first, pair.second) for pair in self.pairs if pair.kind.is_judged}
+        others = {(pair.first, pair.second): pair for pair in self.pairs if pair.first != pair.second}
+        return tuple(pair for names, pair in others.items() if names not in judged)
+
+    @property
     def passes(self) -> bool:
         """Whether every limit is kept."""
         return not self.violations

@@ -139,7 +139,16 @@ def test_a_link_that_only_the_first_joint_moves_is_left_out_where_it_is_always_c
     q = np.array(cell.robot.home_rad)
     for q[0] in np.linspace(collision.robot.lower[0], collision.robot.upper[0], 100):
         distances = scene.to_environment(q)
-        assert min(distances[pair] for pair in left_out) >= cell.limits.clearance_m - 1e-6
+        least = min(left_out, key=lambda pair: distances[pair])
+        assert distances[least] >= cell.limits.clearance_m - 1e-6
+        told = collision.left_out_distance(q)
+        assert told.distance_m == pytest.approx(distances[least], abs=2e-6)
+        assert distances[told.first, told.second] == pytest.approx(distances[least], abs=2e-6)
+
+
+def test_where_nothing_is_left_out_nothing_is_told_of_it(cell):
+    empty = model_of(cell.model_copy(update={"obstacles": (), "zones": ()}))
+    assert empty.left_out_distance(np.array(cell.robot.home_rad)).distance_m == np.inf
 
 
 def test_links_that_are_left_out_never_touch_or_are_neighbours(cell, fcl_scene):

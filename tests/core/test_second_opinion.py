@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import coal
 import fcl
@@ -26,6 +28,7 @@ from core.robot import RobotModel
 from core.second_opinion import solids
 from core.second_opinion.arm import arm_of_cell
 from core.second_opinion.least import least_margin
+from core.second_opinion.left_out import left_out_lines
 from core.second_opinion.opinion import Approach, FastestPoint, JointPath, Opinion, second_opinion
 from core.second_opinion.pairs import Kind, accounted_pairs, placed, standing
 from core.second_opinion.refusal import refuse_disputed
@@ -353,6 +356,34 @@ def test_the_largest_share_of_a_torque_stands_in_the_plans_summary() -> None:
     assert told is not None and told.largest is not None and not told.not_judged
     assert told.mass_kg == 1.0
     assert 0.0 < told.largest.ratio < 1.0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_least_distance_of_a_plan_is_that_of_everything_that_moves_the_first_link_too(name: str, fcl_scene: Callable[..., Any]) -> None:
+    at, plan = bench(name), planned(name)
+    told = plan_summary(at.cell, plan)
+    scene = fcl_scene(at.cell, at.cell.payload_box)
+    base = {body.name for body in arm_of_cell(at.cell, at.cell.payload_box).bodies if body.joint == 0}
+    rows = np.concatenate([*(leg.transfer.trajectory.q[::25] for leg in plan.legs), plan.home.trajectory.q[::25]])
+    seen = {
+        pair: min(found[pair] for found in map(scene.to_environment, rows)) for pair in scene.to_environment(rows[0]) if pair[0] not in base
+    }
+    assert told.least_distance_m is not None
+    assert told.least_distance_m <= min(seen.values()) + 1e-3
+    assert told.least_distance_m >= min(seen.values()) - 0.02  # how far anything gets in 25 periods, and the rotations
+    assert told.least_margin_m <= told.least_distance_m - at.cell.limits.clearance_m + 1e-9
+    assert told.least_margin_m > 0.0
+
+
+def test_every_pair_of_which_nothing_is_asked_stands_in_the_summary_with_its_reason_and_in_as_many_lines_as_reasons() -> None:
+    plan = planned("ur5e_line")
+    told = plan_summary(bench("ur5e_line").cell, plan).left_out
+    asked = {(pair.first, pair.second) for pair in plan.opinion.pairs if pair.required_m != 0.0}
+    assert {(pair.first, pair.second) for pair in told} == {(pair.first, pair.second) for pair in plan.opinion.pairs} - asked
+    lines = left_out_lines(plan.opinion.left_out)
+    assert len(lines) == len({pair.why for pair in told})
+    for pair in told:
+        assert any(f"{pair.first} - {pair.second}" in line and line.endswith(f": {pair.why}") for line in lines)
 
 
 def test_a_plan_that_is_not_confirmed_is_not_offered() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, expect
 
-from core.cell import load_cell
+from core.cell import Box, Pose, list_cells, load_cell
 from core.collision import Nearest
 from core.control.checks import Fault, Numbers
 from core.control.faults import frozen, stopped, too_close
@@ -18,8 +18,9 @@ from core.errors import BadCell, NoStartConfiguration, PlanDisputed
 from core.lateness import Lateness
 from core.planning.rotation_room import Obstruction
 from core.robot import RobotModel
+from core.second_opinion.arm import arm_of_cell
 from core.second_opinion.opinion import Approach, FastestPoint, Opinion
-from core.second_opinion.pairs import Kind
+from core.second_opinion.pairs import Kind, accounted_pairs
 from core.second_opinion.refusal import refuse_disputed
 from core.sessions.leased import _LATE, _sentence
 from server.errors import Conflict, NotFound
@@ -81,6 +82,16 @@ def engine_sentences() -> list[str]:
 
 def test_the_german_sentences_are_those_that_can_be_said() -> None:
     assert set(german("sentences")) == (of_refusals() | IN_HOLES) - MIXED_UNITS - set(german("flaws"))
+
+
+def test_every_reason_for_asking_nothing_of_a_pair_has_german_words() -> None:
+    """Of the cells at hand, with payloads from a plate to a bracket that reaches back beside the wrist."""
+    said: set[str] = set()
+    for cell in map(load_cell, list_cells()):
+        for size, place in (((0.1, 0.1, 0.02), 0.01), ((0.3, 0.3, 0.3), -0.1)):
+            box = Box(size_m=size, pose=Pose(xyz_m=(0.0, 0.0, place)))
+            said |= {pair.why for pair in accounted_pairs(cell, arm_of_cell(cell, box)) if not pair.kind.is_judged}
+    assert {re.sub(r"-?\d+\.\d+", HOLE, why) for why in said} == set(german("left-out"))
 
 
 def told_in_german(service: RealService, browser: Browser, sentences: list[str]) -> list[str]:

@@ -2002,6 +2002,18 @@ export interface components {
             limit_s: number;
         };
         /**
+         * LeftOutPair
+         * @description Two bodies of which nothing is asked, and why, for JSON.
+         */
+        LeftOutPair: {
+            /** First */
+            first: string;
+            /** Second */
+            second: string;
+            /** Why */
+            why: string;
+        };
+        /**
          * Limits
          * @description What no point of the robot may exceed.
          *
@@ -2484,6 +2496,12 @@ export interface components {
         /**
          * PlanSummary
          * @description A plan for JSON.
+         *
+         *     Args:
+         *         least_margin_m: smallest distance beyond what is required, of everything that moves and along all of the plan.
+         *         least_distance_m: smallest distance of anything that moves to obstacles and zones; `second_opinion.closest` says of what, and what
+         *             it is without the links that only the first joint moves. None where there is neither, or in older plans.
+         *         left_out: pairs of which nothing is asked.
          */
         PlanSummary: {
             /** Cell */
@@ -2518,6 +2536,13 @@ export interface components {
             largest: components["schemas"]["LargestTorque"] | null;
             /** Not Judged */
             not_judged: string[];
+            /** Least Distance M */
+            least_distance_m?: number | null;
+            /**
+             * Left Out
+             * @default []
+             */
+            left_out?: components["schemas"]["LeftOutPair"][];
         };
         /**
          * Planned
@@ -2974,6 +2999,10 @@ export interface components {
         /**
          * SafetyPart
          * @description What the guard saw. Not a safety function: `safety_rated` is always false.
+         *
+         *     Args:
+         *         min_distance_m: of everything that moves to obstacles and zones, `nearest` is what was that near.
+         *         min_distance_beyond_first_joint_m: the same without the links that only the first joint moves, whose distance hardly changes.
          */
         SafetyPart: {
             /** Min Distance M */
@@ -2990,6 +3019,8 @@ export interface components {
              * @constant
              */
             safety_rated?: false;
+            /** Min Distance Beyond First Joint M */
+            min_distance_beyond_first_joint_m?: number | null;
         };
         /**
          * Seal
@@ -3984,6 +4015,7 @@ export type KeyMade = components['schemas']['KeyMade'];
 export type KeyShown = components['schemas']['KeyShown'];
 export type LargestTorque = components['schemas']['LargestTorque'];
 export type Lateness = components['schemas']['Lateness'];
+export type LeftOutPair = components['schemas']['LeftOutPair'];
 export type Limits = components['schemas']['Limits'];
 export type LinkAnswer = components['schemas']['LinkAnswer'];
 export type LiveBatch = components['schemas']['LiveBatch'];

@@ -14,9 +14,9 @@ interface Phrase {
 
 /** One that says more itself comes before one that leaves more open. */
 const phrases = computed<Phrase[]>(() => {
-  const { flaws, sentences } = words.value;
+  const { flaws, sentences, leftOut } = words.value;
   const ownLetters = ({ words: own }: Phrase) => own.join('').length;
-  return Object.entries({ ...flaws, ...sentences })
+  return Object.entries({ ...flaws, ...sentences, ...leftOut })
     .map(([english, said]) => ({ words: english.split(HOLE), said }))
     .sort((one, other) => ownLetters(other) - ownLetters(one));
 });

@@ -110,6 +110,7 @@ function next(): string {
     const { next, afterClear } = words.value.continuing;
     return run.value?.state === 'Stopped' ? next : afterClear;
   }
+  if (run.value?.reason_kind === 'plan-disputed') return said.disputedNext;
   return { stopped: said.stoppedNext, refused: said.refusedNext, aborted: said.abortedNext }[endOf()];
 }
 

@@ -1,11 +1,12 @@
 import { effect, signal } from '@preact/signals';
-import type { PlanAnswer } from '../api';
-import { Facts } from '../parts/facts';
+import type { PlanAnswer, PlanSummary } from '../api';
+import { type Fact, Facts } from '../parts/facts';
 import { LinkFigures } from '../parts/link-figures';
 import { PlannedPoses } from '../parts/planned-poses';
 import { Press } from '../parts/press';
 import { ProposedBy } from '../parts/proposed-by';
 import type { Screen } from '../parts/screen';
+import { betweenSaid, SecondLook } from '../parts/second-look';
 import { Viewer } from '../parts/viewer';
 import { cell } from '../stores/cells';
 import { holder, mine, takeControl } from '../stores/control';
@@ -50,13 +51,15 @@ function Preview() {
                 {
                   name: said.margin,
                   value: `+ ${spelt('length', found.summary.least_margin_m)}`,
-                  note: said.marginNote(spelt('length', cell.value?.limits?.clearance_m ?? 0)),
+                  note: said.marginNote,
                 },
+                ...leastDistance(found.summary),
                 { name: said.speed, value: spelt('speed', cell.value?.limits?.cartesian_speed_m_s ?? 0) },
                 { name: said.zones, value: cell.value?.zones?.map((zone) => zone.name).join(', ') },
               ]}
             />
             <PlannedPoses plan={found} />
+            <SecondLook summary={found.summary} />
             <p class="hint">
               {said.plan} {found.sha256.slice(0, 12)}
             </p>
@@ -65,6 +68,14 @@ function Preview() {
       </section>
     </div>
   );
+}
+
+/** The smallest distance of anything that moves to an obstacle or a zone, where there is one. */
+function leastDistance({ least_distance_m, second_opinion }: PlanSummary): Fact[] {
+  if (least_distance_m == null) return [];
+  const pair = second_opinion?.closest.find(({ distance_m }) => distance_m === least_distance_m);
+  const note = pair && betweenSaid(pair.first, pair.second);
+  return [{ name: words.value.preview.least, value: spelt('length', least_distance_m), note }];
 }
 
 /** For how long the shown plan may be released: a shape that empties, and words. */

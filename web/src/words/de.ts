@@ -2,7 +2,9 @@ import { cells } from './de-cells';
 import { flaws } from './de-flaws';
 import { deGap } from './de-gap';
 import { comparison, history } from './de-history';
+import { leftOut } from './de-left-out';
 import { absent, continuing, held, link, lost, now } from './de-link';
+import { secondLook } from './de-plan';
 import { problems } from './de-problems';
 import { remarks } from './de-remarks';
 import { sentences } from './de-sentences';
@@ -67,6 +69,8 @@ export const de: Words = {
   problems,
   remarks,
   sentences,
+  leftOut,
+  secondLook,
   now,
   lost,
   held,
@@ -154,8 +158,9 @@ export const de: Words = {
     expired: 'Vor zu langer Zeit gezeigt: vor der Freigabe erneut ansehen',
     changed: 'Der Plan hat sich geändert. Sehen Sie ihn erneut an.',
     robotTime: 'Roboterzeit',
-    margin: 'Spielraum auf dem Weg',
-    marginNote: (kept) => `über die gehaltenen ${kept} hinaus`,
+    margin: 'Spielraum',
+    marginNote: 'über das Geforderte hinaus',
+    least: 'Kleinster Abstand',
     speed: 'Kein Punkt schneller als',
     zones: 'Schutzzonen',
     poses: 'Posen',
@@ -201,6 +206,8 @@ export const de: Words = {
     stoppedNext: 'Der Roboter steht. Beginnen Sie neu, wenn Sie bereit sind.',
     refusedNext:
       'Nichts hat sich bewegt. Räumen Sie weg, was im Weg ist, oder wählen Sie ein anderes Werkzeug; dann planen Sie neu.',
+    disputedNext:
+      'Es hat sich nichts bewegt. Planen Sie neu; wird auch das abgelehnt, geben Sie dem Roboter mehr Platz.',
     abortedNext: 'Der Roboter steht. Sehen Sie nach der Zelle; quittieren Sie dann für den nächsten Lauf.',
     again: 'Neuer Lauf',
     samples: 'Was bis dahin aufgezeichnet wurde, bleibt erhalten.',

@@ -2,7 +2,9 @@ import { cells } from './en-cells';
 import { flaws } from './en-flaws';
 import { enGap } from './en-gap';
 import { comparison, history } from './en-history';
+import { leftOut } from './en-left-out';
 import { absent, continuing, held, link, lost, now } from './en-link';
+import { secondLook } from './en-plan';
 import { problems } from './en-problems';
 import { remarks } from './en-remarks';
 import { sentences } from './en-sentences';
@@ -66,6 +68,8 @@ export const en = {
   problems,
   remarks,
   sentences,
+  leftOut,
+  secondLook,
   now,
   lost,
   held,
@@ -153,8 +157,9 @@ export const en = {
     expired: 'Shown too long ago: look at it again before it is released',
     changed: 'The plan has changed. Look at it again.',
     robotTime: 'Robot time',
-    margin: 'Room to spare on the way',
-    marginNote: (kept: string) => `beyond the ${kept} kept`,
+    margin: 'Room to spare',
+    marginNote: 'beyond what has to be kept',
+    least: 'Least distance',
     speed: 'No point faster than',
     zones: 'Protected zones',
     poses: 'Poses',
@@ -198,6 +203,7 @@ export const en = {
     inTheWay: 'In the way',
     stoppedNext: 'The robot stands. Start anew when you are ready.',
     refusedNext: 'Nothing has moved. Clear what is in the way or choose another tool, then plan again.',
+    disputedNext: 'Nothing has moved. Plan again; if that is refused too, give the robot more room.',
     abortedNext: 'The robot stands. Look at the cell; then clear it for the next run.',
     again: 'New run',
     samples: 'What was recorded so far is kept.',
