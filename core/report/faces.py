@@ -41,14 +41,17 @@ def mesh_faces(points: Array) -> Faces:
 
     The corners are the vertices that are farthest out in directions spread evenly over the sphere (a Fibonacci lattice).
     """
-    points = np.unique(points[np.isfinite(points).all(axis=1)], axis=0)
-    if len(points) < 4 or np.linalg.matrix_rank(points - points.mean(axis=0), tol=1e-9) < 3:
+    points = points[np.isfinite(points).all(axis=1)]
+    if len(points) < 4:
         return []
     k = np.arange(MESH_CORNERS) + 0.5
     up, turn = 1.0 - 2.0 * k / MESH_CORNERS, np.pi * (1.0 + np.sqrt(5.0)) * k
     level = np.sqrt(1.0 - up**2)
     directions = np.column_stack([level * np.cos(turn), level * np.sin(turn), up])
-    return faces_of_points(points[np.unique(np.argmax((points - points.mean(axis=0)) @ directions.T, axis=0))])
+    outermost = np.unique(points[np.argmax(points @ directions.T, axis=0)], axis=0)
+    if np.linalg.matrix_rank(outermost - outermost.mean(axis=0), tol=1e-9) < 3:
+        return []
+    return faces_of_points(outermost)
 
 
 def box_faces(size: Array) -> Faces:
