@@ -13,7 +13,7 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from core import twin_commands
+from core import cell_commands, twin_commands
 from core.cell import Cell, Payload, find_cell, list_cells, load_cell
 from core.collision import CollisionModel
 from core.diagnosis_overlay import overlay_of
@@ -172,6 +172,7 @@ def diagnose_command(
 app.command()(trial)
 app.command()(export)
 app.add_typer(twin_commands.app, name="twin")
+app.add_typer(cell_commands.app, name="cell")
 
 
 @app.command()

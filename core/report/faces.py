@@ -142,3 +142,8 @@ def _coal_faces(geometry: Any) -> Faces:
             return capsule_faces(float(geometry.radius), 2.0 * float(geometry.halfLength))
         case _:
             return faces_of_points(np.asarray(geometry.vertices()))
+
+
+def body_faces(geometry: Any) -> Faces:
+    """Faces of one of Coal's shapes, in its own frame."""
+    return _coal_faces(geometry)
