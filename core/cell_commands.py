@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import json as json_text
 import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from core.cell import find_cell
+from core.cell_findings import Finding, findings_of
 from core.errors import BadInput
 from core.new_cell.making import PICTURE, make_cell
 from core.new_cell.order import Behind, Order
 from core.terminal import answers, messages
+from core.whole_file import write_whole
 
 app = typer.Typer(help="Make a cell from a robot's description, and look for what is wrong in one.", no_args_is_help=True)
 
@@ -56,6 +60,38 @@ def new(
     _say(f"Made {made.folder}; its home is pictured in {made.folder / PICTURE}.")
     known = name if into == Path("cells") else made.folder
     _say(f"Next: look at cell.toml, put in what stands there, then `heft cell check {known}` and `heft plan {known}`.")
+
+
+@app.command()
+def check(
+    cell: Annotated[str, typer.Argument(metavar="CELL", help="A cell's name (see `heft cells`) or the path of its folder.")],
+    json: Annotated[str | None, typer.Option("--json", metavar="FILE", help="Write the findings as JSON; `-` for standard output.")] = None,
+) -> None:
+    """Say everything that is wrong or doubtful in a cell, and what to do; ends with 2 where something is wrong."""
+    folder = find_cell(cell)
+    found = findings_of(folder)
+    if json is not None:
+        _write(_as_json(folder, found), json)
+    if json != "-":
+        for each in found:
+            _say(f"{each.severity}: {each.where}: {each.found}; {each.advice}.")
+        wrong = sum(each.severity == "wrong" for each in found)
+        _say(f"{folder.name}: {wrong or 'nothing'} wrong, {len(found) - wrong or 'nothing'} doubtful.")
+    if any(each.severity == "wrong" for each in found):
+        raise typer.Exit(BadInput.exit_code)
+
+
+def _as_json(folder: Path, found: list[Finding]) -> str:
+    return json_text.dumps({"cell": folder.name, "findings": [each._asdict() for each in found]}, indent=2, ensure_ascii=False)
+
+
+def _write(text: str, target: str) -> None:
+    if target == "-":
+        sys.stdout.write(text + "\n")
+        return
+    if not Path(target).absolute().parent.is_dir():
+        raise BadInput(target, "a folder that does not exist", "a file in an existing folder")
+    write_whole(Path(target), text + "\n")
 
 
 def _ask(question: str, possible: tuple[str, ...]) -> str:

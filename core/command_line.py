@@ -35,6 +35,7 @@ from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
 from core.stated_friction import knowing_friction
 from core.tables import (
+    broken_lines,
     cells_table,
     diagnosis_lines,
     diagnosis_table,
@@ -202,8 +203,16 @@ def plan(
 
 @app.command()
 def cells() -> None:
-    """List the cells at hand."""
-    answers.print(cells_table([load_cell(folder) for folder in list_cells()]))
+    """List the cells at hand, and what keeps any of them from being used."""
+    loaded, broken = [], {}
+    for folder in list_cells():
+        try:
+            loaded.append(load_cell(folder))
+        except BadInput as error:
+            broken[folder.name] = error
+    answers.print(cells_table(loaded))
+    for line in broken_lines(broken):
+        answers.print(line, highlight=False, markup=False, soft_wrap=True)
 
 
 def _payload(cell: Cell, name: str | None) -> tuple[str, Payload]:

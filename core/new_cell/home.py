@@ -9,7 +9,6 @@ import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
-from scipy.stats import qmc
 
 from core.bodies import PAYLOAD, Body
 from core.errors import BadRobot
@@ -19,7 +18,7 @@ Array = NDArray[np.float64]
 Pair = tuple[str, str]
 
 FLOOR = "floor"
-SAMPLES = 1024
+SAMPLES = 512
 STEPS = (0.4, 0.2, 0.1)  # rad, of the search round the best sample
 CENTRAL = 0.85  # share of each joint's range that is sampled
 TOUCHING_M = 0.001
@@ -46,7 +45,7 @@ class Home:
 
 
 def propose_home(robot: RobotModel, bodies: list[Body], payload: Body, floor_z: float, joined: set[frozenset[str]], where: str) -> Home:
-    """Looks at 1024 configurations, evenly spread and the same every time, and round the best of them.
+    """Looks at 512 configurations, evenly spread and the same every time, and round the best of them.
 
     Args:
         bodies: of the links. payload: its box.
@@ -58,7 +57,7 @@ def propose_home(robot: RobotModel, bodies: list[Body], payload: Body, floor_z: 
     """
     scene = _Scene(robot, bodies, payload, floor_z, joined)
     low, high = _ranges(robot)
-    samples = low + (high - low) * qmc.Sobol(robot.n, scramble=True, rng=0).random(SAMPLES)
+    samples = low + (high - low) * _evenly(SAMPLES, robot.n)
     samples[:, [0, -1]] = np.clip(0.0, low, high)[[0, -1]]  # they turn all or the payload alone, and change nothing that counts
     distances = np.array([scene.distances(q) for q in samples])
     most = distances.max(axis=0)
@@ -79,6 +78,18 @@ def propose_home(robot: RobotModel, bodies: list[Body], payload: Body, floor_z: 
     found = np.where(counted, scene.distances(q), np.inf)
     k = int(np.argmin(found))
     return Home(q, scene.names[k], float(found[k]), tuple(dict.fromkeys(always)))
+
+
+def _evenly(count: int, dimensions: int) -> Array:
+    """(count, dimensions), points spread evenly over the unit cube: multiples of powers of 1/g, less their whole parts.
+
+    g is the root of g^(dimensions + 1) = g + 1 (M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018).
+    """
+    g = 2.0
+    for _ in range(50):
+        g = (1.0 + g) ** (1.0 / (dimensions + 1))
+    steps = g ** -np.arange(1.0, dimensions + 1)
+    return np.asarray((0.5 + np.arange(1, count + 1)[:, None] * steps) % 1.0)
 
 
 def _ranges(robot: RobotModel) -> tuple[Array, Array]:

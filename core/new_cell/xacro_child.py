@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import Any
 
 import xacro
-import yaml  # before files are watched: xacro imports it when it is needed
 from xacro import substitution_args
 
 MAX_CHARACTERS = 5_000_000
@@ -28,8 +27,6 @@ INNER = ("_", "gi_", "cr_", "ag_", "f_", "tb_", "co_", "func_", "mro", "format")
 """Beginnings of attributes that lead from a value to the interpreter."""
 FORBIDDEN = ("socket.", "subprocess.", "os.", "shutil.", "ctypes.", "tempfile.", "pty.", "mmap.")
 HARMLESS = ("os.listdir", "os.scandir")
-
-_loaded = yaml.SafeLoader  # the import above is for its effect
 
 
 class Unwanted(Exception):

@@ -145,5 +145,7 @@ def _coal_faces(geometry: Any) -> Faces:
 
 
 def body_faces(geometry: Any) -> Faces:
-    """Faces of one of Coal's shapes, in its own frame."""
+    """Faces of one of Coal's shapes, convex hulls among them, in its own frame."""
+    if isinstance(geometry, coal.ConvexBase):
+        return faces_of_points(np.asarray(geometry.points()))
     return _coal_faces(geometry)
