@@ -30,10 +30,16 @@ def new(
     package_path: Annotated[
         list[Path] | None, typer.Option(metavar="DIR", help="A folder with the ROS packages that the description names; can be repeated.")
     ] = None,
-    xacro_arg: Annotated[list[str] | None, typer.Option(metavar="NAME:=VALUE", help="An argument of the xacro file; can be repeated.")] = None,
+    xacro_arg: Annotated[
+        list[str] | None, typer.Option(metavar="NAME:=VALUE", help="An argument of the xacro file; can be repeated.")
+    ] = None,
     base_frame: Annotated[str | None, typer.Option(metavar="LINK", help="Where the arm begins. [default: carries its first joint]")] = None,
-    sensor_frame: Annotated[str | None, typer.Option(metavar="LINK", help="The link that is the sensor's frame. [default: the arm's last]")] = None,
-    mount: Annotated[str | None, typer.Option(metavar="LINK", help="Fix a new link `ft_sensor` to this one, as the sensor's frame.")] = None,
+    sensor_frame: Annotated[
+        str | None, typer.Option(metavar="LINK", help="The link that is the sensor's frame. [default: the arm's last]")
+    ] = None,
+    mount: Annotated[
+        str | None, typer.Option(metavar="LINK", help="Fix a new link `ft_sensor` to this one, as the sensor's frame.")
+    ] = None,
     mount_xyz: Annotated[Triple, typer.Option(metavar="X Y Z", help="Where it is there, m.")] = (0.0, 0.0, 0.0),
     mount_rpy: Annotated[Triple, typer.Option(metavar="R P Y", help="How it is turned there, rad.")] = (0.0, 0.0, 0.0),
     behind_sensor: Annotated[

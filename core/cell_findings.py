@@ -66,7 +66,10 @@ def findings_of(folder: Path) -> list[Finding]:
     except BadInput as error:
         found = _wrong(error) + found
     except (ValueError, RuntimeError, IndexError, ArithmeticError) as error:  # Pinocchio's and Coal's own
-        found = [Finding("wrong", cell.robot.urdf, f"a model that cannot be built ({str(error)[:200]})", "mend its links and meshes"), *found]
+        found = [
+            Finding("wrong", cell.robot.urdf, f"a model that cannot be built ({str(error)[:200]})", "mend its links and meshes"),
+            *found,
+        ]
     return sorted(found, key=lambda finding: finding.severity == "doubtful")
 
 
@@ -83,7 +86,11 @@ def _of_values(cell: Cell) -> Iterator[Finding]:
     up = cell.gravity[2] / max(float(np.linalg.norm(cell.gravity)), 1e-9)
     if up > -0.999:
         tilt = np.degrees(np.arccos(np.clip(-up, -1.0, 1.0)))
-        yield _doubt("gravity_m_s2", f"{list(cell.gravity_m_s2)}, {tilt:.0f} deg off straight down", "turn the robot by robot.base.rpy_rad, not gravity")
+        yield _doubt(
+            "gravity_m_s2",
+            f"{list(cell.gravity_m_s2)}, {tilt:.0f} deg off straight down",
+            "turn the robot by robot.base.rpy_rad, not gravity",
+        )
     speed = cell.limits.cartesian_speed_m_s
     if speed > SPEED_M_S:
         yield _doubt("limits.cartesian_speed_m_s", f"{speed:g} m/s", f"at most {SPEED_M_S:g}, where people are near")
@@ -93,7 +100,9 @@ def _of_values(cell: Cell) -> Iterator[Finding]:
             yield _doubt("robot.acceleration_rad_s2", f"{value:g} rad/s2", f"what the robot's maker states; {low:g} to {high:g} is usual")
             break
     if cell.robot.friction is None:
-        yield _doubt("robot.friction", "nothing", "what is known of the drives; without it a diagnosis judges friction by the tracking error alone")
+        yield _doubt(
+            "robot.friction", "nothing", "what is known of the drives; without it a diagnosis judges friction by the tracking error alone"
+        )
     if not cell.zones:
         yield _doubt("zones", "none", "a [[zones]] for every place where people may be; without one nothing is kept away from them")
     if not cell.payloads:
@@ -111,7 +120,9 @@ def _of_sensor(cell: Cell) -> Iterator[Finding]:
     if sensor.name.startswith(NOT_STATED):
         yield _doubt("sensor", f"{sensor.name!r}", "noise, range and resolution of the sensor that is there: intervals count with them")
     if sensor.mount is None:
-        yield _doubt("sensor.mount", "nothing", "the sensor frame in the flange, without which a payload is exported in the sensor frame alone")
+        yield _doubt(
+            "sensor.mount", "nothing", "the sensor frame in the flange, without which a payload is exported in the sensor frame alone"
+        )
     for name, payload in cell.payloads.items():
         weight = payload.mass_kg * G
         least = min(sensor.range[:3])
@@ -140,7 +151,9 @@ def _of_room(cell: Cell, robot: RobotModel, bodies: list[Body]) -> Iterator[Find
     base = [body for body in bodies if body.joint == 0]
     lowest = min((float(body.corners[:, 2].min()) for body in base), default=float(cell.robot.base.translation[2]))
     if cell.floor_z_m > lowest + 0.001:
-        yield _doubt("floor_z_m", f"{cell.floor_z_m:g} m, above the lowest point of the robot's base at {lowest:.3f} m", "the height of the floor")
+        yield _doubt(
+            "floor_z_m", f"{cell.floor_z_m:g} m, above the lowest point of the robot's base at {lowest:.3f} m", "the height of the floor"
+        )
     elif cell.floor_z_m < lowest - FLOOR_BELOW_M:
         yield _doubt("floor_z_m", f"{lowest - cell.floor_z_m:.1f} m below the robot's base", "the height of the floor, in the world frame")
     shoulder = np.asarray(robot.model.jointPlacements[1].translation)

@@ -51,7 +51,7 @@ def cell_text(parts: CellParts) -> str:
 
 def _head(parts: CellParts) -> list[str]:
     return [
-        f"# Made by `heft cell new` from {_comment(parts.source)}. Look at every value: `heft cell check {parts.name}` says what is doubtful.",
+        f"# Made by `heft cell new` from {_comment(parts.source)}. Look at every value; `heft cell check {parts.name}` says which.",
         f"name = {_text(parts.name)}",
         f"title = {_text(parts.title)}",
         "# the lowest point of the robot's base; nothing may get below it, and a load that comes off falls as deep",
@@ -77,15 +77,15 @@ def _robot(parts: CellParts) -> list[str]:
         ]
     if parts.adjacent:
         lines += [
-            "# These pairs overlap in all configurations that were looked at, as their shapes are drawn: no distance between them is watched.",
-            "# Look at each pair on the robot: if the two can touch there, mend the shapes in robot.urdf and take the pair out of this list.",
+            "# These pairs overlap in all configurations that were looked at: no distance between them is watched.",
+            "# Look at each pair on the robot: if the two can touch, mend the shapes in robot.urdf and take the pair out of this list.",
             "adjacent = [",
             *[f"    {_list_of_texts(pair)}," for pair in parts.adjacent],
             "]",
         ]
     return [
         *lines,
-        "# base.xyz_m = [0.0, 0.0, 0.0]  # where the base frame stands in the cell; base.rpy_rad turns it (hanging: [3.14159265, 0.0, 0.0])",
+        "# base.xyz_m = [0.0, 0.0, 0.0]  # the base frame in the cell; base.rpy_rad turns it (hanging: [3.14159265, 0.0, 0.0])",
         "",
     ]
 
@@ -128,7 +128,7 @@ def _tool(parts: CellParts) -> list[str]:
 def _payload(parts: CellParts) -> list[str]:
     box = parts.payload_box
     return [
-        "# The room that a payload takes, in the sensor frame, from the flange on: whatever may hang there, the workpiece with what holds it.",
+        "# The room that a payload takes, in the sensor frame, from the flange on: the workpiece with what holds it.",
         "[payload_box]",
         f"size_m = {_list(box.size_m)}",
         f"pose.xyz_m = {_list(box.pose.xyz_m)}",

@@ -16,6 +16,8 @@ from core.urdf_elements import MAX_BYTES
 CHILD = Path(__file__).with_name("xacro_child.py")
 SECONDS = 30.0
 UNWANTED = 3
+MOST_FILES = 1000
+"""Of a package that are looked through for further packages."""
 
 _FIND = re.compile(r"\$\(find\s+([^)\s]+)\s*\)|package://([^/\"'\s]+)")
 _IS_XACRO = re.compile(r"<xacro:|xmlns:xacro\s*=")
@@ -52,7 +54,7 @@ def _expanded(packages: Packages, arguments: dict[str, str]) -> str:
     except subprocess.TimeoutExpired as error:
         raise BadRobot(str(file), f"xacro that is not expanded after {SECONDS:.0f} s", "a xacro file that ends") from error
     if done.returncode == UNWANTED:
-        raise BadRobot(str(file), f"xacro that wants {done.stderr}", "no $(eval ...), and files in its folder, its packages or --package-path")
+        raise BadRobot(str(file), f"xacro that wants {done.stderr}", "no $(eval ...); files in its folder or a --package-path DIR")
     if done.returncode != 0:
         why = done.stderr.strip().splitlines()[-1:] or [f"the process ended with {done.returncode}: time or memory"]
         raise BadRobot(str(file), f"xacro that does not expand ({why[0][:300]})", "xacro, its arguments given as --xacro-arg NAME:=VALUE")
@@ -79,5 +81,6 @@ def _named_packages(packages: Packages) -> list[str]:
             except BadRobot:
                 continue
             known.append(name)
-            waiting += [each for each in sorted(folder.rglob("*.xacro"))[:1000] if each not in read and each.resolve().is_relative_to(folder)]
+            files = (each.resolve() for each in sorted(folder.rglob("*.xacro"))[:MOST_FILES])
+            waiting += [each for each in files if each not in read and each.is_relative_to(folder)]
     return known

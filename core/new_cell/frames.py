@@ -83,7 +83,7 @@ def _sensor_frame(tree: RobotTree, order: Order, notes: list[str]) -> str:
         notes.append(f"The sensor frame is {named[0]!r}, which has the name of a force/torque sensor; --sensor-frame LINK chooses another.")
         return named[0]
     chosen = max(ends, key=lambda link: (len(tree.path(link)), not tree.is_body(link)))
-    notes.append(f"The sensor frame is {chosen!r}, the last link of the longest chain before any hand; --sensor-frame LINK chooses another.")
+    notes.append(f"The sensor frame is {chosen!r}, the last link of the longest chain before a hand; --sensor-frame LINK chooses another.")
     return chosen
 
 
@@ -96,7 +96,9 @@ def _what_is_behind(sensor: str, bodies: list[str], order: Order, ask: Ask | Non
     if order.behind is not None:
         return order.behind
     if ask is not None:
-        question = f"Behind the sensor frame {sensor!r} hang {_list(bodies)}. Does the sensor carry them (tool), or are they in front of it (robot)?"
+        question = (
+            f"Behind the sensor frame {sensor!r} hang {_list(bodies)}. Does the sensor carry them (tool), or sit behind them (robot)?"
+        )
         return Behind(ask(question, tuple(Behind)))
     raise BadRobot(
         f"{where}: links behind the sensor frame {sensor!r}",

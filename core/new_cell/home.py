@@ -25,6 +25,7 @@ TOUCHING_M = 0.001
 SELF_CLEARANCE_M, CLEARANCE_M = 0.01, 0.03  # what a cell requires
 GOOD_M = {"self": 0.08, FLOOR: 0.25, PAYLOAD: 0.12}  # distances beyond which more is worth no more
 GOOD_LIMIT = 0.25  # of half a joint's range
+FEW_JOINTS = 2  # between links that may be close by construction
 ROUND = 2  # decimal places of an angle
 
 
@@ -35,7 +36,7 @@ class Home:
     Args:
         q: (n,), rad.
         nearest: names of the nearest two bodies there. nearest_m: their distance.
-        always_overlapping: pairs of links that overlap wherever they were looked at.
+        always_overlapping: pairs of links that overlap wherever they were looked at, or are too close with many joints between.
     """
 
     q: Array
@@ -44,40 +45,59 @@ class Home:
     always_overlapping: tuple[Pair, ...]
 
 
-def propose_home(robot: RobotModel, bodies: list[Body], payload: Body, floor_z: float, joined: set[frozenset[str]], where: str) -> Home:
-    """Looks at 512 configurations, evenly spread and the same every time, and round the best of them.
+class HomeSearch:
+    """Distances in 512 configurations, evenly spread and the same every time; of the best of them, and what is round it, `home`.
 
     Args:
         bodies: of the links. payload: its box.
         floor_z: in the world, m.
         joined: pairs of links that one joint joins; they may touch.
-
-    Raises:
-        BadRobot: no configuration is free.
     """
-    scene = _Scene(robot, bodies, payload, floor_z, joined)
-    low, high = _ranges(robot)
-    samples = low + (high - low) * _evenly(SAMPLES, robot.n)
-    samples[:, [0, -1]] = np.clip(0.0, low, high)[[0, -1]]  # they turn all or the payload alone, and change nothing that counts
-    distances = np.array([scene.distances(q) for q in samples])
-    most = distances.max(axis=0)
-    always = [pair for pair, greatest in zip(scene.names, most, strict=True) if greatest < TOUCHING_M and PAYLOAD not in pair and FLOOR not in pair]
-    required = np.where(most < scene.required, TOUCHING_M, scene.required)
-    counted = most >= TOUCHING_M
-    scene.judge(counted, required, _bend_of(robot, samples))
-    scores = np.array([scene.score(q, found) for q, found in zip(samples, distances, strict=True)])
-    best = samples[int(np.argmax(scores))]
-    if scores.max() <= 0.0:
-        in_the_way = np.argmax(((distances < required) & counted).sum(axis=0))
-        raise BadRobot(
-            f"{where}: home",
-            f"none of {SAMPLES} configurations free, mostly for {' and '.join(map(repr, scene.names[int(in_the_way)]))}",
-            "shapes that leave the arm room, or links behind the sensor frame declared with --behind-sensor",
-        )
-    q = _refined(scene, np.round(best, ROUND), low, high)
-    found = np.where(counted, scene.distances(q), np.inf)
-    k = int(np.argmin(found))
-    return Home(q, scene.names[k], float(found[k]), tuple(dict.fromkeys(always)))
+
+    def __init__(self, robot: RobotModel, bodies: list[Body], payload: Body, floor_z: float, joined: set[frozenset[str]]) -> None:
+        self._robot = robot
+        self._scene = _Scene(robot, bodies, payload, floor_z, joined)
+        self._low, self._high = _ranges(robot)
+        self._samples = self._low + (self._high - self._low) * _evenly(SAMPLES, robot.n)
+        ends = [0, -1]  # they turn all or the payload alone, and change little that counts
+        self._samples[:, ends] = np.clip(0.0, self._low, self._high)[ends]
+        self._distances = np.array([self._scene.distances(q) for q in self._samples])
+
+    @property
+    def share_above_floor(self) -> float:
+        """Of the configurations, those in which the floor is clear of all that more than two joints move."""
+        scene = self._scene
+        above = [k for k, pair in enumerate(scene.names) if FLOOR in pair and scene.between[k] > FEW_JOINTS]
+        return float((self._distances[:, above] >= CLEARANCE_M).all(axis=1).mean())
+
+    def home(self, where: str) -> Home:
+        """The best home.
+
+        Raises:
+            BadRobot: no configuration is free.
+        """
+        scene, distances = self._scene, self._distances
+        most = distances.max(axis=0)
+        links = np.array([PAYLOAD not in pair for pair in scene.names])
+        excused = links & (scene.between <= FEW_JOINTS)
+        required = np.where(excused & (most < scene.required), TOUCHING_M, scene.required)
+        overlapping = links & (most < np.where(excused, TOUCHING_M, scene.required))
+        overlapping &= np.array([FLOOR not in pair for pair in scene.names]) | excused
+        enough = np.maximum(np.minimum(scene.good, 0.7 * (most - required)), TOUCHING_M)
+        scene.judge(~overlapping, required, enough, _bend_of(self._robot, self._samples))
+        scores = np.array([scene.score(q, found) for q, found in zip(self._samples, distances, strict=True)])
+        if scores.max() <= 0.0:
+            in_the_way = int(np.argmax(((distances < required) & ~overlapping).sum(axis=0)))
+            raise BadRobot(
+                f"{where}: home",
+                f"none of {SAMPLES} configurations free, mostly for {' and '.join(map(repr, scene.names[in_the_way]))}",
+                "shapes that leave the arm room, or links behind the sensor frame declared with --behind-sensor",
+            )
+        q = _refined(scene, np.round(self._samples[int(np.argmax(scores))], ROUND), self._low, self._high)
+        found = np.where(overlapping, np.inf, scene.distances(q))
+        k = int(np.argmin(found))
+        always = [pair for pair, is_so in zip(scene.names, overlapping, strict=True) if is_so and FLOOR not in pair]
+        return Home(q, scene.names[k], float(found[k]), tuple(dict.fromkeys(always)))
 
 
 def _evenly(count: int, dimensions: int) -> Array:
@@ -129,9 +149,11 @@ class _Scene:
             for b in bodies
             if a.joint > b.joint and not (a.joint - b.joint == 1 and frozenset((a.name, b.name)) in joined)
         ]
+        self.between = np.array([a.joint - b.joint for a, b in pairs])
+        """(n_pairs,), joints between two bodies."""
         self.names: list[Pair] = [(a.name, b.name) for a, b in pairs]
         kinds = [PAYLOAD if PAYLOAD in pair and FLOOR not in pair else FLOOR if FLOOR in pair else "self" for pair in self.names]
-        self._good = np.array([GOOD_M[kind] for kind in kinds])
+        self.good = np.array([GOOD_M[kind] for kind in kinds])
         self.required = np.array([CLEARANCE_M if FLOOR in pair else SELF_CLEARANCE_M for pair in self.names])
         self._geometry = pin.GeometryModel()
         ids: dict[int, int] = {}
@@ -140,6 +162,7 @@ class _Scene:
         self._results = self._geometry.createData()
         self._counted = np.ones(len(pairs), dtype=bool)
         self._least = self.required
+        self._enough = self.good
         self._bend = 1.0
 
     def _add(self, body: Body, ids: dict[int, int]) -> int:
@@ -153,17 +176,17 @@ class _Scene:
         pin.computeDistances(self._robot.model, self._data, self._geometry, self._results, q)
         return np.array([result.min_distance for result in self._results.distanceResults])
 
-    def judge(self, counted: NDArray[np.bool_], required: Array, bend: float) -> None:
-        """From here on: which pairs count, what each has to keep, and what Jacobian is a good one's."""
-        self._counted, self._least, self._bend = counted, required, bend
+    def judge(self, counted: NDArray[np.bool_], required: Array, enough: Array, bend: float) -> None:
+        """From here on: which pairs count, what each has to keep, how much more is enough, and what Jacobian is a good one's."""
+        self._counted, self._least, self._enough, self._bend = counted, required, enough, bend
 
     def score(self, q: Array, distances: Array | None = None) -> float:
-        """0 and less where it is not free; else the worst of room, limits and bend, each against what is good, and a tenth of their mean."""
+        """0 and less where it is not free; else the worst of room, limits and bend against what is good, and a tenth of their mean."""
         found = self.distances(q) if distances is None else distances
         margins = (found - self._least)[self._counted]
         if margins.min() <= 0.0:
             return float(margins.min())
-        room = float(np.min(margins / self._good[self._counted]))
+        room = float(np.min(margins / self._enough[self._counted]))
         robot = self._robot
         limits = float(np.min(np.minimum(q - robot.lower, robot.upper - q) / np.minimum(0.5 * (robot.upper - robot.lower), np.pi)))
         terms = np.minimum([room, limits / GOOD_LIMIT, _bend(robot, q) / self._bend], 1.0)

@@ -21,7 +21,7 @@ from core.errors import BadInput, BadRobot
 from core.new_cell.cell_text import CellParts, cell_text
 from core.new_cell.expansion import description_text
 from core.new_cell.frames import Ask, Frames, choose_frames
-from core.new_cell.home import Home, propose_home
+from core.new_cell.home import Home, HomeSearch
 from core.new_cell.joints import complete_limits, fix_others, proposed_accelerations
 from core.new_cell.masses import complete_efforts, complete_masses
 from core.new_cell.meshes import choose_shapes, copy_meshes
@@ -39,6 +39,9 @@ URDF = "robot.urdf"
 PICTURE = "home.png"
 EDGES_M = (EDGE_M, 0.1, 0.06)
 """Of the payload cube, until one leaves the arm a free home."""
+
+STANDING = 0.02
+"""Share of configurations in which the arm of a robot that stands on the floor is above it, at least."""
 
 
 @dataclass(frozen=True)
@@ -84,8 +87,7 @@ def make_cell(order: Order, ask: Ask | None = None) -> Made:
         urdf.check_bodies(frames.base, frames.sensor)
         (folder / URDF).write_text(tree.text, encoding="utf-8")
         urdf.check_meshes(folder)
-        floor_z = _floor(bodies)
-        box, home = _box_and_home(tree, frames, robot, bodies, floor_z, notes)
+        box, home, floor_z = _box_and_home(tree, frames, robot, bodies, notes)
         parts = CellParts(
             name=order.name,
             title=f"{tree.root.get('name', '')[:150]}, as its description has it",
@@ -105,8 +107,8 @@ def make_cell(order: Order, ask: Ask | None = None) -> Made:
         shown = [*bodies, payload_body(robot, box)]
         draw_home(folder / PICTURE, robot, shown, home.q, tool=frames.tool, floor_z=floor_z, title=f"{order.name} at home")
         accelerations = ", ".join(f"{value:g}" for value in parts.acceleration)
-        notes.append(f"Accelerations of {accelerations} rad/s2 taken: each joint's greatest speed in 0.2 s, at least 1 and at most 10 rad/s2.")
-        notes += [f"{a!r} and {b!r} overlap wherever they were looked at: left out (robot.adjacent). Look at them." for a, b in parts.adjacent]
+        notes.append(f"Accelerations of {accelerations} rad/s2 taken: each joint's greatest speed in 0.2 s, between 1 and 10 rad/s2.")
+        notes += [f"{a!r} and {b!r} overlap wherever they were looked at: left out (robot.adjacent)." for a, b in parts.adjacent]
         notes.append(f"At home {home.nearest[0]!r} and {home.nearest[1]!r} are nearest, {home.nearest_m:.3f} m apart.")
         notes.append("The sensor's noise, range and resolution are nobody's figures: put in yours.")
     return Made(order.folder, home, tuple(notes))
@@ -124,7 +126,8 @@ def _new_folder(target: Path) -> Iterator[Path]:
         folder.rename(target)
         done = True
     except OSError as error:
-        raise BadInput(str(target), f"a folder that cannot be written ({error.strerror or error})", "a disk with room, and permission") from error
+        found = f"a folder that cannot be written ({error.strerror or error})"
+        raise BadInput(str(target), found, "a disk with room, and permission") from error
     finally:
         if not done:
             shutil.rmtree(folder, ignore_errors=True)
@@ -167,16 +170,27 @@ def _floor(bodies: list[Body]) -> float:
     return float(np.floor(1000.0 * min(lowest, 0.0) - 1e-6) / 1000.0) if lowest < -1e-6 else 0.0
 
 
-def _box_and_home(
-    tree: RobotTree, frames: Frames, robot: RobotModel, bodies: list[Body], floor_z: float, notes: list[str]
-) -> tuple[Box, Home]:
-    """The largest of the default payload boxes with which a home is free."""
+def _out_of_reach(robot: RobotModel, bodies: list[Body]) -> float:
+    """A height below whatever the arm can reach with a payload, in the world, m."""
+    lengths = [float(np.linalg.norm(joint.translation)) for joint in robot.model.jointPlacements]
+    farthest = max(float(np.linalg.norm(body.corners, axis=1).max()) for body in bodies)
+    return -float(np.ceil(10.0 * (sum(lengths) + farthest + 3.0 * EDGE_M)) / 10.0)
+
+
+def _box_and_home(tree: RobotTree, frames: Frames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> tuple[Box, Home, float]:
+    """The largest of the default payload boxes with which a home is free, that home, and the height of the floor."""
     joined = _joined(tree, {body.name for body in bodies})
+    arm = [body for body in bodies if body.name not in frames.tool]  # a tool is in the payload's box
+    floor_z = _floor(bodies)
     for edge in EDGES_M:
         box = payload_room(robot, bodies, frames.tool, edge)
+        search = HomeSearch(robot, arm, payload_body(robot, box), floor_z, joined)
+        if search.share_above_floor < STANDING:
+            floor_z = _out_of_reach(robot, bodies)
+            notes.append(f"The arm hangs below its base: the floor is put out of reach, at {floor_z:g} m; put in its height.")
+            search = HomeSearch(robot, arm, payload_body(robot, box), floor_z, joined)
         try:
-            arm = [body for body in bodies if body.name not in frames.tool]  # a tool is in the payload's box
-            home = propose_home(robot, arm, payload_body(robot, box), floor_z, joined, tree.where)
+            home = search.home(tree.where)
         except BadRobot as error:
             if edge == EDGES_M[-1]:
                 raise
@@ -184,8 +198,8 @@ def _box_and_home(
         else:
             break
     sizes = " x ".join(f"{size:g}" for size in box.size_m)
-    notes.append(f"The payload box is {sizes} m, from the flange face on; --payload and payload_box in cell.toml say what really hangs there.")
-    return box, home
+    notes.append(f"The payload box is {sizes} m, from the flange face on; put what really hangs there into cell.toml.")
+    return box, home, floor_z
 
 
 def _joined(tree: RobotTree, bodies: set[str]) -> set[frozenset[str]]:

@@ -40,34 +40,41 @@ def draw_home(file: Path, robot: RobotModel, bodies: list[Body], q: Array, *, to
     for body in bodies:
         faces = placed(placed(body_faces(body.geometry), body.placement.rotation, body.placement.translation), *poses[body.joint])
         points += faces
-        colour = np.array(mpl.colors.to_rgb(_colour(body, tool)))
-        shades = [np.clip(colour * shade, 0.0, 1.0) for shade in _shades(faces)]
-        is_load = body.name == PAYLOAD
-        axes.add_collection3d(
-            Poly3DCollection(
-                faces,
-                facecolors=[(*shade, 0.25 if is_load else 1.0) for shade in shades],
-                edgecolors=mpl.colors.to_rgba(LOAD, 0.9) if is_load else "none",
-                linewidths=0.8,
-            )
-        )
+        for corners_each in sorted({len(face) for face in faces}):  # matplotlib pads unequal ones with whatever is in memory
+            _draw_faces(axes, [face for face in faces if len(face) == corners_each], body, _colour(body, tool))
     corners = np.concatenate(points)
     low, high = corners.min(axis=0), corners.max(axis=0)
     low[2] = min(low[2], floor_z)
     middle, half = 0.5 * (low + high), 0.55 * float((high - low).max())
     ground = np.array([[x, y, floor_z] for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]) * [half, half, 1.0] + [*middle[:2], 0.0]
-    axes.add_collection3d(Poly3DCollection([ground], facecolors=FLOOR, alpha=0.35, zorder=-1))
+    axes.add_collection3d(Poly3DCollection([ground], facecolors=FLOOR, alpha=0.35, zorder=-1), autolim=False)
     _draw_frame(axes, robot.sensor_pose(q).rotation, robot.sensor_pose(q).position, 0.2 * half)
     for setter, value in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle, strict=True):
         setter(value - half, value + half)
     axes.set_box_aspect((1, 1, 1))
+    figure.subplots_adjust(left=0.0, right=0.94, bottom=0.05, top=0.97)
     axes.view_init(**VIEW)
     axes.set_xlabel("x (m)")
     axes.set_ylabel("y (m)")
     axes.set_zlabel("z (m)")
     axes.set_title(title)
-    figure.text(0.5, 0.02, "arm blue, base grey, tool green, room of the payload orange; sensor axes x red, y green, z blue", ha="center", fontsize=8)
+    words = "arm blue, base grey, tool green, room of the payload orange; sensor axes x red, y green, z blue"
+    figure.text(0.5, 0.02, words, ha="center", fontsize=8)
     figure.savefig(file, dpi=DPI, metadata={"Software": None})
+
+
+def _draw_faces(axes: Any, faces: list[Array], body: Body, colour: str) -> None:
+    is_load = body.name == PAYLOAD
+    shades = np.clip(np.array(mpl.colors.to_rgb(colour)) * _shades(faces)[:, None], 0.0, 1.0)
+    axes.add_collection3d(
+        Poly3DCollection(
+            faces,
+            facecolors=np.column_stack([shades, np.full(len(faces), 0.25 if is_load else 1.0)]),
+            edgecolors=mpl.colors.to_rgba(LOAD, 0.9) if is_load else "none",
+            linewidths=0.8,
+        ),
+        autolim=False,
+    )
 
 
 def _colour(body: Body, tool: tuple[str, ...]) -> str:

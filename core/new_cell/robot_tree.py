@@ -41,9 +41,25 @@ class RobotTree:
                 for part in [part for part in element if part.tag not in kept]:
                     element.remove(part)
                 self.root.append(element)
+        self._rename_joints_like_links()
         for name in self.checked.links:
             if not name.isprintable() or len(name) > 200:
                 raise BadRobot(f"{where}: link", repr(name[:200]), "a name of at most 200 characters that can be printed")
+
+    def _rename_joints_like_links(self) -> None:
+        """A joint with the name of a link is another frame of that name, which Pinocchio cannot tell from it."""
+        links = {link.get("name") for link in self.root.iter("link")}
+        taken = links | {joint.get("name") for joint in self.root.iter("joint")}
+        for joint in self.root.iter("joint"):
+            if joint.get("name") in links:
+                name = f"{joint.get('name')}_joint"
+                while name in taken:
+                    name += "_"
+                for mimic in self.root.iter("mimic"):
+                    if mimic.get("joint") == joint.get("name"):
+                        mimic.set("joint", name)
+                joint.set("name", name)
+                taken.add(name)
 
     @property
     def text(self) -> str:
@@ -95,7 +111,8 @@ class RobotTree:
     def is_body(self, link: str) -> bool:
         """Whether a link has mass or a shape."""
         mass = self.link(link).find("inertial/mass")
-        return (mass is not None and float(mass.get("value", "0")) > 0.0) or bool(self.shapes(link, "collision") + self.shapes(link, "visual"))
+        has_mass = mass is not None and float(mass.get("value", "0")) > 0.0
+        return has_mass or bool(self.shapes(link, "collision") or self.shapes(link, "visual"))
 
     def fix(self, joint: UrdfJoint, value: float) -> None:
         """Makes a joint fixed where it stands at `value` (rad or m)."""

@@ -29,7 +29,7 @@ FORBIDDEN = ("socket.", "subprocess.", "os.", "shutil.", "ctypes.", "tempfile.",
 HARMLESS = ("os.listdir", "os.scandir")
 
 
-class Unwanted(Exception):
+class UnwantedError(Exception):
     """What a xacro file may not do; the sentence is for the person who gave it."""
 
 
@@ -40,11 +40,11 @@ def expand(order: dict[str, Any]) -> str:
 
     def find(name: str) -> str:
         if name not in packages:
-            raise Unwanted(f"$(find {name})")
+            raise UnwantedError(f"$(find {name})")
         return packages[name]
 
     def refuse(*_arguments: Any) -> str:
-        raise Unwanted("$(eval ...)")
+        raise UnwantedError("$(eval ...)")
 
     def careful(expression: str, *arguments: Any) -> Any:
         _look_at(expression)
@@ -59,12 +59,12 @@ def expand(order: dict[str, Any]) -> str:
 
 def _look_at(expression: str) -> None:
     if len(expression) > LONGEST_EXPRESSION:
-        raise Unwanted(f"an expression of {len(expression)} characters")
+        raise UnwantedError(f"an expression of {len(expression)} characters")
     for node in ast.walk(ast.parse(expression.strip(), mode="eval")):
         if isinstance(node, ast.Attribute) and node.attr.startswith(INNER):
-            raise Unwanted(f"the attribute {node.attr} in an expression")
+            raise UnwantedError(f"the attribute {node.attr} in an expression")
         if isinstance(node, ast.Name) and node.id.startswith("__"):
-            raise Unwanted(f"the name {node.id} in an expression")
+            raise UnwantedError(f"the name {node.id} in an expression")
 
 
 def confine(folders: list[str]) -> None:
@@ -82,9 +82,9 @@ def confine(folders: list[str]) -> None:
             reads = arguments[1] in (None, "r", "rb", "rt") or (arguments[1] is None and not arguments[2])
             is_library = path.suffix in (".py", ".pyc", ".so") and any(path.is_relative_to(each) for each in library)
             if not reads or not (is_library or any(path.is_relative_to(folder) for folder in inside)):
-                raise Unwanted(f"the file {path}")
+                raise UnwantedError(f"the file {path}")
         elif event.startswith(FORBIDDEN) and event not in HARMLESS:
-            raise Unwanted(event)
+            raise UnwantedError(event)
 
     sys.addaudithook(watch)
 
@@ -96,7 +96,7 @@ def main() -> int:
         confine(order["folders"])
         text = expand(order)
         if len(text) > MAX_CHARACTERS:
-            raise Unwanted(f"{len(text)} characters of URDF")
+            raise UnwantedError(f"{len(text)} characters of URDF")
     except Exception as error:  # noqa: BLE001 - whatever a stranger's program ends with becomes a sentence
         cause = _unwanted(error)
         sys.stderr.write(" ".join(str(cause or error or type(error).__name__).split())[:300])
@@ -105,10 +105,10 @@ def main() -> int:
     return 0
 
 
-def _unwanted(error: BaseException | None) -> Unwanted | None:
+def _unwanted(error: BaseException | None) -> UnwantedError | None:
     """Xacro wraps what is raised, in a field of its own."""
     for _ in range(100):
-        if error is None or isinstance(error, Unwanted):
+        if error is None or isinstance(error, UnwantedError):
             return error
         error = getattr(error, "exc", None) or error.__cause__ or error.__context__
     return None

@@ -11,6 +11,8 @@ import pytest
 from core.cell_findings import Finding, findings_of
 
 ROOT = Path(__file__).parents[2]
+FRICTION = "friction.coulomb_n_m = [3.52, 3.52, 2.0, 2.0, 2.0, 0.76, 0.76]\nfriction.viscous_n_m_s = [8.8, 8.8, 5.0, 5.0, 5.0, 1.9, 1.9]"
+FIXTURE = "size_m = [0.25, 0.25, 0.2], pose.xyz_m = [0.45, -0.6, 0.1]"
 
 
 @pytest.fixture
@@ -48,7 +50,7 @@ def test_nothing_is_wrong_with_the_shipped_bench_and_its_zone_is_within_reach(ch
         ("size_m = [0.16, 0.16, 0.16]", "size_m = [0.16, 0.16, 0.9]", "payload_box"),
         ("floor_z_m = -0.75", "floor_z_m = -3.0", "floor_z_m"),
         ("floor_z_m = -0.75", "gravity_m_s2 = [0.0, 9.81, 0.0]", "gravity_m_s2"),
-        ("friction.coulomb_n_m = [3.52, 3.52, 2.0, 2.0, 2.0, 0.76, 0.76]\nfriction.viscous_n_m_s = [8.8, 8.8, 5.0, 5.0, 5.0, 1.9, 1.9]", "", "robot.friction"),
+        (FRICTION, "", "robot.friction"),
         ("mount.xyz_m = [0.0, 0.0, 0.0157]", "", "sensor.mount"),
         ("range = [145, 145, 290, 5, 5, 5]", "range = [30, 30, 60, 5, 5, 5]", "sensor.range"),
         ("range = [145, 145, 290, 5, 5, 5]", "range = [900, 900, 900, 5, 5, 5]", "sensor.range"),
@@ -71,7 +73,7 @@ def test_what_cannot_be_planned_in_is_wrong_and_stands_first(changed):
 
 
 def test_a_home_inside_an_obstacle_is_wrong(changed):
-    found = changed(("size_m = [0.25, 0.25, 0.2], pose.xyz_m = [0.45, -0.6, 0.1]", "size_m = [0.5, 0.5, 2.0], pose.xyz_m = [0.45, 0.0, 0.5]"))
+    found = changed((FIXTURE, "size_m = [0.5, 0.5, 2.0], pose.xyz_m = [0.45, 0.0, 0.5]"))
     assert [each.severity for each in found].count("wrong") == 1
     assert "robot.home_rad" in found[0].where
 

@@ -8,7 +8,8 @@ from core.new_cell.making import Made, make_cell
 from core.new_cell.order import Order
 
 LIMIT = '<limit lower="-2.8" upper="2.8" velocity="2.0" effort="90"/>'
-INERTIAL = '<inertial><origin xyz="0 0 0.1"/><mass value="2"/><inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.01"/></inertial>'
+INERTIA = '<inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.01"/>'
+INERTIAL = f'<inertial><origin xyz="0 0 0.1"/><mass value="2"/>{INERTIA}</inertial>'
 BOX = '<origin xyz="0 0 0.11"/><geometry><box size="0.08 0.08 0.2"/></geometry>'
 AXES = ("0 0 1", "0 1 0", "0 0 1", "0 1 0", "0 0 1", "0 1 0")
 LENGTH = 0.24

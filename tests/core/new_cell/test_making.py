@@ -102,7 +102,7 @@ def test_a_link_that_can_only_be_seen_is_taken_as_it_looks(tmp_path):
 
 
 def test_pairs_that_always_overlap_are_listed(tmp_path):
-    ring = '<collision><geometry><sphere radius="0.3"/></geometry></collision>'
+    ring = '<collision><geometry><sphere radius="0.5"/></geometry></collision>'
     found = made(tmp_path, arm(links={1: link("link1", shapes=ring)}))
     robot = tomllib.loads((found.folder / "cell.toml").read_text())["robot"]
     assert ["link3", "link1"] in robot["adjacent"]

@@ -79,7 +79,10 @@ def test_a_file_that_is_too_large_is_refused(place):
         packages(place).file("d.stl", "mesh", 3)
 
 
-@given(name=st.text(alphabet="./\\%2ea:pckg\0~$", max_size=30), scheme=st.sampled_from(["", "package://", "package://arm/", "file://", "file:///"]))
+@given(
+    name=st.text(alphabet="./\\%2ea:pckg\0~$", max_size=30),
+    scheme=st.sampled_from(["", "package://", "package://arm/", "file://", "file:///"]),
+)
 def test_whatever_the_name_nothing_outside_is_found(tmp_path_factory, name, scheme):
     folder = tmp_path_factory.getbasetemp() / "hostile/arm/urdf"
     folder.mkdir(parents=True, exist_ok=True)

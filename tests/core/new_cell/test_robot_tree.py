@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pinocchio as pin
 import pytest
-from small_arm import arm, joint, link
+from small_arm import LIMIT, arm, joint, link
 
 from core.errors import BadRobot
 from core.new_cell.robot_tree import RobotTree
@@ -62,3 +62,12 @@ def test_a_tree_knows_what_hangs_behind_a_link():
 def test_a_name_that_cannot_be_printed_is_refused():
     with pytest.raises(BadRobot, match="can be printed"):
         tree(f"{link('a&#x85;b')}{joint('j', 'flange', 'a&#x85;b', kind='fixed', rest='')}")
+
+
+def test_a_joint_with_the_name_of_a_link_gets_one_of_its_own():
+    changed = tree(
+        link("grip") + joint("grip", "flange", "grip") + link("x") + joint("x_joint", "grip", "x", rest=LIMIT + '<mimic joint="grip"/>')
+    )
+    assert {"grip_joint", "x_joint"} < {each.name for each in changed.checked.joints}
+    assert changed.joint("x_joint").find("mimic").get("joint") == "grip_joint"
+    assert place_of(changed.text, "grip").shape == (4, 4)
