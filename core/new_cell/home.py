@@ -52,10 +52,14 @@ class HomeSearch:
         bodies: of the links. payload: its box.
         floor_z: in the world, m.
         joined: pairs of links that one joint joins; they may touch.
+        tool: links behind the sensor, which like the payload must not touch any other.
     """
 
-    def __init__(self, robot: RobotModel, bodies: list[Body], payload: Body, floor_z: float, joined: set[frozenset[str]]) -> None:
+    def __init__(
+        self, robot: RobotModel, bodies: list[Body], payload: Body, floor_z: float, joined: set[frozenset[str]], tool: tuple[str, ...] = ()
+    ) -> None:
         self._robot = robot
+        self._carried = {PAYLOAD, *tool}
         self._scene = _Scene(robot, bodies, payload, floor_z, joined)
         self._low, self._high = _ranges(robot)
         self._samples = self._low + (self._high - self._low) * _evenly(SAMPLES, robot.n)
@@ -78,7 +82,7 @@ class HomeSearch:
         """
         scene, distances = self._scene, self._distances
         most = distances.max(axis=0)
-        links = np.array([PAYLOAD not in pair for pair in scene.names])
+        links = np.array([not self._carried & set(pair) for pair in scene.names])
         excused = links & (scene.between <= FEW_JOINTS)
         required = np.where(excused & (most < scene.required), TOUCHING_M, scene.required)
         overlapping = links & (most < np.where(excused, TOUCHING_M, scene.required))

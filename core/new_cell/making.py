@@ -37,8 +37,8 @@ Array = NDArray[np.float64]
 
 URDF = "robot.urdf"
 PICTURE = "home.png"
-EDGES_M = (EDGE_M, 0.1, 0.06)
-"""Of the payload cube, until one leaves the arm a free home."""
+ROOMS_M = ((EDGE_M, 0.0), (0.1, 0.0), (0.06, 0.0), (0.1, 0.03), (0.06, 0.06), (0.06, 0.1))
+"""Edge of the payload box and its gap to the flange face, until one leaves the arm a free home."""
 
 STANDING = 0.02
 """Share of configurations in which the arm of a robot that stands on the floor is above it, at least."""
@@ -180,25 +180,24 @@ def _out_of_reach(robot: RobotModel, bodies: list[Body]) -> float:
 def _box_and_home(tree: RobotTree, frames: Frames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> tuple[Box, Home, float]:
     """The largest of the default payload boxes with which a home is free, that home, and the height of the floor."""
     joined = _joined(tree, {body.name for body in bodies})
-    arm = [body for body in bodies if body.name not in frames.tool]  # a tool is in the payload's box
     floor_z = _floor(bodies)
-    for edge in EDGES_M:
-        box = payload_room(robot, bodies, frames.tool, edge)
-        search = HomeSearch(robot, arm, payload_body(robot, box), floor_z, joined)
+    for edge, gap in ROOMS_M:
+        box = payload_room(robot, bodies, frames.tool, edge, gap)
+        search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
         if search.share_above_floor < STANDING:
             floor_z = _out_of_reach(robot, bodies)
             notes.append(f"The arm hangs below its base: the floor is put out of reach, at {floor_z:g} m; put in its height.")
-            search = HomeSearch(robot, arm, payload_body(robot, box), floor_z, joined)
+            search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
         try:
             home = search.home(tree.where)
         except BadRobot as error:
-            if edge == EDGES_M[-1]:
+            if (edge, gap) == ROOMS_M[-1]:
                 raise
-            notes.append(f"With a payload box of {edge:g} m no home is free, a smaller one is taken ({error.found}).")
+            notes.append(f"With a payload box {edge:g} m wide, {gap:g} m from the flange face, no home is free ({error.found}).")
         else:
             break
     sizes = " x ".join(f"{size:g}" for size in box.size_m)
-    notes.append(f"The payload box is {sizes} m, from the flange face on; put what really hangs there into cell.toml.")
+    notes.append(f"The payload box is {sizes} m, {gap:g} m from the flange face; put what really hangs there into cell.toml.")
     return box, home, floor_z
 
 

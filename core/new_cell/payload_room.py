@@ -1,4 +1,4 @@
-"""The default payload box: on the flange, away from the robot, round the tool where there is one."""
+"""The default payload box: from the flange face on, away from the robot, beyond the tool where there is one."""
 
 from __future__ import annotations
 
@@ -14,40 +14,57 @@ Array = NDArray[np.float64]
 EDGE_M = 0.16
 BEYOND_TOOL_M = 0.1
 ROUND = 3
+LEAST_M = 0.005  # along the last joint's axis, to say where the arm goes on
 Z_PREFERRED = 0.5  # another axis than the sensor's z is taken where it points away from the robot by so much better
 
 
-def payload_room(robot: RobotModel, bodies: list[Body], tool: tuple[str, ...], edge: float = EDGE_M) -> Box:
+def payload_room(robot: RobotModel, bodies: list[Body], tool: tuple[str, ...], edge: float = EDGE_M, gap: float = 0.0) -> Box:
     """A box that begins at the flange face, the sensor frame's origin, and goes away from the last link.
 
-    With a tool the box contains it and 0.1 m more.
+    Behind a tool it goes on for 0.1 m; the tool has shapes of its own.
 
     Args:
         bodies: of the links. tool: names of those that hang behind the sensor.
-        edge: of the cube without a tool, m.
+        edge: width, and depth without a tool, m.
+        gap: between flange face and box, m.
     """
     frame = robot.model.frames[robot.sensor_frame_id].placement
-    local = {
-        name: np.concatenate([frame.actInv(point)[None] for body in bodies if body.name == name for point in body.corners])
-        for name in {body.name for body in bodies if body.joint == robot.n}
-    }
-    arm = [points for name, points in local.items() if name not in tool]
-    axis, sign = _away(np.concatenate(arm).mean(axis=0) if arm else np.zeros(3))
-    low, high = np.full(3, -edge / 2), np.full(3, edge / 2)
-    held = np.concatenate([points for name, points in local.items() if name in tool]) if set(tool) & set(local) else np.zeros((1, 3))
-    low, high = np.minimum(low, held.min(axis=0)), np.maximum(high, held.max(axis=0))
-    far = float((sign * held[:, axis]).max())
+    last = [body for body in bodies if body.joint == robot.n]
+    arm, held = (
+        np.array([frame.actInv(point) for body in last if (body.name in tool) == is_tool for point in body.corners]).reshape(-1, 3)
+        for is_tool in (False, True)
+    )
+    axis, sign = _axis(held.mean(axis=0) if len(held) else _away(robot, arm))
+    far = float((sign * held[:, axis]).max()) if len(held) else 0.0
     depth = edge if far <= 0.0 else max(edge, far + BEYOND_TOOL_M)
-    low[axis], high[axis] = (0.0, depth) if sign > 0 else (-depth, 0.0)
-    size, centre = np.round(high - low, ROUND), np.round(0.5 * (low + high), ROUND + 1)
-    return Box(size_m=tuple(map(float, size)), pose=Pose(xyz_m=tuple(map(float, centre + 0.0))))
+    size, centre = np.full(3, edge), np.zeros(3)
+    size[axis], centre[axis] = depth, sign * (gap + depth / 2)
+    size, centre = np.round(size, ROUND), np.round(centre, ROUND + 1)
+    return Box(
+        size_m=(float(size[0]), float(size[1]), float(size[2])), pose=Pose(xyz_m=(float(centre[0]), float(centre[1]), float(centre[2])))
+    )
 
 
-def _away(behind: Array) -> tuple[int, float]:
-    """The axis of the sensor frame that points away from the middle of the last link, and its sign."""
-    if np.linalg.norm(behind) < 1e-6:
+def _away(robot: RobotModel, arm: Array) -> Array:
+    """Where the arm goes on, (3,) in the sensor frame: along the last joint's axis from the joint before, or away from its bodies.
+
+    Args:
+        arm: (k, 3), corners of what the last joint carries, in the sensor frame.
+    """
+    last, frame = robot.model.jointPlacements[robot.n], robot.model.frames[robot.sensor_frame_id].placement
+    turned = robot.chain.axes[-1]
+    along = (np.asarray(frame.translation) - np.asarray(last.inverse().translation)) @ turned
+    if abs(along) > LEAST_M:
+        return np.asarray(frame.rotation.T @ (along * turned))
+    return -arm.mean(axis=0) if len(arm) else np.zeros(3)
+
+
+def _axis(away: Array) -> tuple[int, float]:
+    """The axis of the sensor frame that points away from the arm, and its sign."""
+    length = float(np.linalg.norm(away))
+    if length < 1e-6:
         return 2, 1.0
-    away = -behind / np.linalg.norm(behind)
+    away = away / length
     axis = int(np.argmax(np.abs(away)))
     if abs(away[axis]) - abs(away[2]) < Z_PREFERRED:
         axis = 2
