@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from small_arm import arm, joint, link
 
 from core.errors import BadRobot
 from core.new_cell.frames import Frames, choose_frames
 from core.new_cell.order import Behind, Order
 from core.new_cell.robot_tree import RobotTree
+from tests.core.new_cell.small_arm import arm, joint, link
 
 HAND = (
     link("hand") + joint("grip", "flange", "hand", kind="fixed", rest="") + '<link name="tip"/>'

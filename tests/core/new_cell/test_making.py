@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from small_arm import BOX, INERTIAL, LIMIT, arm, joint, link, made, write_arm
 
 from core.cell import Robot, load_cell
 from core.errors import BadInput
 from core.new_cell import making
 from core.new_cell.making import make_cell
 from core.new_cell.order import Behind, Order
+from tests.core.new_cell.small_arm import BOX, INERTIAL, LIMIT, arm, joint, link, made, write_arm
 
 TRIANGLE = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"
 FINGER = link("hand") + joint("grip", "flange", "hand", kind="fixed", rest="") + link("finger")

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pinocchio as pin
 import pytest
-from small_arm import LIMIT, arm, joint, link
 
 from core.errors import BadRobot
 from core.new_cell.robot_tree import RobotTree
+from tests.core.new_cell.small_arm import LIMIT, arm, joint, link
 
 
 def tree(extra: str = "", **changed: dict[int, str]) -> RobotTree:
