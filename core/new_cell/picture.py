@@ -24,6 +24,7 @@ BASE, LINKS, TOOL, LOAD, FLOOR = "#8a8f98", ("#4f79a7", "#7fa3c7"), "#59a14f", "
 LIGHT = np.array([0.4, -0.5, 0.77])
 VIEW = {"elev": 22.0, "azim": -58.0}
 DPI = 130
+FLOOR_SHOWN = 0.5  # times the robot's height below it
 
 
 def draw_home(file: Path, robot: RobotModel, bodies: list[Body], q: Array, *, tool: tuple[str, ...], floor_z: float, title: str) -> None:
@@ -44,15 +45,17 @@ def draw_home(file: Path, robot: RobotModel, bodies: list[Body], q: Array, *, to
             _draw_faces(axes, [face for face in faces if len(face) == corners_each], body, _colour(body, tool))
     corners = np.concatenate(points)
     low, high = corners.min(axis=0), corners.max(axis=0)
-    low[2] = min(low[2], floor_z)
+    if low[2] - floor_z < FLOOR_SHOWN * (high[2] - low[2]):
+        low[2] = min(low[2], floor_z)
     middle, half = 0.5 * (low + high), 0.55 * float((high - low).max())
-    ground = np.array([[x, y, floor_z] for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]) * [half, half, 1.0] + [*middle[:2], 0.0]
-    axes.add_collection3d(Poly3DCollection([ground], facecolors=FLOOR, alpha=0.35, zorder=-1), autolim=False)
+    if floor_z >= middle[2] - half:
+        ground = np.array([[x, y, floor_z] for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]) * [half, half, 1.0] + [*middle[:2], 0.0]
+        axes.add_collection3d(Poly3DCollection([ground], facecolors=FLOOR, alpha=0.35, zorder=-1), autolim=False)
     _draw_frame(axes, robot.sensor_pose(q).rotation, robot.sensor_pose(q).position, 0.2 * half)
     for setter, value in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle, strict=True):
         setter(value - half, value + half)
     axes.set_box_aspect((1, 1, 1))
-    figure.subplots_adjust(left=0.0, right=0.94, bottom=0.05, top=0.97)
+    figure.subplots_adjust(left=0.0, right=0.94, bottom=0.05, top=0.94)
     axes.view_init(**VIEW)
     axes.set_xlabel("x (m)")
     axes.set_ylabel("y (m)")
