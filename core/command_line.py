@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from core import twin_commands
+from core import cell_commands, twin_commands
 from core.cell import Cell, Payload, find_cell, list_cells, load_cell
 from core.collision import CollisionModel
 from core.diagnosis_overlay import overlay_of
@@ -43,6 +43,7 @@ from core.slow_run import slowed
 from core.starting_point import starting_point
 from core.stated_friction import knowing_friction
 from core.tables import (
+    broken_lines,
     cells_table,
     diagnosis_lines,
     diagnosis_table,
@@ -211,6 +212,7 @@ def diagnose_command(
 app.command()(trial)
 app.command()(export)
 app.add_typer(twin_commands.app, name="twin")
+app.add_typer(cell_commands.app, name="cell")
 
 
 @app.command()
@@ -256,8 +258,16 @@ def plan(
 
 @app.command()
 def cells() -> None:
-    """List the cells at hand."""
-    answers.print(cells_table([load_cell(folder) for folder in list_cells()]))
+    """List the cells at hand, and what keeps any of them from being used."""
+    loaded, broken = [], {}
+    for folder in list_cells():
+        try:
+            loaded.append(load_cell(folder))
+        except BadInput as error:
+            broken[folder.name] = error
+    answers.print(cells_table(loaded))
+    for line in broken_lines(broken):
+        answers.print(line, highlight=False, markup=False, soft_wrap=True)
 
 
 def _payload(cell: Cell, name: str | None) -> tuple[str, Payload]:

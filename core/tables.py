@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from rich.table import Table
 
 from core.cell import Cell
+from core.errors import BadInput
 from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.inertia import PHI_NAMES, PHI_UNITS
 from core.plan import Plan
@@ -161,6 +162,11 @@ def cells_table(cells: list[Cell]) -> Table:
             ", ".join(cell.payloads),
         )
     return table
+
+
+def broken_lines(broken: dict[str, BadInput]) -> list[str]:
+    """What keeps cells at hand from being used, a sentence each, by their names."""
+    return [f"{name} cannot be used: {flaw}" for name, error in broken.items() for flaw in (error, *error.others)]
 
 
 def diagnosis_table(diagnosis: Diagnosis) -> Table:

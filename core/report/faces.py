@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import Any
 
+import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
@@ -165,3 +167,17 @@ def _faces(each: LinkShape) -> Faces:
         case "capsule":
             return capsule_faces(*sizes)
     return [face for part in each.parts for face in mesh_faces(part)]
+
+
+def body_faces(geometry: Any) -> Faces:
+    """Faces of one of Coal's shapes, convex hulls among them, in its own frame."""
+    match geometry:
+        case coal.Box():
+            return box_faces(2.0 * np.asarray(geometry.halfSide))
+        case coal.Sphere():
+            return sphere_faces(float(geometry.radius))
+        case coal.Cylinder():
+            return cylinder_faces(float(geometry.radius), 2.0 * float(geometry.halfLength))
+        case coal.Capsule():
+            return capsule_faces(float(geometry.radius), 2.0 * float(geometry.halfLength))
+    return mesh_faces(np.asarray(geometry.points()))

@@ -25,7 +25,8 @@ SENTENCES |= {"Hold": slice(1, 2), "_end": slice(0, 1), "problem": slice(2, 3), 
 """Which argument is the sentence of an error or a reason."""
 NOT_HEARD = (
     "command.py", "command_line.py", "twin_commands.py", "trial/", "serve.py", "experiment/file.py", "experiment/stops.py",
-    "sessions/replay.py", "cell_check.py", "plan_options.py", "starting_point.py", "set_points.py",
+    "sessions/replay.py", "cell_check.py", "plan_options.py", "starting_point.py", "set_points.py", "new_cell/", "cell_commands.py",
+    "cell_findings.py",
 )  # fmt: skip
 """Speaks to a terminal or to a program alone; what checks cells says flaws, which are read."""
 METHODS = {"_replace", "__init__", "_end", "zipped", "page"}

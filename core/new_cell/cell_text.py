@@ -1,0 +1,167 @@
+"""The text of a new `cell.toml`, with the comments that a person needs who goes on with it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell import Box
+
+Array = NDArray[np.float64]
+
+NOT_STATED = "not stated"
+"""What a sensor's name begins with whose figures are nobody's."""
+
+
+@dataclass(frozen=True)
+class CellParts:
+    """What goes into the file.
+
+    Args:
+        home, acceleration: one for each joint, rad and rad/s2.
+        adjacent: pairs of links that always overlap.
+        visual_shapes: links that are taken from their visual shapes.
+        tool: links of the description that hang behind the sensor.
+        source: name of the description's file.
+    """
+
+    name: str
+    title: str
+    source: str
+    base: str
+    sensor: str
+    joints: tuple[str, ...]
+    home: Array
+    acceleration: Sequence[float]
+    floor_z: float
+    payload_box: Box
+    adjacent: tuple[tuple[str, str], ...] = ()
+    visual_shapes: tuple[str, ...] = ()
+    tool: tuple[str, ...] = ()
+
+
+def cell_text(parts: CellParts) -> str:
+    """The file."""
+    return "\n".join([*_head(parts), *_robot(parts), *_sensor(), *_limits(), *_tool(parts), *_payload(parts), *_example(parts)]) + "\n"
+
+
+def _head(parts: CellParts) -> list[str]:
+    return [
+        f"# Made by `heft cell new` from {_comment(parts.source)}. Look at every value; `heft cell check {parts.name}` says which.",
+        f"name = {_text(parts.name)}",
+        f"title = {_text(parts.title)}",
+        "# the lowest point of the robot's base; nothing may get below it, and a load that comes off falls as deep",
+        f"floor_z_m = {parts.floor_z:g}",
+        "",
+    ]
+
+
+def _robot(parts: CellParts) -> list[str]:
+    lines = [
+        "[robot]",
+        f"base_frame = {_text(parts.base)}",
+        f"sensor_frame = {_text(parts.sensor)}",
+        f"# joints: {_comment(', '.join(parts.joints))}",
+        f"home_rad = {_list(parts.home)}",
+        "# not in any URDF: each joint's greatest speed in 0.2 s, between 1 and 10 rad/s2; put in the robot's own",
+        f"acceleration_rad_s2 = {_list(parts.acceleration)}",
+    ]
+    if parts.visual_shapes:
+        lines += [
+            "# no shape for collisions in the description: the visual one is taken, which shows the cover and not what hangs on it",
+            f"visual_shapes = {_list_of_texts(parts.visual_shapes)}",
+        ]
+    if parts.adjacent:
+        lines += [
+            "# These pairs overlap in all configurations that were looked at: no distance between them is watched.",
+            "# Look at each pair on the robot: if the two can touch, mend the shapes in robot.urdf and take the pair out of this list.",
+            "adjacent = [",
+            *[f"    {_list_of_texts(pair)}," for pair in parts.adjacent],
+            "]",
+        ]
+    return [
+        *lines,
+        "# base.xyz_m = [0.0, 0.0, 0.0]  # the base frame in the cell; base.rpy_rad turns it (hanging: [3.14159265, 0.0, 0.0])",
+        "",
+    ]
+
+
+def _sensor() -> list[str]:
+    return [
+        "# Figures of nobody's sensor: six axes, 200 N and 10 N m. Put in those of yours: noise (standard deviation), range, resolution.",
+        "[sensor]",
+        f"name = {_text(f'{NOT_STATED}: six-axis wrist sensor, 200 N / 10 N m')}",
+        "noise_std = [0.1, 0.1, 0.1, 0.005, 0.005, 0.005]",
+        "range = [200, 200, 400, 10, 10, 10]",
+        "resolution = [0.05, 0.05, 0.05, 0.002, 0.002, 0.002]",
+        "# mount.xyz_m = [0.0, 0.0, 0.03]  # the sensor frame in the flange from which the controller counts its payload",
+        "",
+    ]
+
+
+def _limits() -> list[str]:
+    return [
+        "[limits]",
+        "cartesian_speed_m_s = 0.25",
+        "clearance_m = 0.03       # to obstacles, protected zones and the floor",
+        "self_clearance_m = 0.01  # between the robot's links, and the payload",
+        "",
+    ]
+
+
+def _tool(parts: CellParts) -> list[str]:
+    if not parts.tool:
+        return []
+    return [
+        "# What the sensor carries before any payload; mass and shape are those of robot.urdf.",
+        "[tools.hand]",
+        'title = "What hangs behind the sensor"',
+        f"links = {_list_of_texts(parts.tool)}",
+        "",
+    ]
+
+
+def _payload(parts: CellParts) -> list[str]:
+    box = parts.payload_box
+    return [
+        "# The room that a payload takes, in the sensor frame, from the flange on: the workpiece with what holds it.",
+        "[payload_box]",
+        f"size_m = {_list(box.size_m)}",
+        f"pose.xyz_m = {_list(box.pose.xyz_m)}",
+        "",
+    ]
+
+
+def _example(parts: CellParts) -> list[str]:
+    return [
+        "# Everything that stands in the cell, each with a name of its own, in the world frame; the base frame is its origin, z up.",
+        "# [[obstacles]]",
+        '# name = "table"',
+        f'# shape = {{ kind = "box", size_m = [1.2, 1.2, 0.1], pose.xyz_m = [0.0, 0.0, {parts.floor_z - 0.05:g}] }}',
+        "#",
+        "# Where people may be: neither the robot nor a load that comes off gets into it.",
+        "# [[zones]]",
+        '# name = "operator"',
+        '# shape = { kind = "box", size_m = [1.0, 3.0, 2.5], pose.xyz_m = [1.6, 0.0, 0.6] }',
+    ]
+
+
+def _text(text: str) -> str:
+    """A string of TOML; the names that get here can be printed."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def _comment(text: str) -> str:
+    return "".join(character if character.isprintable() else "?" for character in text)
+
+
+def _list(values: Sequence[float] | Array) -> str:
+    return "[" + ", ".join(repr(float(value)) for value in values) + "]"
+
+
+def _list_of_texts(texts: Sequence[str]) -> str:
+    return "[" + ", ".join(map(_text, texts)) + "]"

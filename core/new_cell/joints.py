@@ -1,0 +1,82 @@
+"""Joints as the procedure needs them: those of the arm with all limits, all others fixed."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+
+import numpy as np
+
+from core.new_cell.frames import Frames
+from core.new_cell.robot_tree import RobotTree
+from core.urdf_elements import UrdfJoint
+
+TURN = 2 * np.pi
+DEFAULT_VELOCITY = 1.0  # rad/s
+ACCELERATION_PER_VELOCITY = 5.0  # 1/s: the joint's greatest speed is reached in 0.2 s
+ACCELERATIONS = (1.0, 10.0)  # rad/s2, least and greatest that is proposed
+
+
+def fix_others(tree: RobotTree, frames: Frames, notes: list[str]) -> None:
+    """Fixes every joint that is not the arm's: where it stands at 0, or at the limit nearest to it; a mimic joint where it follows."""
+    own = {joint.name for joint in frames.joints}
+    others = {joint.name: joint for joint in tree.checked.joints if joint.kind != "fixed" and joint.name not in own}
+    values = {name: _value(joint) for name, joint in others.items() if not joint.mimic}
+    for name, joint in others.items():
+        if joint.mimic:
+            values[name] = _followed(tree.joint(name), values)
+    for name, joint in others.items():
+        tree.fix(joint, values[name])
+        unit = " m" if joint.kind == "prismatic" else " rad"
+        follows = " that mimics another" if joint.mimic else ""
+        notes.append(f"Joint {name!r} ({joint.kind}{follows}) is not the arm's: fixed at {values[name]:g}{unit}.")
+
+
+def _value(joint: UrdfJoint) -> float:
+    if joint.kind in ("floating", "planar", "continuous") or joint.lower is None or joint.upper is None or joint.lower > joint.upper:
+        return 0.0
+    return float(np.clip(0.0, joint.lower, joint.upper))
+
+
+def _followed(element: ET.Element, values: dict[str, float]) -> float:
+    """Where a mimic joint stands when the other stands at its value; beyond the first one, at 0."""
+    mimic = element.find("mimic")
+    if mimic is None:
+        return 0.0
+    try:
+        multiplier, offset = float(mimic.get("multiplier", "1")), float(mimic.get("offset", "0"))
+    except ValueError:
+        return 0.0
+    value = multiplier * values.get(mimic.get("joint", ""), 0.0) + offset
+    return value if abs(value) < 1e4 else 0.0
+
+
+def complete_limits(tree: RobotTree, frames: Frames, notes: list[str]) -> tuple[str, ...]:
+    """Gives every joint of the arm all its limits and tells which; returns the joints whose effort is still to be estimated."""
+    without_effort = []
+    for joint in frames.joints:
+        name = joint.name
+        if joint.kind == "continuous":
+            given = joint.lower is not None and joint.upper is not None and -TURN <= joint.lower < joint.upper <= TURN
+            lower, upper = (joint.lower or 0.0, joint.upper or 0.0) if given else (-TURN, TURN)
+            tree.joint(name).set("type", "revolute")
+            notes.append(f"Joint {name!r} turns without end: limited to {lower:.4g} ... {upper:.4g} rad.")
+            tree.set_limit(name, "lower", lower)
+            tree.set_limit(name, "upper", upper)
+        elif joint.lower is None or joint.upper is None:
+            lower = -np.pi if joint.lower is None else joint.lower
+            upper = np.pi if joint.upper is None else joint.upper
+            notes.append(f"Joint {name!r} has no limits of position: {lower:.4g} ... {upper:.4g} rad taken; put in the robot's own.")
+            tree.set_limit(name, "lower", lower)
+            tree.set_limit(name, "upper", upper)
+        if not joint.velocity:
+            notes.append(f"Joint {name!r} has no limit of velocity: {DEFAULT_VELOCITY:g} rad/s taken; put in the robot's own.")
+            tree.set_limit(name, "velocity", DEFAULT_VELOCITY)
+        if not joint.effort:
+            tree.set_limit(name, "effort", 1.0)
+            without_effort.append(name)
+    return tuple(without_effort)
+
+
+def proposed_accelerations(velocities: list[float]) -> list[float]:
+    """URDFs have no limit of acceleration: the greatest speed in 0.2 s, between 1 and 10 rad/s2."""
+    return [round(float(np.clip(ACCELERATION_PER_VELOCITY * velocity, *ACCELERATIONS)), 2) for velocity in velocities]

@@ -1,0 +1,212 @@
+"""Makes a cell, from top to bottom: description, frames, joints, shapes, masses, payload box, home, picture.
+
+Everything is built in a folder beside the new one, which gets its name only when it is whole.
+"""
+
+from __future__ import annotations
+
+import shutil
+import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.bodies import Body, link_bodies, payload_body
+from core.cell import CELL_FILE, Box, Cell, Robot, Sensor
+from core.errors import BadInput, BadRobot
+from core.new_cell.cell_text import CellParts, cell_text
+from core.new_cell.expansion import description_text
+from core.new_cell.frames import Ask, Frames, choose_frames
+from core.new_cell.home import Home, HomeSearch
+from core.new_cell.joints import complete_limits, fix_others, proposed_accelerations
+from core.new_cell.masses import complete_efforts, complete_masses
+from core.new_cell.meshes import choose_shapes, copy_meshes
+from core.new_cell.order import Order, check_order
+from core.new_cell.packages import Packages
+from core.new_cell.payload_room import EDGE_M, payload_room
+from core.new_cell.picture import draw_home
+from core.new_cell.robot_tree import RobotTree
+from core.recording import RobotDescription
+from core.robot import RobotModel
+
+Array = NDArray[np.float64]
+
+URDF = "robot.urdf"
+PICTURE = "home.png"
+ROOMS_M = ((EDGE_M, 0.0), (0.1, 0.0), (0.06, 0.0), (0.1, 0.03), (0.06, 0.06), (0.06, 0.1))
+"""Edge of the payload box and its gap to the flange face, until one leaves the arm a free home."""
+
+STANDING = 0.02
+"""Share of configurations in which the arm of a robot that stands on the floor is above it, at least."""
+
+
+@dataclass(frozen=True)
+class Made:
+    """A new cell.
+
+    Args:
+        notes: what was chosen, taken or left out, a sentence each.
+    """
+
+    folder: Path
+    home: Home
+    notes: tuple[str, ...]
+
+
+def make_cell(order: Order, ask: Ask | None = None) -> Made:
+    """Makes the cell's folder with cell.toml, robot.urdf, meshes and home.png.
+
+    Args:
+        ask: asks a person what only a person knows; None where nobody can be asked.
+
+    Raises:
+        BadInput: of whatever kind: what was given cannot be used, or the folder cannot be written. Nothing is left behind.
+    """
+    check_order(order)
+    notes: list[str] = []
+    packages = Packages(order.urdf, order.package_paths)
+    tree = RobotTree(description_text(packages, order.xacro_arguments), str(order.urdf))
+    frames = choose_frames(tree, order, ask, notes)
+    fix_others(tree, frames, notes)
+    without_effort = complete_limits(tree, frames, notes)
+    tree.checked.hinges(frames.base, frames.sensor)
+    visual = choose_shapes(tree, notes)
+    with _new_folder(order.folder) as folder:
+        copy_meshes(tree, packages, folder)
+        robot, bodies = _arm(tree, frames, visual, order, folder)
+        if not any(body.joint > 0 for body in bodies):
+            raise BadRobot(str(order.urdf), "no shape on any link that moves", "links with collision or visual shapes")
+        complete_masses(tree, frames, robot, bodies, notes)
+        robot, bodies = _arm(tree, frames, visual, order, folder)
+        complete_efforts(tree, frames, robot, without_effort, notes)
+        urdf = tree.checked
+        urdf.check_bodies(frames.base, frames.sensor)
+        (folder / URDF).write_text(tree.text, encoding="utf-8")
+        urdf.check_meshes(folder)
+        box, home, floor_z = _box_and_home(tree, frames, robot, bodies, notes)
+        parts = CellParts(
+            name=order.name,
+            title=f"{tree.root.get('name', '')[:150]}, as its description has it",
+            source=order.urdf.name,
+            base=frames.base,
+            sensor=frames.sensor,
+            joints=tuple(joint.name for joint in frames.joints),
+            home=home.q,
+            acceleration=proposed_accelerations(list(robot.velocity)),
+            floor_z=floor_z,
+            payload_box=box,
+            adjacent=home.always_overlapping,
+            visual_shapes=visual,
+            tool=frames.tool,
+        )
+        (folder / CELL_FILE).write_text(cell_text(parts), encoding="utf-8")
+        shown = [*bodies, payload_body(robot, box)]
+        draw_home(folder / PICTURE, robot, shown, home.q, tool=frames.tool, floor_z=floor_z, title=f"{order.name} at home")
+        accelerations = ", ".join(f"{value:g}" for value in parts.acceleration)
+        notes.append(f"Accelerations of {accelerations} rad/s2 taken: each joint's greatest speed in 0.2 s, between 1 and 10 rad/s2.")
+        notes += [f"{a!r} and {b!r} overlap wherever they were looked at: left out (robot.adjacent)." for a, b in parts.adjacent]
+        notes.append(f"At home {home.nearest[0]!r} and {home.nearest[1]!r} are nearest, {home.nearest_m:.3f} m apart.")
+        notes.append("The sensor's noise, range and resolution are nobody's figures: put in yours.")
+    return Made(order.folder, home, tuple(notes))
+
+
+@contextmanager
+def _new_folder(target: Path) -> Iterator[Path]:
+    """A folder that takes its name when everything in it is done, and is gone where that fails."""
+    parents = [folder for folder in (target.parent, *target.parent.parents) if not folder.exists()]
+    folder = target.parent / f".{target.name}.{uuid.uuid4().hex[:8]}.part"
+    done = False
+    try:
+        folder.mkdir(parents=True)
+        yield folder
+        folder.rename(target)
+        done = True
+    except OSError as error:
+        found = f"a folder that cannot be written ({error.strerror or error})"
+        raise BadInput(str(target), found, "a disk with room, and permission") from error
+    finally:
+        if not done:
+            shutil.rmtree(folder, ignore_errors=True)
+            for parent in parents:
+                if parent.is_dir() and not any(parent.iterdir()):
+                    parent.rmdir()
+
+
+def _arm(tree: RobotTree, frames: Frames, visual: tuple[str, ...], order: Order, folder: Path) -> tuple[RobotModel, list[Body]]:
+    """Kinematics and bodies of the description as it is now, the base frame in the origin of the world."""
+    where = str(order.urdf)
+    text = tree.text
+    (folder / URDF).write_text(text, encoding="utf-8")
+    joints = tuple(joint.name for joint in frames.joints)
+    robot = RobotModel(RobotDescription(text, joints, frames.base, frames.sensor), where=where)
+    cell = Cell(
+        name=order.name,
+        title=order.name,
+        robot=Robot(
+            base_frame=frames.base,
+            sensor_frame=frames.sensor,
+            home_rad=(0.0,) * len(joints),
+            acceleration_rad_s2=(1.0,) * len(joints),
+            visual_shapes=visual,
+        ),
+        sensor=Sensor(name="none", noise_std=(1.0,) * 6, range=(100.0,) * 6, resolution=(1.0,) * 6),
+        payload_box=Box(size_m=(0.1, 0.1, 0.1)),
+        folder=folder,
+    )
+    return robot, link_bodies(cell, robot)
+
+
+def _floor(bodies: list[Body]) -> float:
+    """Height of the lowest point of what does not move, not above the base frame, to a millimetre below, m."""
+    lowest = min((float(body.corners[:, 2].min()) for body in bodies if body.joint == 0), default=0.0)
+    return float(np.floor(1000.0 * min(lowest, 0.0) - 1e-6) / 1000.0) if lowest < -1e-6 else 0.0
+
+
+def _out_of_reach(robot: RobotModel, bodies: list[Body]) -> float:
+    """A height below whatever the arm can reach with a payload, in the world, m."""
+    lengths = [float(np.linalg.norm(joint.translation)) for joint in robot.model.jointPlacements]
+    farthest = max(float(np.linalg.norm(body.corners, axis=1).max()) for body in bodies)
+    return -float(np.ceil(10.0 * (sum(lengths) + farthest + 3.0 * EDGE_M)) / 10.0)
+
+
+def _box_and_home(tree: RobotTree, frames: Frames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> tuple[Box, Home, float]:
+    """The largest of the default payload boxes with which a home is free, that home, and the height of the floor."""
+    joined = _joined(tree, {body.name for body in bodies})
+    floor_z = _floor(bodies)
+    for edge, gap in ROOMS_M:
+        box = payload_room(robot, bodies, frames.tool, edge, gap)
+        search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
+        if search.share_above_floor < STANDING:
+            floor_z = _out_of_reach(robot, bodies)
+            notes.append(f"The arm hangs below its base: the floor is put out of reach, at {floor_z:g} m; put in its height.")
+            search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
+        try:
+            home = search.home(tree.where)
+        except BadRobot as error:
+            if (edge, gap) == ROOMS_M[-1]:
+                raise
+            notes.append(f"With a payload box {edge:g} m wide, {gap:g} m from the flange face, no home is free ({error.found}).")
+        else:
+            break
+    sizes = " x ".join(f"{size:g}" for size in box.size_m)
+    notes.append(f"The payload box is {sizes} m, {gap:g} m from the flange face; put what really hangs there into cell.toml.")
+    return box, home, floor_z
+
+
+def _joined(tree: RobotTree, bodies: set[str]) -> set[frozenset[str]]:
+    """Pairs of links with a body that exactly one moving joint joins, with no other such link between."""
+    pairs = set()
+    for link in bodies & set(tree.parents):
+        here, moving = link, 0
+        while here in tree.parents and moving <= 1:
+            joint = tree.parents[here]
+            moving, here = moving + (joint.kind != "fixed"), joint.parent
+            if here in bodies:
+                if moving == 1:
+                    pairs.add(frozenset((link, here)))
+                break
+    return pairs

@@ -1,0 +1,95 @@
+"""What a description leaves out of the arm's masses and torques, estimated from shapes and from what the arm itself weighs."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.bodies import Body
+from core.new_cell.frames import Frames
+from core.new_cell.robot_tree import RobotTree
+from core.robot import RobotModel
+from core.urdf_elements import UrdfLink
+
+Array = NDArray[np.float64]
+
+DENSITY = 1000.0  # kg/m3 of a link's hull: aluminium and motors with air between them
+LEAST_MASS = 0.01  # kg
+LEAST_RADIUS = 0.01  # m, of gyration
+EFFORT_FACTOR = 2.0
+G = 9.81
+
+
+def complete_masses(tree: RobotTree, frames: Frames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> None:
+    """Gives every moving link of the arm a mass and an inertia that a body can have, estimated from its shape where it has none."""
+    links = {link.name: link for link in tree.checked.bodies}
+    for joint in frames.joints:
+        link = links[joint.child]
+        if _can_exist(link):
+            continue
+        own = [body for body in bodies if body.name == link.name]
+        given = link.mass if link.mass else None
+        mass, com, inertia = _of_shapes(robot, link.name, own, given)
+        tree.set_inertia(link.name, mass, com, inertia)
+        what = f"Link {link.name!r} has no mass" if given is None else f"Link {link.name!r} has no inertia that a body can have"
+        how = f"{mass:.3g} kg from its shape at {DENSITY:.0f} kg/m3" if given is None else f"that of its shape with its {mass:.3g} kg"
+        notes.append(f"{what}: {how} taken; put in the robot's own, torques and the simulation count with it.")
+
+
+def _can_exist(link: UrdfLink) -> bool:
+    if not link.mass or link.inertia is None:
+        return False
+    low, middle, high = np.linalg.eigvalsh(link.inertia)
+    return bool(low > 0 and high <= (low + middle) * (1 + 1e-6))
+
+
+def _of_shapes(robot: RobotModel, link: str, bodies: list[Body], given: float | None) -> tuple[float, Array, Array]:
+    """Mass, centre of mass (3,) and inertia (3, 3) about it, in the link's frame."""
+    volume, moment, about_origin = 0.0, np.zeros(3), np.zeros((3, 3))
+    frame = robot.model.frames[robot.model.getFrameId(link)].placement
+    for body in bodies:
+        placement = frame.inverse() * body.placement
+        size = float(body.geometry.computeVolume())
+        com = placement.rotation @ np.asarray(body.geometry.computeCOM()) + placement.translation
+        own = placement.rotation @ np.asarray(body.geometry.computeMomentofInertiaRelatedToCOM()) @ placement.rotation.T
+        volume, moment = volume + size, moment + size * com
+        about_origin += own + size * _point(com)
+    if volume <= 0.0:
+        mass = given or LEAST_MASS
+        return mass, np.zeros(3), mass * LEAST_RADIUS**2 * np.eye(3)
+    mass = given or max(LEAST_MASS, round(DENSITY * volume, 3))
+    com = moment / volume
+    inertia = (about_origin - volume * _point(com)) * mass / volume
+    return mass, com, inertia + mass * LEAST_RADIUS**2 * np.eye(3)
+
+
+def _point(place: Array) -> Array:
+    """Moment of inertia (3, 3) of a unit mass at a place (3,)."""
+    return np.asarray(place @ place * np.eye(3) - np.outer(place, place))
+
+
+def complete_efforts(tree: RobotTree, frames: Frames, robot: RobotModel, without: tuple[str, ...], notes: list[str]) -> None:
+    """A torque limit for each of these joints: twice what the arm's own weight can ask of it, stretched out."""
+    for name, torque in zip((joint.name for joint in frames.joints), weight_torques(robot), strict=True):
+        if name in without:
+            effort = max(1.0, float(math.ceil(EFFORT_FACTOR * torque)))
+            tree.set_limit(name, "effort", effort)
+            notes.append(
+                f"Joint {name!r} has no limit of torque: {effort:g} N m taken, {EFFORT_FACTOR:g} times what the arm's own weight can ask; "
+                "put in the robot's own."
+            )
+
+
+def weight_torques(robot: RobotModel) -> Array:
+    """(n,), upper bound of what the arm's own weight asks of each joint in any configuration, N m: stretched out level."""
+    model = robot.model
+    torques, weight, moment = np.zeros(robot.n), 0.0, 0.0  # behind the joint, N; about its origin, N m
+    for j in range(robot.n, 0, -1):
+        mass = float(model.inertias[j].mass)
+        moment += G * mass * float(np.linalg.norm(model.inertias[j].lever))
+        weight += G * mass
+        torques[j - 1] = moment
+        moment += weight * float(np.linalg.norm(model.jointPlacements[j].translation))
+    return torques
