@@ -137,7 +137,8 @@ def summary(judgements: list[Judgement]) -> str:
         [
             f"violations         {sum(len(j.violations) for j in judgements)} in {len(solved)} plans (0 allowed)",
             f"solved / solvable  {len(solved)} / {len(solvable)} = {len(solved) / max(len(solvable), 1):.1%} (at least {SOLVED_SHARE:.0%})",
-            f"planning, s        median {np.median(seconds):.1f} (at most {MEDIAN_S:g}), 95 % {np.percentile(seconds, 95):.1f} (at most {P95_S:g})",
+            f"planning, median   {np.median(seconds):.1f} s (at most {MEDIAN_S:g})",
+            f"planning, 95 %     {np.percentile(seconds, 95):.1f} s (at most {P95_S:g})",
             *(f"refused            {robot}: {kind} {count}" for (robot, kind), count in sorted(kinds.items())),
         ]
     )

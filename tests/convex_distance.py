@@ -1,8 +1,8 @@
 """Distances of convex bodies with a certificate: between a bound that nothing can be below and one that nothing can be above.
 
-The search is that of Gilbert, Johnson and Keerthi (IEEE J. Robotics and Automation 4(2), 1988), written anew for the tests. Whatever it does,
-its answer needs no trust: the direction that it ends with separates the bodies by the gap of their supports, which is a lower bound, and the
-point that it ends with is a point of their difference, whose norm is an upper bound.
+The search is that of Gilbert, Johnson and Keerthi (IEEE J. Robotics and Automation 4(2), 1988), written anew for the tests. Whatever it
+does, its answer needs no trust: the direction that it ends with separates the bodies by the gap of their supports, which is a lower bound,
+and the point that it ends with is a point of their difference, whose norm is an upper bound.
 
 A body is the hull of points, swept by a ball (spheres, capsules), or by a disc (cylinders).
 """
@@ -145,7 +145,7 @@ def _try_triangle(a, b, c, weights):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def _nearest_of(simplex, count):  # type: ignore[no-untyped-def]
+def _nearest_of(simplex, count):  # type: ignore[no-untyped-def]  # noqa: PLR0912  # a branch for each kind of face
     """The point of a simplex nearest to the origin: every face is tried. Returns it and which corners it needs (a bit mask)."""
     best, mask, least = simplex[0].copy(), 1, np.inf
     for i in range(count):

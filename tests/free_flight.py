@@ -1,8 +1,8 @@
 """Where a load flies that comes off anywhere along a motion, for the independent checker.
 
-A rigid body that is released goes on with the velocity of its centre of mass, falls, and goes on turning at the rate that it had; whether its
-box gets into a protected zone is asked of the box itself, placed at every millisecond of the fall, until a corner is on the floor. What
-happens after it has hit something is not predicted.
+A rigid body that is released goes on with the velocity of its centre of mass, falls, and goes on turning at the rate that it had. Whether
+its box gets into a protected zone is asked of the box itself, placed every two milliseconds of the fall, until a corner is on the floor.
+What happens after it has hit something is not predicted.
 """
 
 from __future__ import annotations
@@ -35,16 +35,14 @@ def deepest_flight(
     velocity = np.gradient(com, period, axis=0)
     rate = np.zeros_like(velocity)
     turned = R[2:] @ np.swapaxes(R[:-2], 1, 2) if len(R) > 2 else np.zeros((0, 3, 3))
-    rate[1:-1] = np.stack([turned[:, 2, 1] - turned[:, 1, 2], turned[:, 0, 2] - turned[:, 2, 0], turned[:, 1, 0] - turned[:, 0, 1]], axis=1) / (
-        4.0 * period
-    )
+    rate[1:-1] = np.stack(
+        [turned[:, 2, 1] - turned[:, 1, 2], turned[:, 0, 2] - turned[:, 2, 0], turned[:, 1, 0] - turned[:, 0, 1]], axis=1
+    ) / (4.0 * period)
     boxes = poses @ in_sensor
     radius = float(np.linalg.norm(load.points, axis=1).max() + np.linalg.norm(in_sensor[:3, 3] - centre))
     middle = 0.5 * (zone.corners.min(axis=0) + zone.corners.max(axis=0))
     half = 0.5 * (zone.corners.max(axis=0) - zone.corners.min(axis=0))
-    return float(
-        _deepest(packed([load, zone]), boxes, com, velocity, rate, load.points, radius, middle, half, gravity, floor_z_m)
-    )
+    return float(_deepest(packed([load, zone]), boxes, com, velocity, rate, load.points, radius, middle, half, gravity, floor_z_m))
 
 
 @njit(cache=True)
@@ -82,7 +80,9 @@ def _deepest(bodies, boxes, com, velocity, rate, corners, radius, middle, half, 
             placed[:3, 3] = at + R @ (boxes[m][:3, 3] - com[m])
             lowest = np.inf
             for c in range(len(corners)):
-                lowest = min(lowest, placed[2, 0] * corners[c, 0] + placed[2, 1] * corners[c, 1] + placed[2, 2] * corners[c, 2] + placed[2, 3])
+                lowest = min(
+                    lowest, placed[2, 0] * corners[c, 0] + placed[2, 1] * corners[c, 1] + placed[2, 2] * corners[c, 2] + placed[2, 3]
+                )
             if step > 0 and lowest < floor_z:
                 break
             low, _ = bounds(bodies, 0, 1, placed, still)

@@ -5,9 +5,10 @@ URDF's XML (`tests.independent_arm`), flights of loads that come off (`tests.fre
 Any sequence of joint positions can be judged: commanded or measured, of a transfer or of a whole run.
 
 What has to keep which distance is decided here anew. All that moves keeps the clearance to obstacles, protected zones and the floor; the
-payload keeps the self-clearance to every link but those that the last joint carries; links keep it to each other. Less is asked of pairs with
-at most two joints between them that touch at no angles of these joints: they may not touch. Nothing is asked of links with a common joint, of
-pairs that the cell declares adjacent, and of links with at most two joints between them that overlap at all angles: `left_out` lists them.
+payload keeps the self-clearance to every link but those that the last joint carries; links keep it to each other. Less is asked of pairs
+with at most two joints between them that touch at no angles of these joints: they may not touch; nor may a link that only the first joint
+moves, and that cannot, touch an obstacle or the floor. Nothing is asked of links with a common joint, of pairs that the cell declares
+adjacent, and of links with at most two joints between them that overlap at all angles: `left_out` lists them.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from typing import Any
 
 import fcl
 import numpy as np
+import trimesh
 from numba import njit
 from numpy.typing import NDArray
 
@@ -187,7 +189,10 @@ class IndependentChecker:
             centres.append(self._load.first / self._load.mass)
         local = pose(self._box.pose.xyz_m, self._box.pose.rpy_rad)
         found = [
-            (deepest_flight(self.payload, local, centre, poses, period, _convex(zone.shape), self._cell.gravity, self._cell.floor_z_m), zone.name)
+            (
+                deepest_flight(self.payload, local, centre, poses, period, _convex(zone.shape), self._cell.gravity, self._cell.floor_z_m),
+                zone.name,
+            )
             for zone in self._cell.zones
             for centre in centres
         ]
@@ -372,8 +377,6 @@ def _bvh(body: Body) -> Any:
 
 def _hull_triangles(body: Convex) -> Array:
     """(F, 3, 3), of the surface; what is round is taken as wide as a fine polyhedron that contains it."""
-    import trimesh
-
     points = body.points
     if body.ball_m > 0.0:
         sphere = trimesh.creation.icosphere(subdivisions=3, radius=1.003 * body.ball_m).vertices

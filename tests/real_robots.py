@@ -1,8 +1,8 @@
-"""Cells of robots as they come: the descriptions of the package example-robot-data, made into cells by a small conversion of the tests' own.
+"""Cells of robots as they come: descriptions of the package example-robot-data, made into cells by a small conversion of the tests' own.
 
 Meshes are copied beside the URDF, joints beside the arm are fixed where they stand, continuous joints get limits, a sensor frame is put at
-the flange; what hangs behind the sensor is dropped, or counts as a part of the arm where the sensor is put behind it. Each stands on a table
-above a floor with two protected zones, at the default clearances; home is a configuration that the independent checker finds free.
+the flange; what hangs behind the sensor is dropped, or counts as a part of the arm where the sensor is put behind it. Each stands on a
+table above a floor with two protected zones, at the default clearances; home is a configuration that the independent checker finds free.
 """
 
 from __future__ import annotations
@@ -281,7 +281,7 @@ def _with_a_box(cell: Cell, rng: np.random.Generator, k: int) -> Cell:
     home = np.array(cell.robot.home_rad)
     for _ in range(_DRAWS):
         bearing, away = rng.uniform(-np.pi, np.pi), rng.uniform(0.25, 0.9)
-        at = np.array(cell.robot.base.xyz_m) + [away * np.cos(bearing), away * np.sin(bearing), rng.uniform(-0.5, 0.9)]
+        at = np.array(cell.robot.base.xyz_m) + np.array([away * np.cos(bearing), away * np.sin(bearing), rng.uniform(-0.5, 0.9)])
         shape = Box(size_m=_three(rng.uniform(0.08, 0.5, 3)), pose=Pose(xyz_m=_three(at), rpy_rad=(0.0, 0.0, float(bearing))))
         larger = cell.model_copy(update={"obstacles": (*cell.obstacles, Obstacle(name=f"box_{k}", shape=shape))})
         if not contradictions_of(larger) and IndependentChecker(larger, larger.payload_box).is_free(home, ROOM_AT_HOME_M):
