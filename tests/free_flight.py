@@ -1,8 +1,8 @@
 """Where a load flies that comes off anywhere along a motion, for the independent checker.
 
 A rigid body that is released goes on with the velocity of its centre of mass, falls, and goes on turning at the rate that it had. Whether
-its box gets into a protected zone is asked of the box itself, placed every two milliseconds of the fall, until a corner is on the floor.
-What happens after it has hit something is not predicted.
+its box gets into a protected zone is asked of the box itself, placed along the fall, every two milliseconds where it is near, until a
+corner is on the floor. What happens after it has hit something is not predicted.
 """
 
 from __future__ import annotations
@@ -59,32 +59,37 @@ def _turn(rate, t):  # type: ignore[no-untyped-def]  # numba infers them
 
 @njit(cache=True)
 def _deepest(bodies, boxes, com, velocity, rate, corners, radius, middle, half, gravity, floor_z):  # type: ignore[no-untyped-def]
-    """See `deepest_flight`: a ball round the load against a box round the zone first, then the bodies themselves."""
+    """See `deepest_flight`: a ball round the load against a box round the zone first, then the bodies themselves.
+
+    From a distance d the load needs some time to come nearer than the least distance so far: no flight is looked at before.
+    """
     least, still = 0.1, np.eye(4)
-    ticks = int(LONGEST_FALL_S / TICK_S)
+    g = np.sqrt(gravity[0] ** 2 + gravity[1] ** 2 + gravity[2] ** 2)
     placed = np.eye(4)
     for m in range(len(com)):
-        for step in range(ticks):
-            t = step * TICK_S
-            at = com[m] + velocity[m] * t + 0.5 * t * t * gravity
+        v, w = velocity[m], rate[m]
+        speed = np.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2) + radius * np.sqrt(w[0] ** 2 + w[1] ** 2 + w[2] ** 2)
+        t = 0.0
+        while t < LONGEST_FALL_S:
+            at = com[m] + v * t + 0.5 * t * t * gravity
+            if at[2] < floor_z:
+                break
             square = 0.0
             for r in range(3):
                 square += max(abs(at[r] - middle[r]) - half[r], 0.0) ** 2
-            beside = np.sqrt(square) - radius
-            if at[2] < floor_z:
-                break
-            if beside > least:
-                continue
-            R = _turn(rate[m], t)
-            placed[:3, :3] = R @ np.ascontiguousarray(boxes[m][:3, :3])
-            placed[:3, 3] = at + R @ (boxes[m][:3, 3] - com[m])
-            lowest = np.inf
-            for c in range(len(corners)):
-                lowest = min(
-                    lowest, placed[2, 0] * corners[c, 0] + placed[2, 1] * corners[c, 1] + placed[2, 2] * corners[c, 2] + placed[2, 3]
-                )
-            if step > 0 and lowest < floor_z:
-                break
-            low, _ = bounds(bodies, 0, 1, placed, still)
-            least = min(least, low)
+            away = np.sqrt(square) - radius
+            if away <= least:
+                R = _turn(w, t)
+                placed[:3, :3] = R @ np.ascontiguousarray(boxes[m][:3, :3])
+                placed[:3, 3] = at + R @ (boxes[m][:3, 3] - com[m])
+                lowest = np.inf
+                for c in range(len(corners)):
+                    height = placed[2, 0] * corners[c, 0] + placed[2, 1] * corners[c, 1] + placed[2, 2] * corners[c, 2]
+                    lowest = min(lowest, height + placed[2, 3])
+                if t > 0.0 and lowest < floor_z:
+                    break
+                away, _ = bounds(bodies, 0, 1, placed, still)
+                least = min(least, away)
+            room, u = max(away - least, 0.0), speed + g * t
+            t += max((np.sqrt(u * u + 2.0 * g * room) - u) / g, TICK_S)
     return least
