@@ -102,6 +102,7 @@ class Arm:
         self._root = base @ np.linalg.inv(before_base)
         self._chain = [joint for _, joint in chain]
         self.moving = [joint for joint in self._chain if joint.axis is not None]
+        self._axes = [joint.axis for joint in self._chain if joint.axis is not None]
         self.lower, self.upper = np.array([j.lower for j in self.moving]), np.array([j.upper for j in self.moving])
         self.velocity, self.effort = np.array([j.velocity for j in self.moving]), np.array([j.effort for j in self.moving])
         where = self._where(root, joints, chain)
@@ -146,7 +147,7 @@ class Arm:
     def jacobian(self, q: Array) -> Array:
         """(6, n), of the sensor origin, then angular, in the world, at q (n,)."""
         frames = self.frames(q[None])[0]
-        axes = np.array([frames[k + 1, :3, :3] @ joint.axis for k, joint in enumerate(self.moving)])
+        axes = np.array([frames[k + 1, :3, :3] @ unit for k, unit in enumerate(self._axes)])
         to_tip = (frames[-1] @ self.sensor)[:3, 3] - frames[1:, :3, 3]
         return np.concatenate((np.cross(axes, to_tip), axes), axis=1).T
 
@@ -161,7 +162,7 @@ class Arm:
         frames = self.frames(q)
         inertia = [*self._inertia[:-1], self._inertia[-1] + payload.moved(self.sensor)]
         R, p = frames[:, 1:, :3, :3], frames[:, 1:, :3, 3]
-        axes = np.stack([R[:, k] @ joint.axis for k, joint in enumerate(self.moving)], axis=1)
+        axes = np.stack([R[:, k] @ unit for k, unit in enumerate(self._axes)], axis=1)
         force, moment = np.zeros_like(p), np.zeros_like(p)  # each about the origin of its own group
         w, dw = np.zeros((len(q), 3)), np.zeros((len(q), 3))
         a, here = np.tile(-gravity, (len(q), 1)), p[:, 0]
@@ -296,7 +297,7 @@ def _mesh(file: Path, scale: Array) -> tuple[Array, Array | None]:
     """Corners (V, 3) of a mesh's hull, and its triangles (F, 3, 3) where it is not convex."""
     key = str(file), scale.tobytes()
     if key not in _MESHES:
-        mesh = trimesh.load(file, force="mesh")
+        mesh: Any = trimesh.load(file, force="mesh")
         mesh.apply_scale(scale)
         hull = mesh.convex_hull
         convex = bool(mesh.is_watertight) and abs(mesh.volume - hull.volume) < FLAT * hull.volume

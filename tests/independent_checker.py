@@ -179,7 +179,7 @@ class IndependentChecker:
         frames = self.arm.frames(np.asarray(q, dtype=float)[None])[0]
         least = self._required + extra_m * self._around
         close = _too_close(self._packed, self._groups, self._table, least, frames)
-        return all(self._distance(*self._table[k], least[k], frames) >= least[k] for k in close)
+        return all(self._distance(self.pairs[k].first, self.pairs[k].second, least[k], frames) >= least[k] for k in close)
 
     def flights(self, q: Array, period: float) -> tuple[float, str]:
         """How near a load that comes off anywhere along q (N, n) flies to a protected zone, m, and to which; see `tests.free_flight`."""
