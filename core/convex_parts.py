@@ -60,7 +60,7 @@ def stand_off(soup: Array, hull: Array) -> float:
     """How far the surface of a hull of points (k, 3) is from triangles (m, 3, 3) at most, m."""
     found = ConvexHull(hull)
     step = max(_STEP_M, float(np.sqrt(found.area / _MOST_POINTS)))
-    return float(cKDTree(_spread(soup, step)).query(_spread(hull[found.simplices], step))[0].max())
+    return float(np.max(cKDTree(_spread(soup, step)).query(_spread(hull[found.simplices], step))[0]))
 
 
 def _spread(soup: Array, step: float) -> Array:
