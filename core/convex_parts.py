@@ -60,18 +60,22 @@ def stand_off(soup: Array, hull: Array) -> float:
     """How far the surface of a hull of points (k, 3) is from triangles (m, 3, 3) at most, m."""
     found = ConvexHull(hull)
     step = max(_STEP_M, float(np.sqrt(found.area / _MOST_POINTS)))
-    distances, _ = cKDTree(_spread(soup, step)).query(_spread(hull[found.simplices], step))
-    return float(np.max(distances))
+    return float(np.max(cKDTree(_spread(soup, step)).query(_spread(hull[found.simplices], step))[0]))
 
 
 def _spread(soup: Array, step: float) -> Array:
     """Points of triangles (m, 3, 3), on each a grid that is not coarser than `step`."""
-    longest = np.linalg.norm(soup - np.roll(soup, 1, axis=1), axis=2).max(axis=1)
-    counts = 2 ** np.ceil(np.log2(np.maximum(longest / step, 1.0))).astype(int)
+    lengths = np.linalg.norm(np.roll(soup, -1, axis=1) - np.roll(soup, 1, axis=1), axis=2)  # of the edge opposite each corner
+    order = (lengths.argmin(axis=1)[:, None] + np.arange(3)) % 3
+    apex, a, b = np.moveaxis(np.take_along_axis(soup, order[:, :, None], axis=1), 1, 0)  # a and b are the ends of the shortest edge
+    needed = np.column_stack([lengths.max(axis=1), lengths.min(axis=1)]) / step
+    counts = 2 ** np.ceil(np.log2(np.maximum(needed, 1.0))).astype(int)
     found = []
-    for count in np.unique(counts):
-        i, k = np.array([(i, k) for i in range(count + 1) for k in range(count + 1 - i)]).T / count
-        found.append(np.einsum("wc,mcx->mwx", np.column_stack([i, k, 1.0 - i - k]), soup[counts == count]).reshape(-1, 3))
+    for along, across in np.unique(counts, axis=0):
+        these = (counts == [along, across]).all(axis=1)
+        s, t = np.meshgrid(np.linspace(0.0, 1.0, along + 1), np.linspace(0.0, 1.0, across + 1))
+        weights = np.column_stack([1.0 - s.ravel(), (s * (1.0 - t)).ravel(), (s * t).ravel()])
+        found.append(np.einsum("wc,cmx->mwx", weights, np.stack([apex[these], a[these], b[these]])).reshape(-1, 3))
     return np.concatenate(found)
 
 

@@ -22,7 +22,8 @@ Triangles = NDArray[np.int64]
 KINDS = (".stl", ".obj", ".dae")
 MOST_TRIANGLES = 500_000
 LARGEST_M = 20.0
-MOST_NODES = 20_000
+MOST_ELEMENTS = 4_000
+"""Of a DAE's scene, each as often as it is referred to."""
 MOST_DEPTH = 32
 """Of nodes in a DAE."""
 
@@ -117,7 +118,7 @@ class _Collada:
     root: ET.Element
     named: dict[str, ET.Element]
     where: str
-    nodes: int = 0
+    elements: int = 0
     count: int = 0
 
     def of(self, link: str | None) -> ET.Element:
@@ -131,10 +132,10 @@ class _Collada:
         """(m, 3, 3) each, of a node and the nodes in it, where `placement` (4, 4) puts it."""
         if depth > MOST_DEPTH:
             raise BadRobot(self.where, f"nodes nested more than {MOST_DEPTH} deep", "a scene without rings")
-        self.nodes += 1
-        if self.nodes > MOST_NODES:
-            raise BadRobot(self.where, f"more than {MOST_NODES} nodes", "a scene of fewer")
         for element in node:
+            self.elements += 1
+            if self.elements > MOST_ELEMENTS:
+                raise BadRobot(self.where, f"more than {MOST_ELEMENTS} elements in its scene", "a scene of fewer")
             match element.tag:
                 case "matrix" | "translate" | "rotate" | "scale":
                     placement = placement @ _transform(element.tag, _numbers(element))

@@ -29,7 +29,7 @@ def read_surface(order: Order) -> Arrays:
     try:
         mesh = _dae(file) if file.suffix.lower() == ".dae" else trimesh.load_mesh(file)
         mesh.merge_vertices(merge_tex=True, merge_norm=True)
-        mesh.vertices = np.asarray(mesh.vertices) * np.array(order["scale"])
+        mesh.vertices = mesh.vertices * np.array(order["scale"])
         is_convex = mesh.is_volume and mesh.volume >= CONVEX * mesh.convex_hull.volume
         vertices, triangles = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)
     except Exception as error:  # trimesh and pycollada say in many ways that a file is none of theirs

@@ -80,7 +80,7 @@ export const flaws: Record<string, string> = {
   'a DAE file without document types and entities': 'eine DAE-Datei ohne Dokumenttypen und Entitäten',
   'a link to {}, which there is not': 'ein Verweis auf {}, das es nicht gibt',
   'nodes nested more than {} deep': 'Knoten, die mehr als {} tief verschachtelt sind',
-  'more than {} nodes': 'mehr als {} Knoten',
+  'more than {} elements in its scene': 'mehr als {} Elemente in ihrer Szene',
   'a scene of fewer': 'eine Szene aus weniger',
   'a scene without rings': 'eine Szene ohne Ringe',
   'a file on which its reader ended, at most {} allowed':
