@@ -1950,7 +1950,7 @@ export interface components {
          * @description What no point of the robot may exceed.
          *
          *     Args:
-         *         cartesian_speed_m_s: of every point of every link and every corner of the payload box.
+         *         cartesian_speed_m_s: of every point of every link and every corner of the boxes of payload and tools.
          *         clearance_m: smallest distance to obstacles and protected zones.
          *         self_clearance_m: smallest distance between links.
          */
