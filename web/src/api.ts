@@ -2018,10 +2018,10 @@ export interface components {
          * @description What no point of the robot may exceed.
          *
          *     Args:
-         *         cartesian_speed_m_s: of every point of every link and every corner of the payload box. At most four times what ISO 10218-1 calls
-         *             reduced speed, 0.25 m/s: room for cells whose own safety functions allow more, and none for 25 or 250 by a slip of the unit.
-         *             Below 5 mm/s a plan takes hours.
-         *         clearance_m: smallest distance to obstacles and protected zones. At most 0.5 m, all round: no arm has room for more.
+         *         cartesian_speed_m_s: of every point of every link and every corner of the boxes of payload and tools. At most four times what
+         *             ISO 10218-1 calls reduced speed, 0.25 m/s: room for cells whose own safety functions allow more, none for 25 or 250 by a slip
+         *             of the unit. Below 5 mm/s a plan takes hours.
+         *         clearance_m: smallest distance to obstacles, protected zones and the floor. At most 0.5 m, all round: no arm has room for more.
          *         self_clearance_m: smallest distance between links. At most 0.2 m: links of one arm are no farther apart.
          */
         Limits: {
@@ -2518,6 +2518,13 @@ export interface components {
             least_margin_m: number;
             second_opinion?: components["schemas"]["SecondOpinion"] | null;
             torques?: components["schemas"]["PlanTorques"] | null;
+            /** Least Distance M */
+            least_distance_m?: number | null;
+            /**
+             * Left Out
+             * @default []
+             */
+            left_out?: components["schemas"]["LeftOutPair"][];
         };
         /**
          * PlanTorques
@@ -2536,13 +2543,6 @@ export interface components {
             largest: components["schemas"]["LargestTorque"] | null;
             /** Not Judged */
             not_judged: string[];
-            /** Least Distance M */
-            least_distance_m?: number | null;
-            /**
-             * Left Out
-             * @default []
-             */
-            left_out?: components["schemas"]["LeftOutPair"][];
         };
         /**
          * Planned
@@ -2761,6 +2761,14 @@ export interface components {
              *     }
              */
             base?: components["schemas"]["Pose"];
+            /**
+             * Adjacent
+             * @default []
+             */
+            adjacent?: [
+                string,
+                string
+            ][];
             /**
              * Visual Shapes
              * @default []
