@@ -31,7 +31,8 @@ export const problems: Record<string, string> = {
   'no-start-configuration':
     'Keine Startstellung ist sicher. Räumen Sie weg, was im Weg ist, oder verkleinern Sie Hüllquader oder Abstand.',
   'no-path': 'Kein Weg zwischen den Stellungen ist frei und schnell genug. Räumen Sie weg, was im Weg ist.',
-  'too-heavy': 'Die Last ist zu schwer für den Roboter: einem Gelenk fehlt das Drehmoment. Nehmen Sie eine leichtere.',
+  'too-heavy':
+    'Die Last ist zu schwer für den Roboter: einem Gelenk fehlt das Drehmoment. Nehmen Sie eine leichtere.',
   'plan-disputed':
     'Die unabhängige Prüfung bestätigt den fertigen Plan nicht. Der Roboter hat sich nicht bewegt. Planen Sie neu.',
   stopped: 'Der Wächter hat den Roboter gestoppt.',
