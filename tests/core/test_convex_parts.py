@@ -44,7 +44,7 @@ shapes = st.one_of(
 )
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=6, deadline=None)
 @given(mesh=shapes, scale=st.tuples(*[st.floats(0.5, 3.0)] * 3), angles=st.tuples(*[st.floats(-3.0, 3.0)] * 3))
 def test_the_parts_contain_the_mesh(mesh: trimesh.Trimesh, scale: tuple[float, ...], angles: tuple[float, ...]) -> None:
     mesh = mesh.copy()
@@ -55,7 +55,7 @@ def test_the_parts_contain_the_mesh(mesh: trimesh.Trimesh, scale: tuple[float, .
     assert sum(ConvexHull(part).volume for part in parts) < 1.5 * mesh.convex_hull.volume
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=5, deadline=None)
 @given(seed=st.integers(0, 2**32 - 1))
 def test_the_parts_contain_triangles_that_are_no_solid(seed: int) -> None:
     rng = np.random.default_rng(seed)
