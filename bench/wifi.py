@@ -27,6 +27,8 @@ SHARE = 0.99
 ENDED = ("Complete", "Stopped", "Aborted")
 LOOK_S = 0.2
 """Between two looks of the person at the run."""
+ANSWER_S = 3.0
+"""Within which nobody taps again who sees the first tap under way."""
 LINK = ("network", "page")
 """Causes of a hold that lie between the robot's computer and the person; the others are for a computer that is too busy."""
 PLAN_S = 300.0
@@ -90,10 +92,14 @@ def see_through(person: Console, line: WifiLine, run: str, found: Carried) -> No
     person.take_control()
     begun_s = line.now_s
     release(person, run)
+    again_s = 0.0
     while (now := person.run(run))["state"] not in ENDED:
-        if now["state"] == "Held" and person.linked:
+        if now["state"] == "Held" and person.linked and time.monotonic() > again_s:
             found.taps += 1
             person.command(run, "resume")
+            again_s = time.monotonic() + ANSWER_S
+        if now["state"] != "Held":
+            again_s = 0.0
         time.sleep(LOOK_S)
     found.seconds, found.gaps = line.now_s - begun_s, len(line.gaps.within(begun_s, line.now_s))
     found.causes, found.longest_s = holds(person.http.get(f"/api/runs/{run}/events?kind=event").json())

@@ -7,7 +7,8 @@ Any sequence of joint positions can be judged: commanded or measured, of a trans
 What has to keep which distance is decided here anew. All that moves keeps the clearance to obstacles, protected zones and the floor; the
 payload keeps the self-clearance to every link but those that the last joint carries; links keep it to each other. Less is asked of pairs
 with at most two joints between them that touch at no angles of these joints: they may not touch; nor may a link that only the first joint
-moves, and that cannot, touch an obstacle or the floor. Nothing is asked of links with a common joint, of pairs that the cell declares
+moves, and that cannot, touch an obstacle or the floor, nor a link that two joints move and that can never have the clearance: a robot
+stands close to its table. Nothing is asked of links with a common joint, of pairs that the cell declares
 adjacent, and of links with at most two joints between them that overlap at all angles: `left_out` lists them.
 """
 
@@ -263,6 +264,8 @@ class IndependentChecker:
                 required = self._cell.limits.clearance_m
                 if body.group == 1 and kind != "zone" and self._meet(i, k) == NEVER:
                     required = 0.0
+                if body.group == 2 and kind != "zone" and body.name != PAYLOAD and not self._is_ever_apart(i, k, required):
+                    required = 0.0
                 yield Pair(i, k, required, kind, f"{body.name} - {thing.name}")
 
     def _own(self, moving: int) -> Iterator[Pair]:
@@ -290,17 +293,25 @@ class IndependentChecker:
 
     def _meet(self, i: int, k: int) -> str:
         """Whether two bodies touch at no, some or all angles of a grid of the joints between them, which are one or two."""
+        found: set[bool] = set()
+        for frames in self._all_angles(i, k):
+            found.add(self._distance(i, k, CONTACT_M, frames) <= CONTACT_M)
+            if len(found) == 2:
+                return SOMETIMES
+        return ALWAYS if found == {True} else NEVER
+
+    def _is_ever_apart(self, i: int, k: int, required_m: float) -> bool:
+        """Whether two bodies are that far apart at any angles of the same grid."""
+        return any(self._distance(i, k, required_m, frames) >= required_m for frames in self._all_angles(i, k))
+
+    def _all_angles(self, i: int, k: int) -> Array:
+        """(N, groups, 4, 4), the frames at a grid of the angles between two bodies."""
         between = list(range(self._groups[k], self._groups[i]))
         angles = [np.linspace(max(self.arm.lower[j], -np.pi), min(self.arm.upper[j], np.pi), GRID) for j in between]
         grid = np.stack(np.meshgrid(*angles), axis=-1).reshape(-1, len(between))
         q = np.tile(np.array(self._cell.robot.home_rad), (len(grid), 1))
         q[:, between] = grid
-        found: set[bool] = set()
-        for frames in self.arm.frames(q):
-            found.add(self._distance(i, k, CONTACT_M, frames) <= CONTACT_M)
-            if len(found) == 2:
-                return SOMETIMES
-        return ALWAYS if found == {True} else NEVER
+        return np.asarray(self.arm.frames(q))
 
 
 @njit(cache=True)

@@ -36,6 +36,8 @@ TABLE_M = 0.05
 """Thickness."""
 ROOM_AT_HOME_M = 0.02
 """Beyond what is required."""
+HARDLY_ROOM_M = 0.002
+"""The same where there is no more: a UR's upper arm is never far from the table that it stands on."""
 _TRIES = 1500
 _ENOUGH_M = 0.08
 _DRAWS = 20
@@ -178,11 +180,11 @@ def home_of(cell: Cell, payload_box: Box, seed: int) -> tuple[float, ...]:
     rng = np.random.default_rng([seed, 31415])
     low, high = np.maximum(checker.arm.lower + 0.1, -np.pi), np.minimum(checker.arm.upper - 0.1, np.pi)
     low, high = np.where(low < high, low, checker.arm.lower + 0.1), np.where(low < high, high, checker.arm.upper - 0.1)
-    best, room = None, ROOM_AT_HOME_M
+    best, room = None, HARDLY_ROOM_M
     for _ in range(_TRIES):
         q = rng.uniform(low, high)
         if checker.is_free(q, room) and checker.flights(q[None].repeat(3, axis=0), 0.001)[0] > ROOM_AT_HOME_M:
-            best, room = q, 1.3 * room
+            best, room = q, max(1.3 * room, min(ROOM_AT_HOME_M, 3.0 * room))
             if room > _ENOUGH_M:
                 break
     if best is None:
@@ -284,7 +286,7 @@ def _with_a_box(cell: Cell, rng: np.random.Generator, k: int) -> Cell:
         at = np.array(cell.robot.base.xyz_m) + np.array([away * np.cos(bearing), away * np.sin(bearing), rng.uniform(-0.5, 0.9)])
         shape = Box(size_m=_three(rng.uniform(0.08, 0.5, 3)), pose=Pose(xyz_m=_three(at), rpy_rad=(0.0, 0.0, float(bearing))))
         larger = cell.model_copy(update={"obstacles": (*cell.obstacles, Obstacle(name=f"box_{k}", shape=shape))})
-        if not contradictions_of(larger) and IndependentChecker(larger, larger.payload_box).is_free(home, ROOM_AT_HOME_M):
+        if not contradictions_of(larger) and IndependentChecker(larger, larger.payload_box).is_free(home, HARDLY_ROOM_M):
             return larger
     return cell
 
