@@ -25,6 +25,24 @@ class Model(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
+def rotation_of_rpy(rpy: Array) -> Array:
+    """(3, 3), of roll, pitch and yaw (3,), rad: Rz Ry Rx."""
+    (cr, cp, cy), (sr, sp, sy) = np.cos(rpy), np.sin(rpy)
+    return np.array(
+        [
+            [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+            [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+            [-sp, cp * sr, cp * cr],
+        ]
+    )
+
+
+def rotation_about(axis: Array, angle: float) -> Array:
+    """(3, 3), by an angle, rad, about a unit axis (3,): Rodrigues' formula."""
+    cross = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
+    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * (cross @ cross))
+
+
 class Pose(Model):
     """Placement of a frame: translation, then roll, pitch, yaw about the fixed axes."""
 
@@ -39,14 +57,7 @@ class Pose(Model):
     @property
     def rotation(self) -> Array:
         """(3, 3), yaw after pitch after roll: Rz Ry Rx."""
-        (cr, cp, cy), (sr, sp, sy) = np.cos(self.rpy_rad), np.sin(self.rpy_rad)
-        return np.array(
-            [
-                [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
-                [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
-                [-sp, cp * sr, cp * cr],
-            ]
-        )
+        return rotation_of_rpy(np.array(self.rpy_rad))
 
     def local(self, point: Array) -> Array:
         """A point (3,) of the frame that the pose refers to, in the pose's own frame, m."""

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from core.cell_contradictions import Contradiction, load_contradictions
-from core.inertia import InertialParameters
+from core.inertia import InertialParameters, pseudo_inertia
+from core.shapes import rotation_about
 from core.tool import STATED
 from core.urdf import Urdf
 from core.urdf_tree import UrdfTree, axis_of, end_of, origin_of
@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from core.cell import Cell, Tool
 
 Array = NDArray[np.float64]
+
+
+HARDLY_NEGATIVE = 1e-6
+"""Of the largest eigenvalue: values are written with six digits."""
 
 
 def tool_flaws(cell: Cell, urdf: Urdf) -> Iterator[Contradiction]:
@@ -43,6 +47,12 @@ def tool_parameters(cell: Cell) -> dict[str, InertialParameters]:
     """The ten parameters of each tool, sensor frame, about the sensor origin; of tools that `tool_flaws` finds right."""
     tree = UrdfTree(cell.urdf) if any(tool.links for tool in cell.tools.values()) else None
     return {name: _parameters(tool, cell.robot.sensor_frame, tree) for name, tool in cell.tools.items()}
+
+
+def _is_nearly_consistent(parameters: InertialParameters) -> bool:
+    """Whether a body can have the parameters, if need be a point or a rod: descriptions of robots state such links."""
+    lowest, *_, highest = np.linalg.eigvalsh(pseudo_inertia(parameters.phi))
+    return bool(lowest >= -HARDLY_NEGATIVE * highest)
 
 
 def _parameters(tool: Tool, sensor_frame: str, tree: UrdfTree | None) -> InertialParameters:
@@ -75,7 +85,7 @@ def _tool_flaws(key: str, tool: Tool, cell: Cell, tree: UrdfTree, behind: tuple[
     parameters = _parameters(tool, cell.robot.sensor_frame, tree)
     if tool.links is not None and not parameters.mass > 0:
         yield Contradiction(f"{key}.links", "links without mass", f"links whose <inertial> the URDF states, or {', '.join(STATED)}")
-    elif not parameters.consistent:
+    elif not (parameters.consistent if tool.links is None else _is_nearly_consistent(parameters)):
         m, mc, inertia = parameters.mass, np.round(parameters.first_moment, 9).tolist(), np.round(parameters.phi[4:], 9).tolist()
         where = f"{key}.{'inertia_kg_m2' if tool.links is None else 'links'}"
         found = f"mass {m:.6g}, first_moment {mc}, inertia {inertia}"
@@ -134,7 +144,7 @@ def home_torques(cell: Cell, urdf: Urdf, carried: InertialParameters) -> dict[st
     for hinge, angle in zip(hinges, cell.robot.home_rad, strict=True):
         joint = tree.joints[hinge.name]
         axis = axis_of(joint)
-        turn = _matrix(Rotation.from_rotvec(angle * axis).as_matrix(), np.zeros(3))
+        turn = _matrix(rotation_about(axis, angle), np.zeros(3))
         pose = pose @ tree.fixed_pose(end_of(joint, "parent"))[1] @ origin_of(joint) @ turn
         axes.append(pose[:3, :3] @ axis)
         origins.append(pose[:3, 3])

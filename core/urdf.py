@@ -106,6 +106,8 @@ class Urdf:
     def check_shapes(self, base: str, tip: str, visual_shapes: Collection[str]) -> None:
         """Every link that moves has a shape that something can run into; links without mass and looks are frames and need none.
 
+        One that has mass and no looks may be inside another that is fixed to it and has a shape.
+
         Args:
             visual_shapes: links whose looks may count as their shape.
 
@@ -113,11 +115,19 @@ class Urdf:
             BadRobot: one has none.
         """
         for body in self.moved(base, tip):
+            if self._has_shaped_neighbour(body.name) and not body.visual:
+                continue
             if body.collision or (body.name in visual_shapes and body.visual) or not (body.mass or body.visual):
                 continue
             looks = f"<collision>, or {body.name!r} in robot.visual_shapes of cell.toml, where its looks are to count"
             expected = looks if body.visual else "<collision>, or neither mass nor shape where it is only a frame"
             raise BadRobot(f"{self.where}: link {body.name!r}", "a link that moves without a shape for collisions", expected)
+
+    def _has_shaped_neighbour(self, name: str) -> bool:
+        """Whether a link that is fixed to this one, directly, has a shape that something can run into."""
+        fixed = [joint for joint in self.joints if joint.kind == "fixed" and name in (joint.parent, joint.child)]
+        shaped = {body.name for body in self.bodies if body.collision}
+        return any({joint.parent, joint.child} & shaped - {name} for joint in fixed)
 
     def check_meshes(self, folder: Path) -> None:
         """Every mesh is a file inside the folder, named by a relative path.

@@ -10,9 +10,9 @@ from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from core.inertia import InertialParameters
+from core.shapes import rotation_of_rpy
 
 Array = NDArray[np.float64]
 
@@ -113,7 +113,7 @@ def origin_of(tag: ET.Element) -> Array:
     pose = np.eye(4)
     origin = tag.find("origin")
     if origin is not None:
-        pose[:3, :3] = Rotation.from_euler("xyz", _numbers(origin.get("rpy", "0 0 0"))).as_matrix()
+        pose[:3, :3] = rotation_of_rpy(_numbers(origin.get("rpy", "0 0 0")))
         pose[:3, 3] = _numbers(origin.get("xyz", "0 0 0"))
     return pose
 

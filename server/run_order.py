@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from core.cell import Cell
-from core.errors import BadInput
 from core.plan_settings import Timing
-from core.slow_run import slowed
+from core.slow_run import SLOWEST_M_S, slowed
+from server.errors import Conflict
 from server.run_ledger import motion_of
 from server.run_schemas import Motion, RestOfRun, RunOrder
 from server.run_tables import RunRow
@@ -42,12 +42,15 @@ def check_order(order: RunOrder, cell: Cell) -> None:
     """What is asked for goes with the cell; whether the robot may be where it is said to stand is for planning to say.
 
     Raises:
-        BadInput: a speed above the cell's limit, or not one joint position for each joint.
+        Conflict: a speed that the cell does not allow, or not one joint position for each joint.
     """
-    slowed(cell, order.speed_m_s, "speed_m_s")
+    limit = cell.limits.cartesian_speed_m_s
+    slowest = min(SLOWEST_M_S, limit)
+    if order.speed_m_s is not None and not slowest <= order.speed_m_s <= limit:
+        raise Conflict(f"speed_m_s is {order.speed_m_s:g} m/s; this cell allows {slowest:g} to {limit:g} m/s")
     count = len(cell.robot.home_rad)
     if order.start_rad is not None and len(order.start_rad) != count:
-        raise BadInput("start_rad", f"{len(order.start_rad)} joint positions", f"{count} of them")
+        raise Conflict(f"start_rad has {len(order.start_rad)} joint positions; this robot has {count} joints")
 
 
 def _continuation(motion: Motion) -> Continuation:

@@ -49,7 +49,6 @@ def test_nothing_is_wrong_with_the_shipped_bench_and_its_zone_is_within_reach(ch
         ("pose.xyz_m = [0.0, 0.0, 0.08]\n\n[[obstacles]]", "pose.xyz_m = [0.0, 0.0, 0.12]\n\n[[obstacles]]", "payload_box"),
         ("size_m = [0.16, 0.16, 0.16]", "size_m = [0.16, 0.55, 0.16]", "payload_box"),
         ("floor_z_m = -0.75", "floor_z_m = -3.0", "floor_z_m"),
-        ("floor_z_m = -0.75", "gravity_m_s2 = [0.0, 9.81, 0.0]", "gravity_m_s2"),
         (FRICTION, "", "robot.friction"),
         ("mount.xyz_m = [0.0, 0.0, 0.0157]", "", "sensor.mount"),
         ("range = [145, 145, 290, 5, 5, 5]", "range = [30, 30, 60, 5, 5, 5]", "sensor.range"),

@@ -146,9 +146,12 @@ def test_a_link_that_only_the_first_joint_moves_is_left_out_where_it_is_always_c
         assert distances[told.first, told.second] == pytest.approx(distances[least], abs=2e-6)
 
 
-def test_where_nothing_is_left_out_nothing_is_told_of_it(cell):
-    empty = model_of(cell.model_copy(update={"obstacles": (), "zones": ()}))
-    assert empty.left_out_distance(np.array(cell.robot.home_rad)).distance_m == np.inf
+def test_where_nothing_stands_the_first_link_is_as_far_from_the_floor_as_it_is(cell, fcl_scene):
+    empty = cell.model_copy(update={"obstacles": (), "zones": ()})
+    nearest = model_of(empty).left_out_distance(np.array(cell.robot.home_rad))
+    heights = fcl_scene(empty, cell.payload_box).to_environment(np.array(cell.robot.home_rad))
+    assert nearest.second == "floor"
+    assert nearest.distance_m == pytest.approx(heights[nearest.first, "floor"], abs=1e-6)
 
 
 def test_links_that_are_left_out_never_touch_or_are_neighbours(cell, fcl_scene):

@@ -8,9 +8,9 @@ import pytest
 from pydantic import ValidationError
 
 from core.cell import load_cell
-from core.errors import BadInput
 from core.plan_settings import Scope
 from server import run_ledger
+from server.errors import Conflict
 from server.run_order import check_order, order_of
 from server.run_schemas import RunOrder
 from server.service import Service
@@ -44,9 +44,12 @@ def test_a_cell_that_has_become_slower_since_stays_as_slow(service: Service) -> 
     assert order.cell.limits.cartesian_speed_m_s == 0.05
 
 
-@pytest.mark.parametrize(("key", "value", "words"), [("speed_m_s", 0.3, "the limit of the cell"), ("start_rad", (0.0, 0.1), "7 of them")])
+@pytest.mark.parametrize(
+    ("key", "value", "words"),
+    [("speed_m_s", 0.3, r"this cell allows 0\.01 to 0\.25 m/s"), ("start_rad", (0.0, 0.1), "this robot has 7 joints")],
+)
 def test_what_does_not_go_with_the_cell_is_refused_with_its_key(key: str, value: object, words: str) -> None:
-    with pytest.raises(BadInput, match=rf"{key}: .*{words}"):
+    with pytest.raises(Conflict, match=rf"{key} .*{words}"):
         check_order(RunOrder.model_validate({"cell": CELL, key: value}), LWR)
 
 

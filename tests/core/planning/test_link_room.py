@@ -7,7 +7,6 @@ import pytest
 
 from core.cell import Cell, load_cell
 from core.collision import CollisionModel
-from core.planning.candidates import CandidateSearch, Weights
 from core.planning.link_room import LinkRoom
 from core.planning.start_configuration import Grid, find_start_configuration
 from core.robot import RobotModel
@@ -52,21 +51,6 @@ def test_hardly_any_posture_has_more_room_than_the_most(cell):
     room = room_of(cell)
     above = room.distances(postures(cell, 500, seed=5)) > 1.1 * room.most
     assert above.mean() < 0.01
-
-
-def test_where_nothing_stands_every_distance_is_as_good_as_the_best():
-    cell = load_cell(ROOT / "cells" / "ur5e_line").model_copy(update={"obstacles": (), "zones": ()})
-    robot = RobotModel.of_cell(cell)
-    collision = CollisionModel(cell, robot, cell.payload_box)
-    options = {
-        "limits": (robot.lower, robot.upper),
-        "near": None,
-        "diameter": DIAMETER,
-        "weights": Weights(distance=0.7, manipulability=0.0),
-    }
-    found = CandidateSearch(cell, robot, collision, **options).of(postures(cell, 5, seed=6))
-    np.testing.assert_allclose(found.objective, 0.7)
-    assert np.isposinf(found.clearance).all()
 
 
 def test_an_upper_arm_that_stays_near_its_table_does_not_hide_the_room_of_the_payload(fcl_scene, monkeypatch):

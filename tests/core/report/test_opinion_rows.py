@@ -7,14 +7,14 @@ from core.second_opinion.pairs import AccountedPair, Kind
 
 def test_each_kind_and_the_fastest_point_have_a_row_and_each_reason_a_line() -> None:
     near = Approach(Kind.FIRST_LINK, "link1", "bench", 0.0391, 0.03, "transfer x+", 1.25)
-    wrist = Approach(Kind.WRIST, "link7", "link5", -0.002, 0.0, "home", 0.0)
+    wrist = Approach(Kind.NEAR, "link7", "link5", 0.002, -0.001, "home", 0.0)
     pairs = tuple(
         AccountedPair(first, second, Kind.JOINED, 0.0, "they share a joint", (0, 1)) for first, second in (("a", "b"), ("b", "c"))
     )
     table = opinion_table(Opinion((near, wrist), FastestPoint(0.24, 0.25, "payload", "home", 2.0), pairs, 900))
     first, second, fastest = table.rows
     assert (first.value, first.between, first.limit, first.where) == ("0.039 m", "link1 - bench", "0.030 m", "transfer x+, 1.2 s")
-    assert (second.value, second.limit) == ("-0.002 m", "none")
+    assert (second.value, second.limit) == ("0.002 m", "-0.001 m")
     assert (fastest.value, fastest.limit) == ("0.240 m/s", "0.250 m/s")
     assert table.left_out == ["a - b, b - c: they share a joint"]
     assert table.samples == 900

@@ -78,6 +78,11 @@ export const sentences: Record<string, string> = {
     'nach {} s Bewegung unterbrochen; der Roboter wurde gestoppt{}.',
   ' and the recording so far closed in {}': ', die Aufzeichnung bis dahin steht in {}',
 
+  'speed_m_s is {} m/s; this cell allows {} to {} m/s':
+    'speed_m_s ist {} m/s; diese Zelle erlaubt {} bis {} m/s',
+  'start_rad has {} joint positions; this robot has {} joints':
+    'start_rad hat {} Gelenkstellungen; dieser Roboter hat {} Gelenke',
+
   // no safe way
   'no start configuration with sensor axis {} along gravity: rejected {}. Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, or search more (--effort), and plan again.':
     'keine Startstellung mit der Sensorachse {} längs der Schwerkraft; ausgeschieden: {}. Räumen Sie weg, was im Weg ist, verkleinern Sie den Hüllquader, limits.clearance_m oder limits.self_clearance_m, oder suchen Sie mehr (--effort), und planen Sie neu.',
