@@ -26,6 +26,9 @@ MOUNT_M = 0.002
 ANGLES = 24
 """Of each of two joints, to tell how near and how far solids with these joints between them can be."""
 
+OVERLAP = "their shapes overlap at every angle: by construction"
+"""Why nothing is asked of links with few joints between them."""
+
 FEW_JOINTS = 2
 """Between two solids whose whole relative motion can be looked at."""
 
@@ -175,7 +178,7 @@ def _asked(cell: Cell, arm: Arm, pair: tuple[Body, Body]) -> tuple[Kind, float, 
     if first.carried or most >= keep[1] + CONTACT_M:
         return keep
     if most < CONTACT_M:
-        return Kind.JOINED, 0.0, "their shapes overlap at every angle: by construction"
+        return Kind.JOINED, 0.0, OVERLAP
     return Kind.NEAR, -CONTACT_M, "never as far apart as the self-clearance"
 
 

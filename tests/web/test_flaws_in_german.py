@@ -142,12 +142,16 @@ def cells_in_german(service: RealService, browser: Browser) -> Iterator[Tablet]:
         yield at
 
 
+CHECK_MS = 60_000
+"""Meshes are read within limits of time; on a busy machine those take long."""
+
+
 def test_the_flaws_of_an_uploaded_cell_are_told_in_german(cells_in_german: Tablet) -> None:
     page = cells_in_german.page
     told = page.locator(".cell-upload .warnings")
     for k, what in enumerate(SHOWN):
         choose(cells_in_german, f"{k}.zip", HOSTILE[what]())
-        expect(told).to_contain_text(f"{k}.zip ist nicht verwendbar")
+        expect(told).to_contain_text(f"{k}.zip ist nicht verwendbar", timeout=CHECK_MS)
         expect(told).to_contain_text("erwartet: ")
         left = told.locator("[lang=en]").all_inner_texts()
         assert [text for text in left if not is_value(text) and not PLACE.match(text)] == [], what

@@ -22,7 +22,7 @@ PICTURES = 8
 
 def test_the_robot_in_the_page_moves_and_stands_as_the_robot_does(service: RealService, browser: Browser, person: Console) -> None:
     person.take_control()
-    run = person.queue(pace="real_time", hold_s=4.0)
+    run = person.queue(pace="real_time", hold_s=10.0)
     person.wait(run, "Idle")
     with signed_in(service, browser) as at:
         assert person.release(run).status_code == 200

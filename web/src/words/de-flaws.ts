@@ -126,7 +126,6 @@ export const flaws: Record<string, string> = {
   'a new folder': 'ein neuer Ordner',
   'something that is already there': 'etwas, das es schon gibt',
   '{} to {} m/s, the limit of the cell': '{} bis {} m/s, die Grenze der Zelle',
-  '{} joint positions': '{} Gelenkstellungen',
   'a new or empty folder; a recording is never overwritten':
     'ein neuer oder leerer Ordner; eine Aufzeichnung wird nie überschrieben',
 
