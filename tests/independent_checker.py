@@ -34,6 +34,7 @@ Array = NDArray[np.float64]
 NUMERICAL_M = 1e-6
 NUMERICAL = 1e-6
 CONTACT_M = 0.001
+_MOST_POINTS = 1000
 GRID = 25
 """Angles per joint, to tell bodies that cannot touch."""
 NEVER, SOMETIMES, ALWAYS = "never", "sometimes", "always"
@@ -128,6 +129,8 @@ class IndependentChecker:
         self._bodies = [*moving, *(body for body, _ in standing)]
         self._packed = packed([body.convex for body in self._bodies])
         self._corners = [body.convex.corners for body in self._bodies]
+        self._fast = [_outermost(body.convex) for body in self._bodies]
+        """Points of which one is the fastest of each body: its own corners, of fine meshes and round bodies those of a box."""
         self._groups = np.array([body.group for body in self._bodies])
         self._triangles = [_bvh(body) for body in self._bodies]
         self.left_out: list[tuple[str, str, str]] = []
@@ -147,7 +150,7 @@ class IndependentChecker:
         frames = self.arm.frames(q)
         dq = np.diff(q, axis=0) / period
         ddq = np.diff(dq, axis=0) / period
-        speed = max(_fastest(frames[:, b.group], c) for b, c in zip(self._bodies, self._corners, strict=True) if b.group) / period
+        speed = max(_fastest(frames[:, b.group], c) for b, c in zip(self._bodies, self._fast, strict=True) if b.group) / period
         margins, too_close = self._least_margins(frames)
         torque, joint = self._torque(q[1:-1], 0.5 * (dq[1:] + dq[:-1]), ddq)
         return Findings(
@@ -312,6 +315,12 @@ class IndependentChecker:
         q = np.tile(np.array(self._cell.robot.home_rad), (len(grid), 1))
         q[:, between] = grid
         return np.asarray(self.arm.frames(q))
+
+
+def _outermost(body: Convex) -> Array:
+    """Points of which one is the fastest of a body, however it moves."""
+    exact = body.ball_m == 0.0 and body.axis is None and len(body.points) <= _MOST_POINTS
+    return body.points if exact else body.corners
 
 
 @njit(cache=True)

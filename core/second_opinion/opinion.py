@@ -213,6 +213,19 @@ def _approach(kind: Kind, pairs: list[AccountedPair], at: Callable[[int, int], P
 
 
 def _fastest(bodies: list[Placed], steps: list[Array], times: _Times, limit: float) -> FastestPoint:
-    moving = [(float(step.max()), int(step.argmax()), body.name) for body, step in zip(bodies, steps, strict=True) if len(step)]
-    moved, sample, name = max(moving, default=(0.0, -1, bodies[0].name))
+    moving = [(body, _exact(body, step, limit * times.period)) for body, step in zip(bodies, steps, strict=True) if len(step)]
+    fastest = [(float(step.max()), int(step.argmax()), body.name) for body, step in moving]
+    moved, sample, name = max(fastest, default=(0.0, -1, bodies[0].name))
     return FastestPoint(moved / times.period, limit, name, *times.of(sample + 1))
+
+
+def _exact(body: Placed, steps: Array, allowed: float) -> Array:
+    """The steps of a body's box, those of its own corners in place of those that are longer than allowed: a box round a mesh is larger."""
+    rows = np.flatnonzero(steps > allowed)
+    if not len(rows) or body.solid.radius_m > 0.0:
+        return steps
+    ends = np.unique(np.concatenate([rows, rows + 1]))
+    frames = Frames(body.frames.rotation[ends], body.frames.position[ends])
+    exact = steps.copy()
+    exact[rows] = _steps(frames, body.solid.points)[np.searchsorted(ends, rows)]
+    return exact

@@ -26,11 +26,11 @@ from core.plan import Plan, confirmed, plan_procedure, plan_summary
 from core.planning.point_speed import point_speeds
 from core.robot import RobotModel
 from core.second_opinion import solids
-from core.second_opinion.arm import arm_of_cell
+from core.second_opinion.arm import Frames, arm_of_cell
 from core.second_opinion.least import least_margin
 from core.second_opinion.left_out import left_out_lines
-from core.second_opinion.opinion import Approach, FastestPoint, JointPath, Opinion, second_opinion
-from core.second_opinion.pairs import Kind, accounted_pairs, placed, standing
+from core.second_opinion.opinion import Approach, FastestPoint, JointPath, Opinion, _exact, _steps, second_opinion
+from core.second_opinion.pairs import Kind, Placed, accounted_pairs, placed, standing
 from core.second_opinion.refusal import refuse_disputed
 from core.trial.draw import returned
 from tests.core.mesh_bytes import dae, elbow
@@ -298,6 +298,16 @@ def test_a_speed_3_percent_over_the_limit_is_found_with_its_body_and_time(name: 
     assert found.time_s == pytest.approx(0.5 * seconds, abs=2.5 * PERIOD)
     with pytest.raises(PlanDisputed, match=rf"'{found.body}' at 0.257\d m/s \(limit 0.250 m/s\)"):
         refuse_disputed(opinion)
+
+
+def test_a_mesh_is_no_faster_than_its_own_points_though_the_box_round_it_is() -> None:
+    octahedron = solids.hull(0.1 * np.vstack([np.eye(3), -np.eye(3)]))
+    turned = Rotation.from_rotvec(np.linspace(0.0, 0.01, 11)[:, None] * [0.0, 0.0, 1.0]).as_matrix()
+    body = Placed("link", 1, octahedron, Frames(turned, np.zeros((11, 3))))
+    of_box = _steps(body.frames, octahedron.corners)
+    np.testing.assert_allclose(of_box, 1e-4 * np.sqrt(2.0), rtol=1e-6)
+    np.testing.assert_allclose(_exact(body, of_box, 1.2e-4), 1e-4, rtol=1e-6)
+    assert _exact(body, of_box, 1.5e-4) is of_box
 
 
 def test_a_step_between_two_parts_is_a_speed() -> None:
