@@ -15,11 +15,14 @@ from numpy.typing import NDArray
 
 from core.bodies import Body, corners_of, fixed_body, link_bodies, payload_body
 from core.cell import CELL_FILE, Box, Cell, read_cell
+from core.cell_tools import felt_with
 from core.collision import CollisionModel
 from core.errors import BadInput
+from core.inertia import InertialParameters
 from core.new_cell.cell_text import NOT_STATED
 from core.new_cell.masses import G, weight_torques
 from core.robot import RobotModel
+from core.watched_pairs import OVERLAPPING
 
 Array = NDArray[np.float64]
 
@@ -59,7 +62,8 @@ def findings_of(folder: Path) -> list[Finding]:
         robot = RobotModel.of_cell(cell)
         bodies = link_bodies(cell, robot)
         found += [*_of_efforts(cell, robot), *_of_room(cell, robot, bodies)]
-        found += _of_home(cell, CollisionModel(cell, robot, cell.payload_box))
+        collision = CollisionModel(cell, robot, cell.payload_box)
+        found += [*_of_home(cell, collision), *_of_overlaps(collision)]
     except BadInput as error:
         found = _wrong(error) + found
     except (ValueError, RuntimeError, IndexError, ArithmeticError) as error:  # Pinocchio's and Coal's own
@@ -130,12 +134,13 @@ def _of_sensor(cell: Cell) -> Iterator[Finding]:
 
 
 def _of_efforts(cell: Cell, robot: RobotModel) -> Iterator[Finding]:
-    for name, effort, needed in zip(robot.description.joints, robot.model.upperEffortLimit, weight_torques(robot), strict=True):
+    weights = weight_torques(robot, felt_with(cell, InertialParameters(np.zeros(10))))
+    for name, effort, needed in zip(robot.description.joints, robot.model.upperEffortLimit, weights, strict=True):
         where = f"{cell.robot.urdf}: joint {name!r}: limit"
         if effort <= 0.0:
             yield Finding("doubtful", where, f"an effort of {effort:g} N m", "the joint's greatest torque: without it none is checked")
         elif effort < needed:
-            found = f"an effort of {effort:g} N m, where the arm's own weight may ask {needed:.0f} N m when it is stretched out"
+            found = f"an effort of {effort:g} N m, where the arm and its tools may ask {needed:.0f} N m when it is stretched out"
             yield Finding("doubtful", where, found, "the joint's greatest torque and the links' masses as the maker states them")
 
 
@@ -183,3 +188,10 @@ def _of_home(cell: Cell, collision: CollisionModel) -> Iterator[Finding]:
     if nearest.distance_m < NEAR_HOME * nearest.required_m:
         found = f"{nearest.first!r} {nearest.distance_m:.3f} m from {nearest.second!r}, of which {nearest.required_m:.3f} m are required"
         yield _doubt("robot.home_rad", found, "a home with more room: every run begins and ends there")
+
+
+def _of_overlaps(collision: CollisionModel) -> Iterator[Finding]:
+    for pair in collision.left_out:
+        if pair.why == OVERLAPPING:
+            found = f"{pair.first!r} and {pair.second!r}, whose shapes overlap at every angle of the joints between them, left out"
+            yield Finding("doubtful", collision.cell.robot.urdf, found, "look at the two: if they can meet on the robot, mend their shapes")

@@ -1,8 +1,7 @@
 """Distances of the robot and the payload box to obstacles, protected zones and themselves: Coal through Pinocchio.
 
-Meshes are replaced by their convex hulls. Every pair has a required distance: the cell's clearance to obstacles and
-zones, its self-clearance between links. A *margin* is a distance minus what is required; margins are signed, negative
-where a pair is too close.
+Meshes count as the convex parts that contain them. Every pair has a required distance, see `core.watched_pairs`. A *margin* is a distance
+minus what is required; margins are signed, negative where a pair is too close.
 """
 
 from __future__ import annotations
@@ -88,24 +87,27 @@ class CollisionModel:
         self.robot = robot
         self.payload_box = payload_box
         bodies = [*link_bodies(cell, robot), *tool_bodies(cell, robot), payload_body(robot, payload_box)]
-        things = [*(fixed_body(item.name, item.shape) for item in _standing(cell)), floor_body(cell.floor_z_m)]
-        self._zones = {zone.name for zone in cell.zones}
+        self._things = {item.name: fixed_body(item.name, item.shape) for item in _standing(cell)}
+        things = [*self._things.values(), floor_body(cell.floor_z_m)]  # whose name may be an obstacle's as well
+        self._zones = [self._things[zone.name] for zone in cell.zones]
         self._base = [body for body in bodies if body.joint == 0]
         self.points = corners_of(bodies)
         self.reach = reach_of(robot, self.points)
         """(n,), the largest distance from axis i of any point behind joint i over all configurations, m."""
         self._why: dict[tuple[str, str], str] = {}
         standing = [(body, thing) for body in bodies if body.joint > 0 for thing in things]
-        near = [pair for pair in standing if may_be_near(pair[0]) and pair[1].name not in self._zones]
+        first_links = [pair for pair in standing if may_be_near(pair[0])]
+        near = [pair for pair in first_links if not self._is_zone(pair[1])]
         asked = {Watch.CLEARANCE: cell.limits.clearance_m, Watch.TIGHT: cell.limits.clearance_m, Watch.CONTACT: CONTACT_M}
         self._standing = {
             watch: _Pairs(robot, required_m, standing if watch is Watch.CLEARANCE else near) for watch, required_m in asked.items()
         }
+        self._clear = _Pairs(robot, 0.0, first_links)
         own, keep = self._own_pairs(bodies), cell.limits.self_clearance_m
         asked = {Watch.CLEARANCE: keep, Watch.TIGHT: keep, Watch.CONTACT: CONTACT_M}
         self._own = {watch: _Pairs(robot, required_m, own[watch]) for watch, required_m in asked.items()}
         for thing in things:
-            self._watch_standing(thing.name)
+            self._watch_standing(thing, thing.placement)
         _check_base(cell, bodies, things)
         _check_home(cell, self)
 
@@ -165,11 +167,8 @@ class CollisionModel:
         return min((group.nearest(q) for group in self._standing.values()), key=lambda pair: pair.distance_m)
 
     def left_out_distance(self, q: Array) -> Nearest:
-        """The smallest distance at q (n,) of the first links to what they clear anyway, or are mounted on: of all of which less is asked.
-
-        Infinite where there is none.
-        """
-        return self._standing[Watch.CLEARANCE].nearest_left_out(q)
+        """The smallest distance at q (n,) of the first links to what they cannot come too close to; infinite where there is none."""
+        return self._clear.nearest(q)
 
     def obstacle_margin(self, q: Array) -> float:
         """Smallest margin to obstacles, zones and the floor at q (n,), m."""
@@ -209,12 +208,12 @@ class CollisionModel:
         Raises:
             BadCell: there is no obstacle or zone of that name.
         """
-        names = [item.name for item in _standing(self.cell)]
-        if name not in names:
-            raise BadCell(f"{self.cell.folder.name}/cell.toml: obstacles and zones", repr(name), f"one of {names}")
-        for group in self._standing.values():
-            group.move(name, pin.SE3(pose.rotation, pose.translation))
-        self._watch_standing(name)
+        if name not in self._things:
+            raise BadCell(f"{self.cell.folder.name}/cell.toml: obstacles and zones", repr(name), f"one of {list(self._things)}")
+        thing, placement = self._things[name], pin.SE3(pose.rotation, pose.translation)
+        for group in (*self._standing.values(), self._clear):
+            group.move(thing, placement)
+        self._watch_standing(thing, placement)
 
     def _own_pairs(self, bodies: list[Body]) -> dict[Watch, list[tuple[Body, Body]]]:
         """The pairs within the arm, by what they have to keep."""
@@ -228,17 +227,21 @@ class CollisionModel:
                     self._note((first, second), rule)
         return found
 
-    def _watch_standing(self, name: str) -> None:
-        """Chooses what the moving bodies have to keep from an obstacle, a zone or the floor where it is now."""
-        for body, thing in self._standing[Watch.CLEARANCE].bodies:
-            if thing.name == name:
-                there = replace(thing, placement=self._standing[Watch.CLEARANCE].placement(name))
-                is_mount = name not in self._zones and self._is_mount(there)
-                distance = _Pairs(self.robot, 0.0, [(body, there)]).margin
-                rule = rule_of_standing(self.robot, (body, there), distance, self.cell.limits.clearance_m, is_mount=is_mount)
+    def _watch_standing(self, thing: Body, placement: Any) -> None:
+        """Chooses what the moving bodies have to keep from an obstacle, a zone or the floor that is there now."""
+        there = replace(thing, placement=placement)
+        is_mount = not self._is_zone(thing) and self._is_mount(there)
+        for pair in self._standing[Watch.CLEARANCE].bodies:
+            if pair[1] is thing:
+                distance = _Pairs(self.robot, 0.0, [(pair[0], there)]).margin
+                rule = rule_of_standing(self.robot, (pair[0], there), distance, self.cell.limits.clearance_m, is_mount=is_mount)
                 for watch, group in self._standing.items():
-                    group.use((body, thing), rule.watch is watch)
-                self._note((body, thing), rule)
+                    group.use(pair, rule.watch is watch)
+                self._clear.use(pair, rule.watch is Watch.NOTHING)
+                self._note(pair, rule)
+
+    def _is_zone(self, thing: Body) -> bool:
+        return any(thing is zone for zone in self._zones)
 
     def _is_mount(self, thing: Body) -> bool:
         """Whether the robot's base stands on a thing, hangs from it or is bolted to it."""
@@ -269,7 +272,7 @@ class _Pairs:
 
     def _add(self, body: Body) -> int:
         """Index of the geometry object of a body, which is added when it is new."""
-        key = f"{body.joint} {body.name} {id(body)}"
+        key = _id(body)
         if key not in self._ids:
             shape = pin.GeometryObject(key, body.joint, body.placement, body.geometry)
             self._ids[key] = self._geometry.addGeometryObject(shape)
@@ -285,8 +288,9 @@ class _Pairs:
 
     def margins(self, q: Array) -> Array:
         """Of all `bodies`, infinite where a pair is left out."""
-        if self.watched.any():
-            pin.computeDistances(self._model, self._data, self._geometry, self._results, q)
+        if not self.watched.any():
+            return np.full(len(self.bodies), inf)
+        pin.computeDistances(self._model, self._data, self._geometry, self._results, q)
         distances = np.array([result.min_distance for result in self._results.distanceResults])
         return np.where(self.watched, distances - self.required_m, inf)
 
@@ -298,19 +302,6 @@ class _Pairs:
         first, second = self.bodies[k]
         points = np.array(result.getNearestPoint1()), np.array(result.getNearestPoint2())
         return Nearest(float(result.min_distance), self.required_m, first.name, second.name, *points)
-
-    def nearest_left_out(self, q: Array) -> Nearest:
-        """The nearest of those that are not watched, without its points; infinite where all are."""
-        nowhere = np.full(3, np.nan)
-        nearest = Nearest(inf, self.required_m, "robot", "nothing", nowhere, nowhere)
-        pin.forwardKinematics(self._model, self._data, q)
-        for k in np.flatnonzero(~self.watched):
-            first, second = self.bodies[k]
-            placement = self._data.oMi[first.joint] * first.placement
-            distance = _distance(first.geometry, placement, second.geometry, self.placement(second.name))
-            if distance < nearest.distance_m:
-                nearest = Nearest(distance, self.required_m, first.name, second.name, nowhere, nowhere)
-        return nearest
 
     def is_free(self, q: Array, extra_m: float) -> bool:
         if not self.watched.any():
@@ -334,17 +325,14 @@ class _Pairs:
         """The pairs that are taken into the computation."""
         return [pair for pair, watched in zip(self.bodies, self.watched, strict=True) if watched]
 
-    def _objects(self, name: str) -> list[Any]:
-        """Geometry objects of a fixed body; none where no pair has it."""
-        things = {id(second): second for _, second in self.bodies if second.name == name and second.joint == 0}
-        return [self._geometry.geometryObjects[self._add(thing)] for thing in things.values()]
+    def move(self, thing: Body, placement: Any) -> None:
+        """Moves a fixed body; nothing where no pair has it."""
+        if _id(thing) in self._ids:
+            self._geometry.geometryObjects[self._ids[_id(thing)]].placement = placement
 
-    def placement(self, name: str) -> Any:
-        return self._objects(name)[0].placement
 
-    def move(self, name: str, placement: Any) -> None:
-        for each in self._objects(name):
-            each.placement = placement
+def _id(body: Body) -> str:
+    return f"{body.joint} {body.name} {id(body)}"
 
 
 def _key(pair: tuple[Body, Body]) -> tuple[int, int]:
@@ -390,6 +378,6 @@ def _wanted_at_home(cell: Cell, nearest: Nearest) -> str:
     """With the keys that would change it."""
     if nearest.second in {FLOOR, *(item.name for item in _standing(cell))}:
         return f"at least {nearest.required_m:.3f} m at home (limits.clearance_m)"
-    if nearest.first == PAYLOAD:
-        return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or a smaller payload box)"
+    if nearest.first in {PAYLOAD, *cell.tools, *(link for tool in cell.tools.values() for link in tool.links or ())}:
+        return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or a smaller box of payload or tool)"
     return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or the pair in robot.adjacent)"

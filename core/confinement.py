@@ -1,10 +1,13 @@
 """What reads files from outside runs in a process of its own, with limits on time and memory: nothing in a file ends the program.
 
+What has been read of a file is known by its content, so that each is read once.
+
 Such a reader is a module with a function `answer` and, for the process, `if __name__ == "__main__": serve(answer)`.
 """
 
 from __future__ import annotations
 
+import hashlib
 import io
 import json
 import os
@@ -13,7 +16,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +32,9 @@ MEMORY = 1_500_000_000  # bytes of private data
 Order = dict[str, Any]
 Arrays = list[NDArray[Any]]
 Reader = Callable[[Order], Arrays]
+T = TypeVar("T")
+
+MOST_KNOWN = 500
 
 _confined = False
 
@@ -37,6 +43,45 @@ def stay_here() -> None:
     """From now on readers answer in this process, which is one of those with limits."""
     global _confined  # noqa: PLW0603  # a property of the process, as its limits are
     _confined = True
+
+
+class KnownFiles(Generic[T]):
+    """Files that a reader has read, each known by its content and by what was asked of it.
+
+    Args:
+        answer: the reader; its orders have `file`, the path.
+        make: what is kept of its answer.
+    """
+
+    def __init__(self, answer: Reader, make: Callable[[Arrays], T]) -> None:
+        self._answer, self._make = answer, make
+        self._known: dict[str, T] = {}
+
+    def read(self, orders: Sequence[Order]) -> list[T]:
+        """One for each order; those that are not known yet are read by one process.
+
+        Raises:
+            BadRobot: see `ask`, or a file that cannot be read.
+        """
+        digests = [_digest(order) for order in orders]
+        new = {digest: order for digest, order in zip(digests, orders, strict=True) if digest not in self._known}
+        found = self._known | dict(zip(new, map(self._make, ask(self._answer, list(new.values()))), strict=True))
+        if len(found) <= MOST_KNOWN:
+            self._known.update(found)
+        else:
+            self._known.clear()
+        return [found[digest] for digest in digests]
+
+
+def _digest(order: Order) -> str:
+    """Of the content, the kind of the file and what is asked."""
+    file = Path(order["file"])
+    try:
+        content = hashlib.sha256(file.read_bytes()).hexdigest()
+    except OSError as error:
+        raise BadRobot(order["where"], f"a file that cannot be read ({error.strerror})", "a readable file") from error
+    asked = {key: value for key, value in order.items() if key not in {"file", "where"}}
+    return f"{content} {file.suffix} {json.dumps(asked, sort_keys=True)}"
 
 
 def ask(answer: Reader, orders: Sequence[Order]) -> list[Arrays]:

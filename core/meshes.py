@@ -1,8 +1,7 @@
-"""Meshes of a robot, each read once: what has been read is known by its content, scale and use."""
+"""Meshes of a robot, each read once."""
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from core.confinement import Arrays, Order, ask
+from core.confinement import Arrays, KnownFiles, Order
 from core.errors import BadRobot
 from core.jail import find_inside
 from core.mesh_reader import read_parts
@@ -18,8 +17,6 @@ from core.urdf import MAX_MESH_BYTES
 from core.urdf_elements import UrdfShape
 
 Array = NDArray[np.float64]
-
-MOST_KNOWN = 500
 
 
 @dataclass(frozen=True)
@@ -51,43 +48,25 @@ class WantedMesh:
     solid: bool
 
 
-_known: dict[str, Mesh] = {}
-
-
 def read_meshes(folder: Path, wanted: Sequence[WantedMesh]) -> list[Mesh]:
-    """One mesh for each that is wanted; those that are not known yet are read by one process.
+    """One mesh for each that is wanted.
 
     Raises:
         BadRobot: a mesh that cannot be used, with its link and file.
     """
-    orders = [_order(folder, each) for each in wanted]
-    digests = [_digest(order) for order in orders]
-    new = {digest: order for digest, order in zip(digests, orders, strict=True) if digest not in _known}
-    found = _known | dict(zip(new, map(_mesh, ask(read_parts, list(new.values()))), strict=True))
-    if len(found) <= MOST_KNOWN:
-        _known.update(found)
-    else:
-        _known.clear()
-    return [found[digest] for digest in digests]
+    return _KNOWN.read([_order(folder, each) for each in wanted])
 
 
 def _order(folder: Path, wanted: WantedMesh) -> Order:
     shape = wanted.shape
     where = f"{wanted.where}: mesh {shape.file!r}"
     file = find_inside(folder, shape.file, BadRobot, max_bytes=MAX_MESH_BYTES, where=where)
-    return {"file": str(file), "scale": shape.sizes, "where": where, "solid": wanted.solid}
-
-
-def _digest(order: Order) -> str:
-    """Of the content, the kind of the file, the scale and the use."""
-    file = Path(order["file"])
-    try:
-        content = hashlib.sha256(file.read_bytes()).hexdigest()
-    except OSError as error:
-        raise BadRobot(order["where"], f"a file that cannot be read ({error.strerror})", "a readable file") from error
-    return f"{content} {file.suffix} {order['scale']} {order['solid']}"
+    return {"file": str(file), "scale": list(shape.sizes), "where": where, "solid": wanted.solid}
 
 
 def _mesh(arrays: Arrays) -> Mesh:
     vertices, triangles, *parts = arrays
     return Mesh(vertices, triangles, tuple(parts))
+
+
+_KNOWN = KnownFiles(read_parts, _mesh)

@@ -94,8 +94,7 @@ class Plan:
         The planner's own on the transfers, and on all of the plan what the second opinion found: it measures links that only the first
         joint moves as well, which the planner leaves out where they cannot come too close.
         """
-        judged = [each for each in self.opinion.approaches if each.kind.is_judged and not each.kind.is_close]
-        seen = [each.distance_m - each.required_m for each in judged]
+        seen = [each.distance_m - each.required_m for each in self.opinion.approaches if not each.kind.is_close]
         return min(*seen, *(transfer.least_margin_m for transfer in (self.home, *(leg.transfer for leg in self.legs))), math.inf)
 
 
@@ -132,10 +131,7 @@ def plan_procedure(
     timing = timing or Timing()
     speed = cell.limits.cartesian_speed_m_s
     once = decoupling_profile(widest_box(cell, payload_box), cartesian_speed=speed, period=period, excursion=timing.swing_rad)
-    check_end("start", start, robot, collision, ThrowCheck(cell))
-    home = np.array(cell.robot.home_rad)
-    torques = JointTorques(cell, robot, load or guessed_load(cell, payload_box, mass_guess_kg))
-    refuse_too_heavy(torques.of([JointPath("start", start[None]), JointPath("home", home[None])], period))
+    torques = check_standing(cell, robot, collision, start, load or guessed_load(cell, payload_box, mass_guess_kg), period)
     search = _Search(cell, robot, collision, once, rotations, planner, seed, torques, effort)
     reached: list[Reached] = []
     for _, group in groupby(poses, key=lambda pose: pose[0]):
@@ -155,6 +151,20 @@ def plan_procedure(
     plan = Plan(legs, back, timing, time.perf_counter() - began, found.opinion, found.torques)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
+
+
+def check_standing(cell: Cell, robot: RobotModel, collision: CollisionModel, start: Array, load: Load, period: float) -> JointTorques:
+    """The torques of the joints with a load, for a robot that may be at joint positions `start` (n,) and holds it there and at home.
+
+    Raises:
+        NoPath: it may not be there.
+        TooHeavy: it cannot.
+    """
+    check_end("start", start, robot, collision, ThrowCheck(cell))
+    torques = JointTorques(cell, robot, load)
+    home = np.array(cell.robot.home_rad)
+    refuse_too_heavy(torques.of([JointPath("start", start[None]), JointPath("home", home[None])], period))
+    return torques
 
 
 class Confirmation(NamedTuple):
@@ -355,7 +365,7 @@ def _opinion_summary(opinion: Opinion) -> SecondOpinion:
                 first=each.first,
                 second=each.second,
                 distance_m=each.distance_m,
-                required_m=each.required_m if each.kind.is_judged else None,
+                required_m=each.required_m,
                 part=each.part,
                 time_s=each.time_s,
             )

@@ -26,7 +26,6 @@ class ClosestPair(BaseModel):
 
     Args:
         kind: in words, as in `core.second_opinion.pairs.Kind`.
-        required_m: None where nothing is asked of that kind.
         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
     """
 
@@ -36,13 +35,13 @@ class ClosestPair(BaseModel):
     first: str
     second: str
     distance_m: float
-    required_m: float | None
+    required_m: float
     part: str
     time_s: float
 
 
 class FastestCorner(BaseModel):
-    """The fastest corner of a box round a link or the payload, for JSON."""
+    """The fastest corner of a link, a tool or the payload, or of a box round it where that keeps the limit, for JSON."""
 
     model_config = ConfigDict(frozen=True)
 

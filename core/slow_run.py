@@ -9,6 +9,12 @@ SLOWEST_M_S = 0.01
 """Slower than this a transfer takes minutes."""
 
 
+def allowed_speeds(cell: Cell) -> tuple[float, float]:
+    """The lowest and the highest speed that may be asked for in a cell, m/s."""
+    limit = cell.limits.cartesian_speed_m_s
+    return min(SLOWEST_M_S, limit), limit
+
+
 def slowed(cell: Cell, speed_m_s: float | None, where: str) -> Cell:
     """The cell with a lower limit on the Cartesian speed, which planner, controller, second opinion and guard then all keep.
 
@@ -21,8 +27,7 @@ def slowed(cell: Cell, speed_m_s: float | None, where: str) -> Cell:
     """
     if speed_m_s is None:
         return cell
-    limit = cell.limits.cartesian_speed_m_s
-    slowest = min(SLOWEST_M_S, limit)
+    slowest, limit = allowed_speeds(cell)
     if not slowest <= speed_m_s <= limit:
         raise BadInput(where, f"{speed_m_s:g} m/s", f"{slowest:g} to {limit:g} m/s, the limit of the cell")
     return cell.model_copy(update={"limits": cell.limits.model_copy(update={"cartesian_speed_m_s": speed_m_s})})

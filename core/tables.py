@@ -120,7 +120,7 @@ def opinion_lines(opinion: Opinion) -> list[str]:
     """What the second opinion found, a line for each kind of pair and one for the fastest point."""
     lines = [f"A second opinion on {opinion.samples} set points, sharing no code with the planner:"]
     for each in opinion.approaches:
-        limit = f"limit {each.required_m:.3f} m" if each.kind.is_judged else "no limit"
+        limit = f"limit {each.required_m:.3f} m"
         where = f"{each.part!r} after {each.time_s:.3f} s"
         lines.append(f"  {each.kind}: {each.first!r} {each.distance_m:.3f} m from {each.second!r} ({limit}), {where}")
     fast = opinion.fastest

@@ -71,6 +71,7 @@ class LeftOut(NamedTuple):
 
 
 KEPT = Rule(Watch.CLEARANCE)
+OVERLAPPING = "their shapes overlap whatever the joints between them do: by construction"
 
 
 class OwnPairs:
@@ -79,7 +80,7 @@ class OwnPairs:
     def __init__(self, cell: Cell, robot: RobotModel, bodies: list[Body]) -> None:
         self._cell, self._robot = cell, robot
         self._declared = {frozenset(pair) for pair in cell.robot.adjacent}
-        self._joined = set(_joined(check_urdf(cell.urdf, cell.robot.urdf), {body.name for body in bodies}))
+        self._joined = set(joined_links(check_urdf(cell.urdf, cell.robot.urdf), {body.name for body in bodies}))
 
     def rule(self, first: Body, second: Body, distance: Distance) -> Rule:
         """Of two bodies, the first carried by the farther joint."""
@@ -87,9 +88,9 @@ class OwnPairs:
         between = first.joint - second.joint
         if between == 0:
             return Rule(Watch.NOTHING, "no joint between them: they do not move against each other")
-        if names in self._declared:
+        if not first.carried and names in self._declared:
             return Rule(Watch.NOTHING, "declared in the cell: robot.adjacent")
-        if names in self._joined and not first.carried:
+        if not first.carried and names in self._joined:
             return Rule(Watch.NOTHING, "neighbours: one joint joins them")
         return KEPT if between > FEW_JOINTS else self._rule_of_near((first, second), distance)
 
@@ -99,7 +100,7 @@ class OwnPairs:
         if least >= CONTACT_M and keeps(self._robot, pair, distance, CONTACT_M):
             return Rule(Watch.NOTHING, "they cannot touch, whatever the joints between them do")
         if not pair[0].carried and most < CONTACT_M:
-            return Rule(Watch.NOTHING, "their shapes overlap whatever the joints between them do: by construction")
+            return Rule(Watch.NOTHING, OVERLAPPING)
         if not pair[0].carried and most < self._cell.limits.self_clearance_m:
             return Rule(Watch.CONTACT)
         return KEPT if most >= self._cell.limits.self_clearance_m + 2.0 * ROOM_M else Rule(Watch.TIGHT)
@@ -181,7 +182,7 @@ def _ranges(robot: RobotModel, joints: NDArray[np.int64]) -> tuple[Array, Array]
     return low, np.minimum(robot.upper[joints], low + 2.0 * np.pi)
 
 
-def _joined(urdf: Urdf, bodies: set[str]) -> Iterator[frozenset[str]]:
+def joined_links(urdf: Urdf, bodies: set[str]) -> Iterator[frozenset[str]]:
     """Pairs of links with a body and exactly one moving joint between them, and no other link with a body."""
     above = {joint.child: joint for joint in urdf.joints}
     for link in bodies & set(urdf.links):

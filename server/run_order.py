@@ -6,7 +6,7 @@ from pathlib import Path
 
 from core.cell import Cell
 from core.plan_settings import Timing
-from core.slow_run import SLOWEST_M_S, slowed
+from core.slow_run import allowed_speeds, slowed
 from server.errors import Conflict
 from server.run_ledger import motion_of
 from server.run_schemas import Motion, RestOfRun, RunOrder
@@ -44,8 +44,7 @@ def check_order(order: RunOrder, cell: Cell) -> None:
     Raises:
         Conflict: a speed that the cell does not allow, or not one joint position for each joint.
     """
-    limit = cell.limits.cartesian_speed_m_s
-    slowest = min(SLOWEST_M_S, limit)
+    slowest, limit = allowed_speeds(cell)
     if order.speed_m_s is not None and not slowest <= order.speed_m_s <= limit:
         raise Conflict(f"speed_m_s is {order.speed_m_s:g} m/s; this cell allows {slowest:g} to {limit:g} m/s")
     count = len(cell.robot.home_rad)

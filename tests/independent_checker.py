@@ -41,6 +41,8 @@ NEVER, SOMETIMES, ALWAYS = "never", "sometimes", "always"
 FLOOR = "floor"
 PAYLOAD = "payload"
 _FLOOR_SIZE_M = np.array([100.0, 100.0, 10.0])
+_MOUNT_M = 0.002
+"""The base is mounted on what is this near."""
 _ANEW_M = 0.001
 """How far bodies that are too close move before they are looked at again."""
 
@@ -259,17 +261,25 @@ class IndependentChecker:
         return apart if apart > 0.0 else float(min(low, 0.0))
 
     def _environment(self, moving: int) -> Iterator[Pair]:
+        mounts = [k for k in range(moving, len(self._bodies)) if self._is_mount(moving, k)]
         for i, body in enumerate(self._bodies[:moving]):
             for k, thing in enumerate(self._bodies[moving:], start=moving):
                 if body.group == 0:
                     continue
-                kind = self._kinds[thing.name]
                 required = self._cell.limits.clearance_m
-                if body.group == 1 and kind != "zone" and self._meet(i, k) == NEVER:
+                if k in mounts and body.group == 1 and self._meet(i, k) == NEVER:
                     required = 0.0
-                if body.group == 2 and kind != "zone" and body.name != PAYLOAD and not self._is_ever_apart(i, k, required):
+                if k in mounts and body.group == 2 and body.name != PAYLOAD and not self._is_ever_apart(i, k, required):
                     required = 0.0
-                yield Pair(i, k, required, kind, f"{body.name} - {thing.name}")
+                yield Pair(i, k, required, self._kinds[thing.name], f"{body.name} - {thing.name}")
+
+    def _is_mount(self, moving: int, k: int) -> bool:
+        """Whether the robot's base stands on, hangs from or is let into something that is no protected zone."""
+        if self._kinds[self._bodies[k].name] == "zone":
+            return False
+        bases = [i for i, body in enumerate(self._bodies[:moving]) if body.group == 0]
+        still = self.arm.frames(np.array(self._cell.robot.home_rad)[None])[0]
+        return any(self._distance(i, k, _MOUNT_M, still) <= _MOUNT_M for i in bases)
 
     def _own(self, moving: int) -> Iterator[Pair]:
         declared = {frozenset(pair) for pair in getattr(self._cell.robot, "adjacent", ())}

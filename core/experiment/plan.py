@@ -19,17 +19,15 @@ from core.control.decoupling import decoupling_profile
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.gap.experiment import HOLD_S, Stop, Swings, wave_shape
-from core.joint_torques import JointTorques, Load, guessed_load, refuse_too_heavy
-from core.plan import Leg, Plan, confirmed, way_home
+from core.joint_torques import JointTorques, Load, guessed_load
+from core.plan import Leg, Plan, check_standing, confirmed, way_home
 from core.plan_settings import Planner, Timing
 from core.planning.effort import grid_rounds, path_iterations
-from core.planning.path import check_end, one_turn_away
+from core.planning.path import one_turn_away
 from core.planning.start_configuration import Attitude, Grid, StartConfiguration, find_attitude
-from core.planning.throw import ThrowCheck
 from core.planning.transfer import plan_transfer
 from core.planning.wave import fit_wave
 from core.robot import RobotModel
-from core.second_opinion.opinion import JointPath
 from core.trajectory import AngularProfile
 
 Array = NDArray[np.float64]
@@ -65,10 +63,7 @@ def plan_experiment(
         PlanDisputed: see `core.plan.confirmed`.
     """
     began = time.perf_counter()
-    check_end("start", start, robot, collision, ThrowCheck(cell))
-    home = np.array(cell.robot.home_rad)
-    torques = JointTorques(cell, robot, load or guessed_load(cell, payload_box, MASS_GUESS_KG))
-    refuse_too_heavy(torques.of([JointPath("start", start[None]), JointPath("home", home[None])], period))
+    torques = check_standing(cell, robot, collision, start, load or guessed_load(cell, payload_box, MASS_GUESS_KG), period)
     search = _Search(cell, robot, collision, payload_box, period, planner, seed, torques, effort)
     legs: list[Leg] = []
     here = start

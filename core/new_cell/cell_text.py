@@ -16,6 +16,11 @@ Array = NDArray[np.float64]
 NOT_STATED = "not stated"
 """What a sensor's name begins with whose figures are nobody's."""
 
+RANGE = (200, 200, 400, 10, 10, 10)
+NOISE = (0.1, 0.1, 0.1, 0.005, 0.005, 0.005)
+RESOLUTION = (0.05, 0.05, 0.05, 0.002, 0.002, 0.002)
+"""Of a common six-axis wrist sensor, N and N m."""
+
 
 @dataclass(frozen=True)
 class CellParts:
@@ -26,6 +31,7 @@ class CellParts:
         adjacent: pairs of links that always overlap.
         visual_shapes: links that are taken from their visual shapes.
         tool: links of the description that hang behind the sensor.
+        sensor_sizes: how many times larger the assumed sensor is than a common one of 200 N and 10 N m, in force and in torque.
         source: name of the description's file.
     """
 
@@ -42,11 +48,14 @@ class CellParts:
     adjacent: tuple[tuple[str, str], ...] = ()
     visual_shapes: tuple[str, ...] = ()
     tool: tuple[str, ...] = ()
+    tool_name: str = "hand"
+    sensor_sizes: tuple[int, int] = (1, 1)
 
 
 def cell_text(parts: CellParts) -> str:
     """The file."""
-    return "\n".join([*_head(parts), *_robot(parts), *_sensor(), *_limits(), *_tool(parts), *_payload(parts), *_example(parts)]) + "\n"
+    sections = (_head(parts), _robot(parts), _sensor(parts.sensor_sizes), _limits(), _tool(parts), _payload(parts), _example(parts))
+    return "\n".join(line for section in sections for line in section) + "\n"
 
 
 def _head(parts: CellParts) -> list[str]:
@@ -90,14 +99,18 @@ def _robot(parts: CellParts) -> list[str]:
     ]
 
 
-def _sensor() -> list[str]:
+def _sensor(sizes: tuple[int, int]) -> list[str]:
+    times = [size for size in sizes for _ in "xyz"]
+    noise, range_, resolution = ([round(k * value, 6) for k, value in zip(times, row, strict=True)] for row in (NOISE, RANGE, RESOLUTION))
+    force, torque = f"{range_[0]:g} N", f"{range_[3]:g} N m"
     return [
-        "# Figures of nobody's sensor: six axes, 200 N and 10 N m. Put in those of yours: noise (standard deviation), range, resolution.",
+        f"# Figures of nobody's sensor: six axes, {force} and {torque}.",
+        "# Put in those of yours: noise (standard deviation), range, resolution.",
         "[sensor]",
-        f"name = {_text(f'{NOT_STATED}: six-axis wrist sensor, 200 N / 10 N m')}",
-        "noise_std = [0.1, 0.1, 0.1, 0.005, 0.005, 0.005]",
-        "range = [200, 200, 400, 10, 10, 10]",
-        "resolution = [0.05, 0.05, 0.05, 0.002, 0.002, 0.002]",
+        f"name = {_text(f'{NOT_STATED}: six-axis wrist sensor, {force} / {torque}')}",
+        f"noise_std = {_list(noise)}",
+        f"range = {_list(range_)}",
+        f"resolution = {_list(resolution)}",
         "# mount.xyz_m = [0.0, 0.0, 0.03]  # the sensor frame in the flange from which the controller counts its payload",
         "",
     ]
@@ -118,7 +131,7 @@ def _tool(parts: CellParts) -> list[str]:
         return []
     return [
         "# What the sensor carries before any payload; mass and shape are those of robot.urdf.",
-        "[tools.hand]",
+        f"[tools.{parts.tool_name}]",
         'title = "What hangs behind the sensor"',
         f"links = {_list_of_texts(parts.tool)}",
         "",

@@ -5,27 +5,25 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.bodies import PAYLOAD, Body
+from core.bodies import FLOOR, PAYLOAD, Body, floor_body
+from core.cell import Limits
 from core.errors import BadRobot
 from core.robot import RobotModel
+from core.watched_pairs import CONTACT_M, FEW_JOINTS
 
 Array = NDArray[np.float64]
 Pair = tuple[str, str]
 
-FLOOR = "floor"
 SAMPLES = 512
 STEPS = (0.4, 0.2, 0.1)  # rad, of the search round the best sample
 CENTRAL = 0.85  # share of each joint's range that is sampled
-TOUCHING_M = 0.001
-SELF_CLEARANCE_M, CLEARANCE_M = 0.01, 0.03  # what a cell requires
+LIMITS = Limits()
 GOOD_M = {"self": 0.08, FLOOR: 0.25, PAYLOAD: 0.12}  # distances beyond which more is worth no more
 GOOD_LIMIT = 0.25  # of half a joint's range
-FEW_JOINTS = 2  # between links that may be close by construction
 ROUND = 2  # decimal places of an angle
 
 
@@ -72,7 +70,7 @@ class HomeSearch:
         """Of the configurations, those in which the floor is clear of all that more than two joints move."""
         scene = self._scene
         above = [k for k, pair in enumerate(scene.names) if FLOOR in pair and scene.between[k] > FEW_JOINTS]
-        return float((self._distances[:, above] >= CLEARANCE_M).all(axis=1).mean())
+        return float((self._distances[:, above] >= LIMITS.clearance_m).all(axis=1).mean())
 
     def home(self, where: str) -> Home:
         """The best home.
@@ -84,10 +82,10 @@ class HomeSearch:
         most = distances.max(axis=0)
         links = np.array([not self._carried & set(pair) for pair in scene.names])
         excused = links & (scene.between <= FEW_JOINTS)
-        required = np.where(excused & (most < scene.required), TOUCHING_M, scene.required)
-        overlapping = links & (most < np.where(excused, TOUCHING_M, scene.required))
+        required = np.where(excused & (most < scene.required), CONTACT_M, scene.required)
+        overlapping = links & (most < np.where(excused, CONTACT_M, scene.required))
         overlapping &= np.array([FLOOR not in pair for pair in scene.names]) | excused
-        enough = np.maximum(np.minimum(scene.good, 0.7 * (most - required)), TOUCHING_M)
+        enough = np.maximum(np.minimum(scene.good, 0.7 * (most - required)), CONTACT_M)
         scene.judge(~overlapping, required, enough, _bend_of(self._robot, self._samples))
         scores = np.array([scene.score(q, found) for q, found in zip(self._samples, distances, strict=True)])
         if scores.max() <= 0.0:
@@ -144,7 +142,7 @@ class _Scene:
     def __init__(self, robot: RobotModel, bodies: list[Body], payload: Body, floor_z: float, joined: set[frozenset[str]]) -> None:
         self._robot = robot
         self._data = robot.model.createData()
-        floor = Body(FLOOR, 0, coal.Halfspace(np.array([0.0, 0.0, 1.0]), floor_z), pin.SE3.Identity())
+        floor = floor_body(floor_z)
         moving = [body for body in (*bodies, payload) if body.joint > 0]
         pairs = [(body, floor) for body in moving if body.joint > 1]
         pairs += [
@@ -158,7 +156,7 @@ class _Scene:
         self.names: list[Pair] = [(a.name, b.name) for a, b in pairs]
         kinds = [PAYLOAD if PAYLOAD in pair and FLOOR not in pair else FLOOR if FLOOR in pair else "self" for pair in self.names]
         self.good = np.array([GOOD_M[kind] for kind in kinds])
-        self.required = np.array([CLEARANCE_M if FLOOR in pair else SELF_CLEARANCE_M for pair in self.names])
+        self.required = np.array([LIMITS.clearance_m if FLOOR in pair else LIMITS.self_clearance_m for pair in self.names])
         self._geometry = pin.GeometryModel()
         ids: dict[int, int] = {}
         for pair in pairs:

@@ -16,14 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.bodies import Body, link_bodies, payload_body
-from core.cell import CELL_FILE, Box, Cell, Robot, Sensor
+from core.cell import CELL_FILE, Box, Cell, Robot, Sensor, load_cell
+from core.collision import CollisionModel
 from core.errors import BadInput, BadRobot
-from core.new_cell.cell_text import CellParts, cell_text
+from core.new_cell.cell_text import RANGE, CellParts, cell_text
 from core.new_cell.expansion import description_text
 from core.new_cell.frames import Ask, Frames, choose_frames
 from core.new_cell.home import Home, HomeSearch
 from core.new_cell.joints import complete_limits, fix_others, proposed_accelerations
-from core.new_cell.masses import complete_efforts, complete_masses
+from core.new_cell.masses import G, complete_efforts, complete_masses, tool_of
 from core.new_cell.meshes import choose_shapes, copy_meshes
 from core.new_cell.order import Order, check_order
 from core.new_cell.packages import Packages
@@ -32,6 +33,7 @@ from core.new_cell.picture import draw_home
 from core.new_cell.robot_tree import RobotTree
 from core.recording import RobotDescription
 from core.robot import RobotModel
+from core.watched_pairs import joined_links
 
 Array = NDArray[np.float64]
 
@@ -102,8 +104,11 @@ def make_cell(order: Order, ask: Ask | None = None) -> Made:
             adjacent=home.always_overlapping,
             visual_shapes=visual,
             tool=frames.tool,
+            tool_name="hand_tool" if "hand" in urdf.links else "hand",  # which a link may not be called as well
+            sensor_sizes=_sensor_sizes(tree, frames),
         )
         (folder / CELL_FILE).write_text(cell_text(parts), encoding="utf-8")
+        _check_made(folder, order.folder)
         shown = [*bodies, payload_body(robot, box)]
         draw_home(folder / PICTURE, robot, shown, home.q, tool=frames.tool, floor_z=floor_z, title=f"{order.name} at home")
         accelerations = ", ".join(f"{value:g}" for value in parts.acceleration)
@@ -112,6 +117,23 @@ def make_cell(order: Order, ask: Ask | None = None) -> Made:
         notes.append(f"At home {home.nearest[0]!r} and {home.nearest[1]!r} are nearest, {home.nearest_m:.3f} m apart.")
         notes.append("The sensor's noise, range and resolution are nobody's figures: put in yours.")
     return Made(order.folder, home, tuple(notes))
+
+
+def _sensor_sizes(tree: RobotTree, frames: Frames) -> tuple[int, int]:
+    """How many times a common sensor's forces and torques, so that the weight of what hangs behind it takes at most half its range."""
+    tool = tool_of(tree, frames)
+    force, torque = tool.mass * G, float(np.linalg.norm(tool.first_moment)) * G
+    return max(1, int(np.ceil(2.0 * force / min(RANGE[:3])))), max(1, int(np.ceil(2.0 * torque / min(RANGE[3:]))))
+
+
+def _check_made(folder: Path, target: Path) -> None:
+    """Nothing is made that planning would refuse; what is refused bears the name that the folder was to have."""
+    try:
+        cell = load_cell(folder)
+        CollisionModel(cell, RobotModel.of_cell(cell), cell.payload_box)
+    except BadInput as flaw:
+        key = flaw.where.rpartition(f"{folder.name}/")[2]
+        raise BadInput(str(target / key), flaw.found, flaw.expected) from flaw
 
 
 @contextmanager
@@ -175,7 +197,7 @@ def _out_of_reach(robot: RobotModel, bodies: list[Body]) -> float:
 
 def _box_and_home(tree: RobotTree, frames: Frames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> tuple[Box, Home, float]:
     """The largest of the default payload boxes with which a home is free, that home, and the height of the floor."""
-    joined = _joined(tree, {body.name for body in bodies})
+    joined = set(joined_links(tree.checked, {body.name for body in bodies}))
     floor_z = _floor(bodies)
     for edge, gap in ROOMS_M:
         box = payload_room(robot, bodies, frames.tool, edge, gap)
@@ -195,18 +217,3 @@ def _box_and_home(tree: RobotTree, frames: Frames, robot: RobotModel, bodies: li
     sizes = " x ".join(f"{size:g}" for size in box.size_m)
     notes.append(f"The payload box is {sizes} m, {gap:g} m from the flange face; put what really hangs there into cell.toml.")
     return box, home, floor_z
-
-
-def _joined(tree: RobotTree, bodies: set[str]) -> set[frozenset[str]]:
-    """Pairs of links with a body that exactly one moving joint joins, with no other such link between."""
-    pairs = set()
-    for link in bodies & set(tree.parents):
-        here, moving = link, 0
-        while here in tree.parents and moving <= 1:
-            joint = tree.parents[here]
-            moving, here = moving + (joint.kind != "fixed"), joint.parent
-            if here in bodies:
-                if moving == 1:
-                    pairs.add(frozenset((link, here)))
-                break
-    return pairs

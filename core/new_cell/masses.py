@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.bodies import Body
+from core.inertia import InertialParameters
 from core.new_cell.frames import Frames
 from core.new_cell.robot_tree import RobotTree
 from core.robot import RobotModel
 from core.urdf_elements import UrdfLink
+from core.urdf_tree import UrdfTree
 
 Array = NDArray[np.float64]
 
@@ -71,8 +73,8 @@ def _point(place: Array) -> Array:
 
 
 def complete_efforts(tree: RobotTree, frames: Frames, robot: RobotModel, without: tuple[str, ...], notes: list[str]) -> None:
-    """A torque limit for each of these joints: twice what the arm's own weight can ask of it, stretched out."""
-    for name, torque in zip((joint.name for joint in frames.joints), weight_torques(robot), strict=True):
+    """A torque limit for each of these joints: twice what the arm's own weight and its tool's can ask of it, stretched out."""
+    for name, torque in zip((joint.name for joint in frames.joints), weight_torques(robot, tool_of(tree, frames)), strict=True):
         if name in without:
             effort = max(1.0, float(math.ceil(EFFORT_FACTOR * torque)))
             tree.set_limit(name, "effort", effort)
@@ -82,10 +84,18 @@ def complete_efforts(tree: RobotTree, frames: Frames, robot: RobotModel, without
             )
 
 
-def weight_torques(robot: RobotModel) -> Array:
-    """(n,), upper bound of what the arm's own weight asks of each joint in any configuration, N m: stretched out level."""
+def tool_of(tree: RobotTree, frames: Frames) -> InertialParameters:
+    """What hangs behind the sensor, sensor frame; nothing where that is no tool."""
+    return UrdfTree(tree.text).seen_from(frames.sensor, frames.tool) if frames.tool else InertialParameters(np.zeros(10))
+
+
+def weight_torques(robot: RobotModel, tools: InertialParameters) -> Array:
+    """(n,), upper bound of what the arm and its tools, sensor frame, ask of each joint by their weight, N m: stretched out level."""
     model = robot.model
-    torques, weight, moment = np.zeros(robot.n), 0.0, 0.0  # behind the joint, N; about its origin, N m
+    sensor = float(np.linalg.norm(model.frames[robot.sensor_frame_id].placement.translation))
+    weight = G * tools.mass  # behind the joint, N; and about its origin, N m
+    moment = G * float(np.linalg.norm(tools.first_moment)) + weight * sensor
+    torques = np.zeros(robot.n)
     for j in range(robot.n, 0, -1):
         mass = float(model.inertias[j].mass)
         moment += G * mass * float(np.linalg.norm(model.inertias[j].lever))

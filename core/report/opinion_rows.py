@@ -33,13 +33,13 @@ class OpinionTable:
 
 
 def opinion_table(opinion: Opinion) -> OpinionTable:
-    """A row for each kind of pair and one for the fastest point."""
+    """A row for each kind of pair, one for the fastest point, and one for a load that comes off where there is a protected zone."""
     rows = [
         OpinionRow(
             each.kind,
             f"{each.distance_m:.3f} m",
             f"{each.first} - {each.second}",
-            f"{each.required_m:.3f} m" if each.kind.is_judged else "none",
+            f"{each.required_m:.3f} m",
             f"{each.part}, {each.time_s:.1f} s",
         )
         for each in opinion.approaches
@@ -47,4 +47,8 @@ def opinion_table(opinion: Opinion) -> OpinionTable:
     fast = opinion.fastest
     limit, where = f"{fast.limit_m_s:.3f} m/s", f"{fast.part}, {fast.time_s:.1f} s"
     rows.append(OpinionRow("fastest point", f"{fast.speed_m_s:.3f} m/s", f"a corner of {fast.body}", limit, where))
+    lost = opinion.lost_load
+    if lost is not None:
+        where = f"{lost.part}, {lost.time_s:.1f} s"
+        rows.append(OpinionRow("a load that comes off", f"{lost.distance_m:.3f} m", f"its flight - zone {lost.zone}", "0.000 m", where))
     return OpinionTable(opinion.samples, rows, left_out_lines(opinion.left_out))

@@ -53,7 +53,7 @@ class Approach:
 
 @dataclass(frozen=True)
 class FastestPoint:
-    """The fastest corner of a box round a link or the payload, over one period.
+    """The fastest corner of a body, or of a box round it where that keeps the limit, over one period.
 
     Args:
         body: name of the link, or "payload".
@@ -89,7 +89,7 @@ class Opinion:
     """What the second opinion found.
 
     Args:
-        approaches: one for each kind of which there are pairs.
+        approaches: one for each kind of which there are pairs and something is asked.
         pairs: all pairs, with what is asked of each and why.
         lost_load: None where there is no protected zone.
     """
@@ -103,8 +103,7 @@ class Opinion:
     @property
     def violations(self) -> tuple[Approach | FastestPoint | LostLoad, ...]:
         """What does not keep the cell's limits, distances first, then where a lost load flies."""
-        judged = [each for each in self.approaches if each.kind.is_judged]
-        close = [each for each in judged if each.distance_m < each.required_m - NUMERICAL_M]
+        close = [each for each in self.approaches if each.distance_m < each.required_m - NUMERICAL_M]
         fast = [self.fastest] if self.fastest.speed_m_s > self.fastest.limit_m_s * (1.0 + NUMERICAL) else []
         lost = [self.lost_load] if self.lost_load is not None and self.lost_load.distance_m < 0.0 else []
         return (*close, *lost, *fast)

@@ -93,7 +93,7 @@ class AccountedPair:
 
     Args:
         first, second: names.
-        required_m: least signed distance; 0, and only told against, where the kind is not judged.
+        required_m: least signed distance; 0 where the kind is not judged.
         why: that is asked, or nothing, in words.
         bodies: their places in the list of the arm's bodies followed by what stands in the cell.
     """
@@ -127,13 +127,13 @@ def standing(cell: Cell) -> list[Placed]:
 def accounted_pairs(cell: Cell, arm: Arm) -> list[AccountedPair]:
     """All pairs of the moving bodies with what stands in the cell, and of the arm's bodies with each other."""
     things = standing(cell)
-    zones = {zone.name for zone in cell.zones}
-    mounts = {thing.name for thing in things if thing.name not in zones and _is_mount(arm, thing)}
+    zones = range(len(cell.obstacles), len(cell.obstacles) + len(cell.zones))
+    mounts = [k not in zones and _is_mount(arm, thing) for k, thing in enumerate(things)]
     found = []
     for i, body in enumerate(arm.bodies):
         for k, thing in enumerate(things):
             if body.joint > 0:
-                asked = _asked_of_standing(cell, arm, body, thing, is_mount=thing.name in mounts)
+                asked = _asked_of_standing(cell, arm, body, thing, is_mount=mounts[k])
                 found.append(AccountedPair(body.name, thing.name, *asked, (i, len(arm.bodies) + k)))
     return [*found, *_own_pairs(cell, arm)]
 
@@ -187,7 +187,7 @@ def _why_joined(cell: Cell, arm: Arm, pair: tuple[Body, Body], names: set[str]) 
     first, second = pair
     if first.joint == second.joint:
         return "no joint between them: they do not move against each other"
-    if names in map(set, cell.robot.adjacent):
+    if not first.carried and names in map(set, cell.robot.adjacent):
         return "declared in the cell: robot.adjacent"
     if not first.carried and names in map(set, arm.joined):
         return "neighbours: one joint joins them"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,13 +12,10 @@ import fcl
 import numpy as np
 from numpy.typing import NDArray
 
-from core.confinement import Order, ask
-from core.errors import BadRobot
+from core.confinement import Arrays, KnownFiles
 from core.second_opinion.mesh_reader import read_surface
 
 Array = NDArray[np.float64]
-
-MOST_KNOWN = 500
 
 
 @dataclass(frozen=True)
@@ -46,35 +42,22 @@ class Surface:
         return model
 
 
-_known: dict[str, Surface] = {}
-
-
 def read_surfaces(files: Sequence[Path], scales: Sequence[Array]) -> list[Surface]:
     """One for each file and scale (3,).
 
     Raises:
         BadRobot: a file cannot be read here.
     """
-    orders: list[Order] = [
-        {"file": str(file.resolve()), "scale": scale.tolist(), "where": str(file)} for file, scale in zip(files, scales, strict=True)
-    ]
-    digests = [_digest(file, scale) for file, scale in zip(files, scales, strict=True)]
-    new = {digest: order for digest, order in zip(digests, orders, strict=True) if digest not in _known}
-    found = dict(_known)
-    for digest, (vertices, triangles, is_convex) in zip(new, ask(read_surface, list(new.values())), strict=True):
-        found[digest] = Surface(vertices, triangles, bool(is_convex))
-    if len(found) <= MOST_KNOWN:
-        _known.update(found)
-    else:
-        _known.clear()
-    return [found[digest] for digest in digests]
+    both = zip(files, scales, strict=True)
+    return _KNOWN.read([{"file": str(file.resolve()), "scale": scale.tolist(), "where": str(file)} for file, scale in both])
 
 
-def _digest(file: Path, scale: Array) -> str:
-    try:
-        return f"{hashlib.sha256(file.read_bytes()).hexdigest()} {file.suffix} {scale.tolist()}"
-    except OSError as error:
-        raise BadRobot(str(file), f"a file that cannot be read ({error.strerror})", "a readable file") from error
+def _surface(arrays: Arrays) -> Surface:
+    vertices, triangles, is_convex = arrays
+    return Surface(vertices, triangles, bool(is_convex))
+
+
+_KNOWN = KnownFiles(read_surface, _surface)
 
 
 def winding_number(surface: Surface, point: Array) -> float:

@@ -79,7 +79,7 @@ def test_a_home_inside_an_obstacle_is_wrong(changed):
 
 def test_a_joint_too_weak_for_its_own_arm_is_doubtful(changed):
     found = changed(('effort="176"', 'effort="3"'), file="robot.urdf")
-    assert any("the arm's own weight" in each.found for each in found)
+    assert any("the arm and its tools may ask" in each.found for each in found)
 
 
 def test_a_file_that_is_no_cell_is_wrong(changed):

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core import meshes
+from core import confinement
 from core.bodies import link_bodies, visual_shapes
 from core.cell import load_cell
 from core.confinement import Arrays, Order
@@ -71,7 +71,7 @@ def test_what_has_been_read_is_not_read_again(tmp_path: Path, monkeypatch: pytes
         asked.extend(orders)
         return []
 
-    monkeypatch.setattr(meshes, "ask", never)
+    monkeypatch.setattr(confinement, "ask", never)
     (tmp_path / "a.dae").rename(tmp_path / "b.dae")
     again = bodies_in(cell_with(tmp_path, "b.dae", dae(BODY)))
     assert asked == []

@@ -1358,7 +1358,6 @@ export interface components {
          *
          *     Args:
          *         kind: in words, as in `core.second_opinion.pairs.Kind`.
-         *         required_m: None where nothing is asked of that kind.
          *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
          */
         ClosestPair: {
@@ -1371,7 +1370,7 @@ export interface components {
             /** Distance M */
             distance_m: number;
             /** Required M */
-            required_m: number | null;
+            required_m: number;
             /** Part */
             part: string;
             /** Time S */
@@ -1807,7 +1806,7 @@ export interface components {
         };
         /**
          * FastestCorner
-         * @description The fastest corner of a box round a link or the payload, for JSON.
+         * @description The fastest corner of a link, a tool or the payload, or of a box round it where that keeps the limit, for JSON.
          */
         FastestCorner: {
             /** Body */

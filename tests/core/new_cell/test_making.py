@@ -89,7 +89,7 @@ def test_every_figure_that_was_not_given_is_told(tmp_path):
     ):
         assert words in notes
     text = (found.folder / "cell.toml").read_text()
-    assert tomllib.loads(text)["tools"]["hand"]["links"] == ["hand", "finger"]
+    assert tomllib.loads(text)["tools"]["hand_tool"]["links"] == ["hand", "finger"]
 
 
 def test_a_link_that_can_only_be_seen_is_taken_as_it_looks(tmp_path):
@@ -102,11 +102,24 @@ def test_a_link_that_can_only_be_seen_is_taken_as_it_looks(tmp_path):
 
 
 def test_pairs_that_always_overlap_are_listed(tmp_path):
-    ring = '<collision><geometry><sphere radius="0.5"/></geometry></collision>'
+    ring = '<collision><origin xyz="0 0 0.24"/><geometry><sphere radius="0.3"/></geometry></collision>'
     found = made(tmp_path, arm(links={1: link("link1", shapes=ring)}))
     robot = tomllib.loads((found.folder / "cell.toml").read_text())["robot"]
     assert ["link3", "link1"] in robot["adjacent"]
     assert any("'link3' and 'link1' overlap" in note for note in found.notes)
+
+
+def test_a_tool_gets_a_name_that_no_link_has(tmp_path):
+    hand = link("hand") + joint("grip", "flange", "hand", kind="fixed", rest="")
+    found = made(tmp_path, arm(hand), behind=Behind.TOOL)
+    assert list(tomllib.loads((found.folder / "cell.toml").read_text())["tools"]) == ["hand_tool"]
+
+
+def test_a_cell_in_which_nothing_could_be_planned_is_not_made(tmp_path):
+    ring = '<collision><geometry><sphere radius="0.5"/></geometry></collision>'
+    with pytest.raises(BadInput, match=r"cells/tried/cell\.toml: robot\.home_rad: found 'link1' -0\.260 m from 'floor'"):
+        made(tmp_path, arm(links={1: link("link1", shapes=ring)}))
+    assert not (tmp_path / "cells/tried").exists()
 
 
 def test_meshes_are_copied_once_each_under_names_of_their_own(tmp_path):

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from core.report.opinion_rows import opinion_table
-from core.second_opinion.opinion import Approach, FastestPoint, Opinion
+from core.second_opinion.opinion import Approach, FastestPoint, LostLoad, Opinion
 from core.second_opinion.pairs import AccountedPair, Kind
 
 
@@ -18,3 +18,11 @@ def test_each_kind_and_the_fastest_point_have_a_row_and_each_reason_a_line() -> 
     assert (fastest.value, fastest.limit) == ("0.240 m/s", "0.250 m/s")
     assert table.left_out == ["a - b, b - c: they share a joint"]
     assert table.samples == 900
+
+
+def test_a_load_that_comes_off_has_a_row_where_there_is_a_protected_zone() -> None:
+    lost = LostLoad(zone="gate", distance_m=0.2123, speed_m_s=0.2, part="transfer y-", time_s=3.04)
+    table = opinion_table(Opinion((), FastestPoint(0.24, 0.25, "payload", "home", 2.0), (), 900, lost))
+    row = table.rows[-1]
+    assert (row.what, row.value, row.between) == ("a load that comes off", "0.212 m", "its flight - zone gate")
+    assert (row.limit, row.where) == ("0.000 m", "transfer y-, 3.0 s")

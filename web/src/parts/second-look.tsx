@@ -23,7 +23,7 @@ export function SecondLook({ summary }: { summary: PlanSummary }) {
           </tr>
         </thead>
         <tbody>
-          {found.closest.filter(isJudged).map((each) => (
+          {found.closest.map((each) => (
             <Closest key={each.kind} {...each} />
           ))}
           <tr>
@@ -44,18 +44,15 @@ export function SecondLook({ summary }: { summary: PlanSummary }) {
   );
 }
 
-const isJudged = ({ required_m }: ClosestPair) => required_m !== null;
-
 /** A kind of pair where it comes closest to what it has to keep. */
 function Closest({ kind, first, second, distance_m, required_m, part, time_s }: ClosestPair) {
   const said = words.value.secondLook;
-  const limit = required_m ?? 0;
   return (
     <tr>
       <th scope="row">{said.kinds[kind] ?? kind}</th>
       <td>
         {spelt('length', distance_m)}{' '}
-        <small>{limit < 0 ? said.mayTouch : said.limit(spelt('length', limit))}</small>
+        <small>{required_m < 0 ? said.mayTouch : said.limit(spelt('length', required_m))}</small>
       </td>
       <td>
         {betweenSaid(first, second)} <small>{when(part, time_s)}</small>

@@ -192,8 +192,8 @@ export const flaws: Record<string, string> = {
     'die Basis des Roboters außerhalb (höchstens {} m eingelassen in das, was sie trägt)',
   '{} {} m from {}': '{} {} m von {}',
   'at least {} m at home (limits.clearance_m)': 'mindestens {} m in der Grundstellung (limits.clearance_m)',
-  'at least {} m at home (limits.self_clearance_m, or a smaller payload box)':
-    'mindestens {} m in der Grundstellung (limits.self_clearance_m oder ein kleinerer Hüllquader)',
+  'at least {} m at home (limits.self_clearance_m, or a smaller box of payload or tool)':
+    'mindestens {} m in der Grundstellung (limits.self_clearance_m oder ein kleinerer Quader von Last oder Werkzeug)',
   'at least {} m at home (limits.self_clearance_m, or the pair in robot.adjacent)':
     'mindestens {} m in der Grundstellung (limits.self_clearance_m oder das Paar in robot.adjacent)',
   'less than a tenth of sensor.range, {}': 'weniger als ein Zehntel von sensor.range, {}',
