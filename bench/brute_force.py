@@ -11,20 +11,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Cell
-from core.collision import CollisionModel
-from core.control.decoupling import decoupling_profile
+from core.cell.cell import Box, Cell
 from core.errors import NoPath, NoStartConfiguration
-from core.plan import POSES
-from core.plan_settings import Timing
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
 from core.planning.path import plan_path
+from core.planning.plan import POSES
 from core.planning.rotation_room import Obstruction, RotationCheck, Turn
+from core.planning.settings import Timing
 from core.planning.start_configuration import find_start_configuration
 from core.planning.throw import ThrowCheck, loads_of
-from core.robot import RobotModel
-from core.trajectory import AngularProfile
+from core.robot.collision import CollisionModel
+from core.robot.decoupling import decoupling_profile
+from core.robot.model import RobotModel
+from core.robot.trajectory import AngularProfile
 
 Array = NDArray[np.float64]
 

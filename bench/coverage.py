@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from core.estimation.estimate import Identification
 from core.estimation.identification import identify_recording
-from core.inertia import PHI_NAMES, InertialParameters
+from core.payload.inertia import PHI_NAMES, InertialParameters
 from tests.synthetic import NOISE_STD, Imperfections, payload, random_payload, record, run_of
 
 Array = NDArray[np.float64]

@@ -17,8 +17,8 @@ from core.gap.evidence import gather
 from core.gap.residual import Residual
 from core.gap.windows import Windows
 from core.plant.imperfections import Imperfections
-from core.procedure import carry_out
-from core.recording import Recording
+from core.procedure.identify import carry_out
+from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
 from core.trial import planned, returned
 

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Cell, Payload
-from core.control.decoupling import decoupling_profile
-from core.plan import POSES
-from core.plan_settings import Timing
+from core.cell.cell import Box, Cell, Payload
+from core.planning.plan import POSES
+from core.planning.settings import Timing
+from core.robot.decoupling import decoupling_profile
 from tests.independent_checker import IndependentChecker
 
 Array = NDArray[np.float64]

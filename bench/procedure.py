@@ -13,13 +13,13 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell, find_cell, load_cell
-from core.collision import CollisionModel
-from core.inertia import PHI_NAMES
-from core.plan import Plan, plan_procedure
+from core.cell.cell import Cell, find_cell, load_cell
+from core.payload.inertia import PHI_NAMES
+from core.planning.plan import Plan, plan_procedure
 from core.plant.imperfections import ExponentialDrift, Imperfections, LinearDrift
-from core.procedure import carry_out
-from core.robot import RobotModel
+from core.procedure.identify import carry_out
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from core.sessions.simulated import SimulatedSession
 from core.trial import returned
 

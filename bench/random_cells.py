@@ -19,17 +19,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bench.brute_force import CANDIDATES, BruteForce
-from core.cell import Cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell
 from core.errors import NoStartConfiguration, Refused
 from core.events import RobotStopped, StartConfigurationFound
-from core.inertia import InertialParameters
-from core.plan import POSES, Plan, plan_procedure
-from core.procedure import carry_out
-from core.robot import RobotModel
+from core.payload.inertia import InertialParameters
+from core.planning.plan import POSES, Plan, plan_procedure
+from core.procedure.identify import carry_out
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+from core.robot.trajectory import JointTrajectory
 from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
-from core.trajectory import JointTrajectory
 from tests.independent_checker import IndependentChecker
 from tests.random_cells import RandomCell, random_cell
 

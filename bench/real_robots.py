@@ -22,13 +22,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bench.independent_search import CANDIDATES, IndependentSearch
-from core.cell import Cell, check_robot
-from core.collision import CollisionModel
-from core.commanded_path import Motion, commanded_paths
+from core.cell.cell import Cell, check_robot
+from core.cell.urdf import check_urdf
 from core.errors import BadInput, Refused
-from core.plan import Plan, plan_procedure
-from core.robot import RobotModel
-from core.urdf import check_urdf
+from core.planning.commanded_path import Motion, commanded_paths
+from core.planning.plan import Plan, plan_procedure
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from tests.independent_checker import IndependentChecker
 from tests.random_cells import ARMS, random_cell
 from tests.real_robots import ROBOTS, random_real_cell

@@ -7,11 +7,11 @@ from time import perf_counter
 
 import numpy as np
 
-from core.cell import find_cell, load_cell
-from core.collision import CollisionModel
-from core.joint_torques import JointTorques, guessed_load
-from core.plan import confirmed, plan_procedure
-from core.robot import RobotModel
+from core.cell.cell import find_cell, load_cell
+from core.planning.joint_torques import JointTorques, guessed_load
+from core.planning.plan import confirmed, plan_procedure
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from core.trial.draw import returned
 
 

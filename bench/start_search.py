@@ -16,12 +16,12 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.cell import load_cell
-from core.collision import Body, CollisionModel
+from core.cell.cell import load_cell
 from core.planning.candidates import CandidateSearch, Weights
 from core.planning.grid import draw_postures, first_grid
 from core.planning.start_configuration import LIMIT_MARGIN_RAD
-from core.robot import RobotModel
+from core.robot.collision import Body, CollisionModel
+from core.robot.model import RobotModel
 
 CELLS = Path(__file__).parents[1] / "cells"
 CANDIDATES = 10_000

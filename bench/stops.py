@@ -26,11 +26,11 @@ import numpy as np
 from numpy.typing import NDArray
 from websockets.exceptions import ConnectionClosed
 
-from core.cell import load_cell
-from core.recording import Recording
-from core.recording_folder import read_recording
-from core.robot import RobotModel
-from core.sample_log import SampleLog
+from core.cell.cell import load_cell
+from core.recording.folder import read_recording
+from core.recording.recording import Recording
+from core.robot.model import RobotModel
+from core.sessions.sample_log import SampleLog
 from server.runner.run_folder import LOCK, RECORDING
 from server.runner.sample_stream import recover as samples_so_far
 from tests.server.real_service import ROOT, Console, RealService, real_service, wait_for

@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
-from core.lateness import Lateness
+from core.errors import Lateness
 
 
 class Event(BaseModel):

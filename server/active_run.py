@@ -14,10 +14,9 @@ from concurrent.futures import ThreadPoolExecutor
 from datetime import datetime
 from pathlib import Path
 
-from core.cell import Cell
-from core.errors import Commanded, HoldExpired
+from core.cell.cell import Cell
+from core.errors import Cause, Commanded, HoldExpired, Lateness
 from core.events import Event, PhaseStarted, Progress, RobotStopped, StepFinished
-from core.lateness import Cause, Lateness
 from core.sessions.leased import Renewal
 from server import run_ledger
 from server.audit import Deed

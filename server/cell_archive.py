@@ -8,7 +8,7 @@ import zipfile
 from collections import Counter
 from pathlib import Path, PurePosixPath
 
-from core.cell import CELL_FILE
+from core.cell.cell import CELL_FILE
 from core.errors import BadCell
 from server.zip_file import opened_zip, write_entry
 

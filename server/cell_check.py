@@ -16,13 +16,13 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from core.cell import Cell, load_cell
-from core.collision import CollisionModel
-from core.confinement import stay_here
+from core.cell.cell import Cell, load_cell
 from core.effects.library import library
 from core.errors import BadInput, BadRobot
-from core.robot import RobotModel
-from core.twin_file import read_twin
+from core.files.confinement import stay_here
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+from core.twin.file import read_twin
 from server.cell_archive import CELL, UPLOAD, unpack
 
 SECONDS = 15.0

@@ -8,9 +8,9 @@ import shutil
 from pathlib import Path
 from threading import Lock
 
-from core.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cells, read_cell
+from core.cell.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cells, read_cell
 from core.errors import BadCell, BadInput, BadTwin, refuse, together
-from core.whole_file import write_whole
+from core.files.whole_file import write_whole
 from server.errors import Conflict, NotFound
 
 OLD, NEW = ".old-", ".new-"

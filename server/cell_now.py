@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sqlalchemy.orm import Session
 
-from core.cell import CellRead
+from core.cell.cell import CellRead
 from server.cell_folder import CellFolder
 from server.zones import positions, with_zones_where_they_are
 

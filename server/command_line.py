@@ -10,7 +10,7 @@ import typer
 from typer.core import TyperGroup
 from typer.main import get_group
 
-from core.terminal import HELP, answers, enter
+from core.cli.terminal import HELP, answers, enter
 
 
 class WithEngine(TyperGroup):
@@ -26,7 +26,7 @@ class WithEngine(TyperGroup):
 
     @cached_property
     def _engine(self) -> TyperGroup:
-        from core.command_line import app as engine  # noqa: PLC0415  its imports take a second, which the service need not wait for
+        from core.cli.main import app as engine  # noqa: PLC0415  its imports take a second, which the service need not wait for
 
         return get_group(engine)
 

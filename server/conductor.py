@@ -15,10 +15,10 @@ from pathlib import Path
 from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import HeftError, refuse
+from core.payload.shapes import Pose
 from core.sessions.leased import Renewal
-from core.shapes import Pose
 from server import audit, run_ledger
 from server.active_run import ActiveRun
 from server.audit import Deed

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import HeftError
 from server.packml import FINAL, Command, State
 from server.reason import SERVICE_ENDED, Reason, because

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from core.estimation.result import Numbers
 from core.events import (
     Event,
     Finished,
@@ -18,7 +19,6 @@ from core.events import (
     StepFinished,
     TransferPlanned,
 )
-from core.result import Numbers
 from server.packml import JobState, State
 from server.schemas import Answer
 

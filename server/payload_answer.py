@@ -4,8 +4,18 @@ from __future__ import annotations
 
 from typing import Literal
 
+from core.estimation.result import (
+    Numbers,
+    PaperPart,
+    ReferencePart,
+    ResidualPart,
+    Result,
+    SafetyPart,
+    SecondsPart,
+    VerificationPart,
+    WorkpiecePart,
+)
 from core.remark import Remark
-from core.result import Numbers, PaperPart, ReferencePart, ResidualPart, Result, SafetyPart, SecondsPart, VerificationPart, WorkpiecePart
 from server.schemas import Answer
 
 

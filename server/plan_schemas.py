@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from core.plan_summary import PlanSummary
+from core.planning.summary import PlanSummary
 from server.schemas import Answer
 
 

@@ -16,7 +16,7 @@ from starlette.exceptions import HTTPException
 from starlette.requests import HTTPConnection
 
 from core.errors import HeftError
-from core.schema_flaw import schema_flaw
+from core.files.schema_flaw import schema_flaw
 from server.errors import StoreUnavailable
 from server.problems import HTTP_KINDS, MEDIA_TYPE, Flaw, Problem, headers_of, kinds_by_name, problem, problem_of
 

@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 from pydantic import Field
 
-from core.cell import Cell
+from core.cell.cell import Cell
+from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 from core.errors import BadRecording
+from core.files.jail import read_inside
 from core.gap.answer import Diagnosis
-from core.gap.experiment import Stop
-from core.jail import read_inside
-from core.manifest import Manifest, RobotPart, read_manifest
-from core.plan_settings import Planner
-from core.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
+from core.planning.settings import Planner
+from core.planning.stop import Stop
+from core.recording.manifest import Manifest, RobotPart, read_manifest
 from server.errors import Conflict
 from server.job_kinds import DiagnosisOrder
 from server.run_schemas import Pace, ProposedMotion, RunOrder
@@ -91,7 +91,7 @@ def _stops(diagnosed: JobRow) -> tuple[Stop, ...]:
 
 
 def _check_same_robot(motion: ProposedMotion, manifest: Manifest, cell: Cell) -> None:
-    """As `core.recording.check_same_robot`, without reading the samples."""
+    """As `core.recording.recording.check_same_robot`, without reading the samples."""
     changed = f"diagnosis {motion.diagnosis}: cell {cell.name!r} has changed since the recording"
     if manifest.robot is None or _described(motion.recording, manifest.robot) != (
         cell.urdf, cell.robot.base_frame, cell.robot.sensor_frame,

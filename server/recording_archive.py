@@ -7,7 +7,7 @@ import zipfile
 from pathlib import Path, PurePosixPath
 
 from core.errors import BadRecording
-from core.manifest import FILE as MANIFEST
+from core.recording.manifest import FILE as MANIFEST
 from server.zip_file import opened_zip, write_entry
 
 MAX_BYTES = 400_000_000  # of all files together, unpacked
@@ -15,7 +15,7 @@ MAX_FILES = 20
 
 
 def unpack(archive: Path, folder: Path) -> None:
-    """Unpacks a zip of a recording folder; what is in the files is `core.recording_folder.read_recording`'s to judge.
+    """Unpacks a zip of a recording folder; what is in the files is `core.recording.folder.read_recording`'s to judge.
 
     Args:
         folder: made here, whole or not at all.
@@ -35,7 +35,7 @@ def unpack(archive: Path, folder: Path) -> None:
 
 def _wanted(opened: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
     """The recording's files by their bare names: where they lie in the zip does not matter, so no name leads anywhere."""
-    from core.samples import FILES as SAMPLES  # noqa: PLC0415  the service starts sooner without Arrow
+    from core.recording.samples import FILES as SAMPLES  # noqa: PLC0415  the service starts sooner without Arrow
 
     entries = [entry for entry in opened.infolist() if not entry.is_dir()]
     if len(entries) > MAX_FILES:

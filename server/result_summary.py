@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from core.result import Numbers, Result
+from core.estimation.result import Numbers, Result
 from server.schemas import Answer
 
 

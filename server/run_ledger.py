@@ -10,9 +10,9 @@ from pydantic import TypeAdapter
 from sqlalchemy import inspect, select
 from sqlalchemy.orm import Session
 
+from core.errors import Lateness
+from core.estimation.result import Result
 from core.events import Event
-from core.lateness import Lateness
-from core.result import Result
 from server import webhooks
 from server.errors import Conflict, NotFound
 from server.event_schemas import EventMessage, Happening, StateChanged

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from core.cell import Cell
-from core.plan_settings import Timing
-from core.slow_run import allowed_speeds, slowed
+from core.cell.cell import Cell
+from core.planning.settings import Timing
+from core.planning.slow_run import allowed_speeds, slowed
 from server.errors import Conflict
 from server.run_ledger import motion_of
 from server.run_schemas import Motion, RestOfRun, RunOrder

@@ -8,10 +8,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from core.gap.experiment import Stop
-from core.lateness import Lateness
-from core.plan_settings import MAX_EFFORT, Planner, Scope
-from core.shapes import Angle, Box
+from core.errors import Lateness
+from core.payload.shapes import Angle, Box
+from core.planning.settings import MAX_EFFORT, Planner, Scope
+from core.planning.stop import Stop
 from server.packml import JobState, State
 from server.result_summary import ResultSummary
 from server.schemas import Answer, Body, Name
@@ -27,7 +27,7 @@ class RunOrder(Body):
             cell's first where absent.
         payload_box: what certainly contains the payload, sensor frame; that of the payload where absent.
         seed: makes planning and the simulated noise repeatable.
-        hold_s, settle_s, robot_s, inertia_std: as in `core.plan_settings.Timing`.
+        hold_s, settle_s, robot_s, inertia_std: as in `core.planning.settings.Timing`.
         pace: of the simulated robot.
         axes: sensor axes to hold along gravity and to turn about, in the order x, y, z; fewer where one has no room.
         rotations: false for holds alone, which tell mass and centre of mass.

@@ -12,7 +12,7 @@ from server.store import Table
 
 class RunRow(Table):
     """One run. `order`, `motion`, `plan` and `result` are JSON (`RunOrder`, `ProposedMotion | RestOfRun`, `RunPlan`,
-    `core.result.Result`)."""
+    `core.estimation.result.Result`)."""
 
     __tablename__ = "runs"
 
@@ -40,7 +40,7 @@ class RunRow(Table):
     steps: Mapped[int] = mapped_column(default=0, server_default="0")
     finished_steps: Mapped[int] = mapped_column(default=0, server_default="0")
     lateness: Mapped[str | None] = mapped_column(Text)
-    """JSON (`core.lateness.Lateness`): what was late, where that put the run on hold or ended it."""
+    """JSON (`core.errors.Lateness`): what was late, where that put the run on hold or ended it."""
     held_since: Mapped[datetime | None]
     requested_by: Mapped[str] = mapped_column(String(80))
     requested_at: Mapped[datetime]

@@ -16,8 +16,8 @@ from pydantic import ValidationError
 from sqlalchemy import func, select
 
 from core.errors import BadInput
-from core.schema_flaw import schema_flaw
-from core.whole_file import write_whole
+from core.files.schema_flaw import schema_flaw
+from core.files.whole_file import write_whole
 from server import __version__, accounts, audit
 from server.accounts import Account
 from server.app import create_app

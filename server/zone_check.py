@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import BadCell
 from server.errors import Unprocessable
 from server.runner.messages import Answered, Failed

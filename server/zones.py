@@ -8,8 +8,8 @@ from typing import Literal
 from sqlalchemy import String, Text, select
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
-from core.cell import Cell, Zone
-from core.shapes import Pose
+from core.cell.cell import Cell, Zone
+from core.payload.shapes import Pose
 from server.errors import Conflict, NotFound
 from server.store import Table
 
@@ -106,7 +106,7 @@ def _put(row: ZonePosition, pose: Pose, who: str, now: datetime) -> None:
 
 
 def with_zones_where_they_are(cell: Cell, known: dict[str, ZonePosition]) -> Cell:
-    """The cell with each zone at its latest place; what the place contradicts says `core.cell.contradictions_of`."""
+    """The cell with each zone at its latest place; what the place contradicts says `core.cell.cell.contradictions_of`."""
     places = {zone: Pose.model_validate_json(row.pose) for zone, row in known.items()}
     return with_zones_at(cell, places)
 

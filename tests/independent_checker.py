@@ -24,7 +24,7 @@ import trimesh
 from numba import njit
 from numpy.typing import NDArray
 
-from core.cell import Box, Cell, Payload, Shape
+from core.cell.cell import Box, Cell, Payload, Shape
 from tests.convex_distance import EXACT_M, Convex, ball, bounds, box, capsule, packed
 from tests.free_flight import deepest_flight
 from tests.independent_arm import Arm, Body, Inertia, pose

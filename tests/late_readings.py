@@ -11,15 +11,15 @@ from functools import cache
 
 import numpy as np
 
-from core.cell import Cell, find_cell, load_cell
-from core.collision import CollisionModel
-from core.plan import Plan, plan_procedure
-from core.plan_settings import Timing
+from core.cell.cell import Cell, find_cell, load_cell
+from core.planning.plan import Plan, plan_procedure
+from core.planning.settings import Timing
 from core.plant.faults.timing import Delay
 from core.plant.mechanics import Drives
-from core.procedure import carry_out
-from core.recording import Recording
-from core.robot import RobotModel
+from core.procedure.identify import carry_out
+from core.recording.recording import Recording
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from core.sessions.simulated import SimulatedSession
 from core.trial.draw import returned
 

@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Cell, Obstacle, Payload, Pose, Zone, contradictions_of, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import Box, Cell, Obstacle, Payload, Pose, Zone, contradictions_of, load_cell
 from core.errors import BadCell, refuse
-from core.inertia import InertialParameters
-from core.robot import RobotModel
+from core.payload.inertia import InertialParameters
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

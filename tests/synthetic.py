@@ -16,10 +16,10 @@ import pinocchio as pin
 from scipy.interpolate import CubicSpline
 from scipy.signal import cont2discrete, lfilter
 
-from core.cell import load_cell
-from core.inertia import InertialParameters, pseudo_inertia
-from core.recording import Recording, SensorDescription
-from core.robot import RobotModel
+from core.cell.cell import load_cell
+from core.payload.inertia import InertialParameters, pseudo_inertia
+from core.recording.recording import Recording, SensorDescription
+from core.robot.model import RobotModel
 
 CELLS = Path(__file__).resolve().parent.parent / "cells"
 NOISE_STD = np.array([0.0548, 0.0480, 0.0728, 0.0028, 0.00305, 0.00303])

@@ -6,8 +6,8 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from core.cell import Cell
-from core.twin import Entry, Fitted, effect_of, standing
+from core.cell.cell import Cell
+from core.twin.twin import Entry, Fitted, effect_of, standing
 
 
 def entry(cell: Cell, effect: str, *, std: float = 1e-4, **values: float) -> Entry:

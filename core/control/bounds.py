@@ -17,8 +17,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.cell import Cell
-from core.robot import RobotModel
+from core.cell.cell import Cell
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

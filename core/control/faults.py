@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from core.cell import Cell
-from core.collision import Nearest
+from core.cell.cell import Cell
 from core.control.checks import Fault, Numbers
 from core.errors import BadState, OutOfLimits, OverLoad, RobotStateLate, SensorFrozen, Stopped, TooClose, TooFast
-from core.robot import RobotModel
+from core.robot.collision import Nearest
+from core.robot.model import RobotModel
 from core.sessions.session import RobotState
 
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")

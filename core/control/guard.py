@@ -24,12 +24,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
-from core.collision import CollisionModel, Nearest
+from core.cell.cell import Cell
 from core.control.bounds import JointLimits
 from core.control.checks import Fault, Findings, Numbers, _check
 from core.control.faults import frozen, stopped, too_close
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel, Nearest
+from core.robot.model import RobotModel
 from core.sessions.session import RobotState
 
 Array = NDArray[np.float64]

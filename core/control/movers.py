@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from core.control.resuming import rest_of, smooth_share
 from core.errors import BadState
+from core.robot.trajectory import JointTrajectory
 from core.sessions.session import RobotState
-from core.trajectory import JointTrajectory
 
 Array = NDArray[np.float64]
 

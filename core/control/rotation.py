@@ -6,16 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation as SpatialRotation
 
-from core.chain import forward
-from core.collision import SpeedPoints
 from core.control.bounds import JointLimits
 from core.control.movers import Mover
 from core.control.resuming import place_on_path, smooth_share
 from core.control.rotation_step import _rotation_step
 from core.errors import OutOfLimits
-from core.robot import RobotModel
+from core.robot.chain import forward
+from core.robot.collision import SpeedPoints
+from core.robot.model import RobotModel
+from core.robot.trajectory import AngularProfile
 from core.sessions.session import RobotState
-from core.trajectory import AngularProfile
 
 Array = NDArray[np.float64]
 

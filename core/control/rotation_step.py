@@ -6,9 +6,9 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.chain import _forward, _jacobian
 from core.control.sns_kernel import _sns_step
 from core.control.speed import _fastest_point
+from core.robot.chain import _forward, _jacobian
 
 Array = NDArray[np.float64]
 

@@ -12,10 +12,10 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.chain import Chain, _jacobian
 from core.control.bounds import JointLimits, _velocity_bounds
 from core.control.largest_scale import _largest_scale
 from core.control.sns import RANK_TOLERANCE, TOLERANCE, JointVelocities
+from core.robot.chain import Chain, _jacobian
 
 Array = NDArray[np.float64]
 

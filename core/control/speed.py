@@ -8,8 +8,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.chain import Chain, joint_frames
-from core.collision import SpeedPoints
+from core.robot.chain import Chain, joint_frames
+from core.robot.collision import SpeedPoints
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from core.effects.filters import play
 from core.effects.rigid_body import cross
 from core.effects.scene import Scene
 from core.effects.window_search import weights
-from core.inertia import regressor
+from core.payload.inertia import regressor
 
 Array = NDArray[np.float64]
 

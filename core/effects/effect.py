@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from core.effects.scene import Scene
 from core.effects.sides import Side
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.remark import Remark
 
 Array = NDArray[np.float64]

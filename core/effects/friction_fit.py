@@ -10,8 +10,8 @@ import pinocchio as pin
 from numpy.typing import NDArray
 from scipy.signal import savgol_filter
 
-from core.recording import Recording
-from core.robot import RobotModel
+from core.recording.recording import Recording
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from scipy.ndimage import median_filter
 from scipy.special import gammaincc
 from scipy.stats import norm
 
-from core.recording import Recording
+from core.recording.recording import Recording
 
 Array = NDArray[np.float64]
 

@@ -12,7 +12,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from core.effects.scene import Scene
-from core.inertia import Motion
+from core.payload.inertia import Motion
 
 Array = NDArray[np.float64]
 

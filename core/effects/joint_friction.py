@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.friction_fit import Fit, Run, fit_joint, noise_of, sigma_of, tracking_error
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.remark import Remark
 
 Array = NDArray[np.float64]

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.effects.window_search import best_windows, onset_parameter_scale, ramp
-from core.inertia import regressor, six_of
-from core.rigid_wrench import wrench as rigid_wrench
+from core.payload.inertia import regressor, six_of
+from core.payload.rigid_wrench import wrench as rigid_wrench
 
 Array = NDArray[np.float64]
 

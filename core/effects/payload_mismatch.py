@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 from scipy.stats import chi2
 
 from core.effects.effect import Finding, Parameter, Symptom, View
-from core.inertia import PHI_NAMES, PHI_UNITS
-from core.recording import Recording
+from core.payload.inertia import PHI_NAMES, PHI_UNITS
+from core.recording.recording import Recording
 from core.remark import Remark
 
 Array = NDArray[np.float64]

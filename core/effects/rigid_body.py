@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.scene import Scene
-from core.inertia import Motion
-from core.rigid_wrench import wrench as rigid_wrench
+from core.payload.inertia import Motion
+from core.payload.rigid_wrench import wrench as rigid_wrench
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Finding, Parameter, Symptom, View
-from core.recording import PAUSE_S, Recording
+from core.recording.recording import PAUSE_S, Recording
 from core.remark import Remark
 
 Array = NDArray[np.float64]

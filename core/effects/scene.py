@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.memory import Memory, Past
-from core.inertia import Motion, spatial_inertia
-from core.rigid_wrench import wrench
+from core.payload.inertia import Motion, spatial_inertia
+from core.payload.rigid_wrench import wrench
 
 Array = NDArray[np.float64]
 

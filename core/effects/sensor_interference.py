@@ -7,7 +7,7 @@ import numpy as np
 from core.effects.channels import CHANNELS, SUFFIXES, UNITS, in_words, six
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.hold_noise import hold_noise, line_in, rate, steady
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.remark import Remark
 
 SOURCES_HZ = (50.0, 60.0, 100.0, 120.0, 150.0, 180.0, 300.0)

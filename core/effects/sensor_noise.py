@@ -11,7 +11,7 @@ from core.effects.hold_noise import hold_noise, line_in, rate, steady, without_l
 from core.effects.sample_dropout import held_share
 from core.effects.sensor_interference import SIGNIFICANT
 from core.effects.sensor_quantization import step_of
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.remark import Remark
 
 Array = NDArray[np.float64]

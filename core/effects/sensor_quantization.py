@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from core.effects.channels import CHANNELS, SUFFIXES, UNITS, six
 from core.effects.effect import Finding, Parameter, Symptom, View
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.remark import Remark
 
 Array = NDArray[np.float64]

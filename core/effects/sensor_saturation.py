@@ -9,7 +9,7 @@ from core.effects.channels import CHANNELS, SUFFIXES, UNITS, six
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.effects.window_search import ROWS, weights
-from core.inertia import regressor
+from core.payload.inertia import regressor
 
 Array = NDArray[np.float64]
 

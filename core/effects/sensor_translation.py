@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from core.effects.effect import Effect, Parameter
 from core.effects.rigid_body import cross, wrench_change
 from core.effects.scene import Scene
-from core.inertia import Motion
+from core.payload.inertia import Motion
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from core.effects.oscillator import oscillate, spectral_peaks
 from core.effects.rigid_body import cross
 from core.effects.scene import Scene
 from core.effects.window_search import weights
-from core.inertia import regressor, spatial_inertia
+from core.payload.inertia import regressor, spatial_inertia
 
 Array = NDArray[np.float64]
 

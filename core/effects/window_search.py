@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.scene import Scene
-from core.inertia import regressor
+from core.payload.inertia import regressor
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from core.inertia import is_consistent, phi_of_pseudo_inertia, pseudo_inertia
+from core.payload.inertia import is_consistent, phi_of_pseudo_inertia, pseudo_inertia
 
 Array = NDArray[np.float64]
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.inertia import PHI_NAMES, Motion
-from core.plan_settings import Scope
+from core.payload.inertia import PHI_NAMES, Motion
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -33,13 +32,20 @@ def determined(phi: Array, std: Array) -> Bools:
     return np.asarray(enough & mass_known)
 
 
+def not_excited(turned: str) -> dict[str, str]:
+    """Name of each inertial parameter that no rotation about these sensor axes (`xy` for example) shows -> why."""
+    pairs = [(a, b) for a in "xyz" for b in "xyz" if a <= b]
+    left_out = [(a, b) for a, b in pairs if a not in turned and b not in turned]
+    return {f"I{a}{b}": f"no rotation about {a}" if a == b else f"no rotation about {a} or {b}" for a, b in left_out}
+
+
 def reasons(phi: Array, std: Array, known: Bools, *, static: bool, motion: Motion | None, turned: str | None = None) -> dict[str, str]:
     """Name of each undetermined parameter -> why.
 
     Args:
         turned: sensor axes that were turned about, `xy` for example; None where nobody has said what was done when.
     """
-    missing = {} if static or turned is None else Scope(turned).not_excited
+    missing = {} if static or turned is None else not_excited(turned)
     return {
         name: (f"{missing[name]}; " if name in missing else "")
         + _reason(k, float(std[k]), float(scales(phi)[k]), static=static, motion=motion)

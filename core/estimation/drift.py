@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from core.recording import PAUSE_S
+from core.recording.recording import PAUSE_S
 
 Array = NDArray[np.float64]
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.estimation.segments import Segment
-from core.inertia import InertialParameters, Motion
+from core.payload.inertia import InertialParameters, Motion
+from core.payload.uncertain_parameters import UncertainParameters
 from core.remark import Remark
-from core.uncertain_parameters import UncertainParameters
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]

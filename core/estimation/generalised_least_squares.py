@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from core.estimation.drift import STEP_STD, drift_basis, improved_variance, parts_of, steps_between
 from core.estimation.noise import SensorNoise
 from core.estimation.weak_form import WeakForm, whiten
-from core.inertia import spatial_inertia
+from core.payload.inertia import spatial_inertia
 
 Array = NDArray[np.float64]
 

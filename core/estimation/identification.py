@@ -19,10 +19,10 @@ from core.estimation.twin_effects import TwinEffects, effects_on, fit_with_effec
 from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
 from core.estimation.verification import LeaveOneOut
 from core.estimation.weak_form import WeakForm
-from core.inertia import Motion, is_consistent, regressor
-from core.recording import Recording
+from core.payload.inertia import Motion, is_consistent, regressor
+from core.recording.recording import Recording
 from core.remark import Remark
-from core.twin import NOMINAL, Twin
+from core.twin.twin import NOMINAL, Twin
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]

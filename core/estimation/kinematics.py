@@ -17,9 +17,9 @@ from scipy.linalg import solve_discrete_are
 from scipy.ndimage import convolve1d
 from scipy.signal import savgol_coeffs
 
-from core.inertia import Motion
-from core.recording import Recording
-from core.robot import RobotModel
+from core.payload.inertia import Motion
+from core.recording.recording import Recording
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

@@ -10,8 +10,8 @@ from core.estimation.kinematics import KinematicFilter
 from core.estimation.offset import OpposedPoses
 from core.estimation.regression import RecursiveRegression, Thresholds
 from core.estimation.still_poses import StillPoses
-from core.inertia import Motion
-from core.robot import RobotModel
+from core.payload.inertia import Motion
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from core.estimation.segments import ALONG_AXIS
 from core.estimation.uncertainty import gain, inertia_uncertainty, one_sigma, propagated
-from core.inertia import Motion, skew
+from core.payload.inertia import Motion, skew
 
 Array = NDArray[np.float64]
 

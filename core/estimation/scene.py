@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.dynamics import LinkDynamics, has_masses
 from core.effects.scene import Scene
 from core.estimation.kinematics import Poses, local_derivative
 from core.estimation.segments import Segment
-from core.inertia import Motion
-from core.recording import Recording
-from core.robot import RobotModel
+from core.payload.inertia import Motion
+from core.recording.recording import Recording
+from core.robot.dynamics import LinkDynamics, has_masses
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.inertia import Motion, regressor
+from core.payload.inertia import Motion, regressor
 
 Array = NDArray[np.float64]
 

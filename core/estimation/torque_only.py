@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from core.estimation.estimate import Identification, PaperEstimate, TimeSeries
 from core.estimation.kinematics import Poses, smooth_motion
 from core.estimation.segments import segments_of_motion, segments_of_phase
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.remark import Remark
 
 Array = NDArray[np.float64]

@@ -17,9 +17,9 @@ from core.estimation.noise import SensorNoise
 from core.estimation.scene import scene_of
 from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import WeakForm
-from core.inertia import Motion
-from core.recording import Recording
-from core.twin import Twin
+from core.payload.inertia import Motion
+from core.recording.recording import Recording
+from core.twin.twin import Twin
 
 Array = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from core.estimation.kinematics import Poses
 from core.estimation.noise import SensorNoise
 from core.estimation.segments import Segment
 from core.estimation.weak_form import WeakForm
-from core.inertia import spatial_inertia
+from core.payload.inertia import spatial_inertia
 
 Array = NDArray[np.float64]
 

@@ -22,7 +22,7 @@ from scipy.linalg.lapack import dtbtrs
 from scipy.sparse import csr_array, diags_array
 
 from core.estimation.kinematics import Poses, axial, rotation_of
-from core.inertia import inertia_columns, skew, symmetric
+from core.payload.inertia import inertia_columns, skew, symmetric
 
 Array = NDArray[np.float64]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from core.export.principal_axes import principal_axes, quaternion
 from core.export.target import MM, Target, digits
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 
 
 class Abb(Target):

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import BadInput, BadPayload
+from core.estimation.result import Result
 from core.export.abb import Abb
 from core.export.flexiv import Flexiv
 from core.export.franka import Franka
@@ -17,8 +18,7 @@ from core.export.target import Target
 from core.export.universal_robots import UniversalRobots
 from core.export.urdf import Urdf
 from core.export.xarm import XArm
-from core.result import Result
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 
 TARGETS: tuple[Target, ...] = (
     UniversalRobots(), KukaKrl(), KukaSunrise(), Abb(), Franka(), Flexiv(), XArm(), OpcUa(), MuJoCo(), Urdf(),

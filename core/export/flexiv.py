@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 from core.export.target import Target
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 
 ORDER = [0, 3, 5, 1, 2, 4]
 """Ixx Iyy Izz Ixy Ixz Iyz."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 
 from core.export.target import Target
-from core.inertia import symmetric
-from core.uncertain_parameters import UncertainParameters
+from core.payload.inertia import symmetric
+from core.payload.uncertain_parameters import UncertainParameters
 
 
 class Franka(Target):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from core.export.target import Target, digits
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 
 ORDER = [0, 3, 5, 1, 2, 4]
 """11 22 33 12 13 23."""

@@ -7,7 +7,7 @@ from typing import Any
 
 from core.export.principal_axes import principal_axes, zyx_degrees
 from core.export.target import MM, Target
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 
 UNITS = {"kg": "KGM", "mm": "MMT", "deg": "DD", "kg m2": "B32"}
 """UNECE common codes."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.inertia import symmetric
+from core.payload.inertia import symmetric
 
 Array = NDArray[np.float64]
 

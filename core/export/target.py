@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.errors import BadPayload
-from core.inertia import PHI_NAMES, PHI_UNITS
-from core.uncertain_parameters import UncertainParameters
+from core.payload.inertia import PHI_NAMES, PHI_UNITS
+from core.payload.uncertain_parameters import UncertainParameters
 
 Array = NDArray[np.float64]
 
@@ -26,7 +26,7 @@ class Lack:
     """A number that a target has no place for.
 
     Args:
-        name: as in `core.inertia.PHI_NAMES`; inertia about the centre of mass.
+        name: as in `core.payload.inertia.PHI_NAMES`; inertia about the centre of mass.
         value, std: what is lost, with its standard uncertainty, in `unit`.
     """
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from core.errors import BadPayload
 from core.export.target import INERTIA_NAMES, Target, digits
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 
 LARGEST_KG_M2 = 133.0
 ORDER = [0, 3, 5, 1, 2, 4]

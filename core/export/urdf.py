@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from core.export.target import INERTIA_NAMES, Target, digits
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 
 
 class Urdf(Target):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from core.export.target import INERTIA_NAMES, MM, Lack, Target, digits, inertia_lacks
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 
 
 class XArm(Target):

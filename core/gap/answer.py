@@ -7,7 +7,7 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict
 
 from core.effects.sides import Side
-from core.gap.experiment import Stop
+from core.planning.stop import Stop
 from core.remark import Remark
 
 Verdict = Literal["no_gap", "explained", "ambiguous", "unknown", "not_enough"]

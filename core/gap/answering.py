@@ -14,7 +14,7 @@ from core.gap.proposal import Proposal
 from core.gap.residual import CHANNELS, Residual
 from core.gap.symptoms import leading, observed
 from core.gap.windows import OFFSET
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.remark import Remark
 
 UNKNOWN_CONSEQUENCE = "What it does to the payload cannot be told as long as its cause is not known: use these numbers with care."

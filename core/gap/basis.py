@@ -14,8 +14,8 @@ from core.estimation.scene import scene_of
 from core.estimation.segments import Segment, motionless, parted, segments_of_motion, segments_of_phase, stretches
 from core.estimation.weak_form import RawFeatures, regressor_of
 from core.gap.windows import Basis, window_matrix
-from core.inertia import Motion
-from core.recording import Recording
+from core.payload.inertia import Motion
+from core.recording.recording import Recording
 from core.remark import Remark
 
 Array = NDArray[np.float64]

@@ -15,8 +15,8 @@ from core.gap.evidence import Evidence, gather
 from core.gap.fit_all import FitAll, on_all_cores
 from core.gap.proposal import proposals
 from core.gap.windows import Windows
-from core.recording import Recording
-from core.twin import NOMINAL, Twin
+from core.recording.recording import Recording
+from core.twin.twin import NOMINAL, Twin
 
 
 def diagnose(recording: Recording, effects: Sequence[Effect] | None = None, twin: Twin = NOMINAL) -> Diagnosis:

@@ -7,8 +7,8 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from core.gap.answer import JointGap
-from core.recording import Recording
-from core.robot import RobotModel
+from core.recording.recording import Recording
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

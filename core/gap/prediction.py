@@ -20,8 +20,8 @@ from core.gap.effect_fit import EffectFit
 from core.gap.problem import STEP, Problem
 from core.gap.quadratic import bounded_minimum, inverse
 from core.gap.windows import BACKGROUND, OFFSET, Windows
-from core.inertia import Motion
-from core.recording import BETWEEN_RUNS_S, Recording
+from core.payload.inertia import Motion
+from core.recording.recording import BETWEEN_RUNS_S, Recording
 
 Array = NDArray[np.float64]
 

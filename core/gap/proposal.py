@@ -9,11 +9,11 @@ import numpy as np
 
 from core.gap.answer import Experiment
 from core.gap.attribution import INSEPARABLE_SIGMA, Tie
-from core.gap.experiment import Motion, candidates, second_payload
 from core.gap.prediction import Prediction
 from core.gap.rehearsal import rehearsed
 from core.gap.windows import Windows
-from core.recording import Recording
+from core.planning.stop import Motion, candidates, second_payload
+from core.recording.recording import Recording
 
 CLEAR_SIGMA = 6.0
 """Distance from which one name can be given; of motions that reach it the one with most sigmas per second is taken."""

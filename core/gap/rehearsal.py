@@ -14,9 +14,9 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, RotationSpline
 
 from core.estimation.kinematics import Poses, axial
-from core.gap.experiment import HOLD_S, Stop, Swings, Wave, wave_shape
-from core.recording import Recording
-from core.robot import RobotModel
+from core.planning.stop import HOLD_S, Stop, Swings, Wave, wave_shape
+from core.recording.recording import Recording
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from core.gap.problem import Problem
 from core.gap.windows import BLUR, LATE, PHI, Windows
-from core.inertia import spatial_inertia
+from core.payload.inertia import spatial_inertia
 
 Array = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
 from core.gap.materiality import is_doubtful
 from core.gap.windows import Windows
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.remark import Remark
 
 SEEN_SIGMA = 5.0

@@ -25,9 +25,9 @@ from core.estimation.kinematics import Poses
 from core.estimation.noise import SensorNoise
 from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import STEP_S, tilt_axes
-from core.inertia import Motion, spatial_inertia
-from core.recording import PAUSE_S
-from core.rigid_wrench import wrench
+from core.payload.inertia import Motion, spatial_inertia
+from core.payload.rigid_wrench import wrench
+from core.recording.recording import PAUSE_S
 
 Array = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box
+from core.cell.cell import Box
 
 Array = NDArray[np.float64]
 

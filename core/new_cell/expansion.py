@@ -8,10 +8,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+from core.cell.urdf_elements import MAX_BYTES
 from core.errors import BadRobot
-from core.jail import read_inside
+from core.files.jail import read_inside
 from core.new_cell.packages import Packages
-from core.urdf_elements import MAX_BYTES
 
 CHILD = Path(__file__).with_name("xacro_child.py")
 SECONDS = 30.0

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from core.cell.urdf_elements import UrdfJoint
 from core.errors import BadRobot
 from core.new_cell.order import Behind, Order
 from core.new_cell.robot_tree import RobotTree
-from core.urdf_elements import UrdfJoint
 
 SENSOR_LINK = "ft_sensor"
 HAND = re.compile(r"(gripper|finger|hand(?!le)|thumb|jaw|knuckle|claw)", re.IGNORECASE)

@@ -9,11 +9,11 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.bodies import FLOOR, PAYLOAD, Body, floor_body
-from core.cell import Limits
+from core.cell.cell import Limits
 from core.errors import BadRobot
-from core.robot import RobotModel
-from core.watched_pairs import CONTACT_M, FEW_JOINTS
+from core.robot.bodies import FLOOR, PAYLOAD, Body, floor_body
+from core.robot.model import RobotModel
+from core.robot.watched_pairs import CONTACT_M, FEW_JOINTS
 
 Array = NDArray[np.float64]
 Pair = tuple[str, str]

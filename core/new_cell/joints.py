@@ -6,9 +6,9 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
+from core.cell.urdf_elements import UrdfJoint
 from core.new_cell.frames import Frames
 from core.new_cell.robot_tree import RobotTree
-from core.urdf_elements import UrdfJoint
 
 TURN = 2 * np.pi
 DEFAULT_VELOCITY = 1.0  # rad/s

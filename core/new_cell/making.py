@@ -15,9 +15,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from core.bodies import Body, link_bodies, payload_body
-from core.cell import CELL_FILE, Box, Cell, Robot, Sensor, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import CELL_FILE, Box, Cell, Robot, Sensor, load_cell
 from core.errors import BadInput, BadRobot
 from core.new_cell.cell_text import RANGE, CellParts, cell_text
 from core.new_cell.expansion import description_text
@@ -31,9 +29,11 @@ from core.new_cell.packages import Packages
 from core.new_cell.payload_room import EDGE_M, payload_room
 from core.new_cell.picture import draw_home
 from core.new_cell.robot_tree import RobotTree
-from core.recording import RobotDescription
-from core.robot import RobotModel
-from core.watched_pairs import joined_links
+from core.recording.recording import RobotDescription
+from core.robot.bodies import Body, link_bodies, payload_body
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+from core.robot.watched_pairs import joined_links
 
 Array = NDArray[np.float64]
 

@@ -7,13 +7,13 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from core.bodies import Body
-from core.inertia import InertialParameters
+from core.cell.urdf_elements import UrdfLink
+from core.cell.urdf_tree import UrdfTree
 from core.new_cell.frames import Frames
 from core.new_cell.robot_tree import RobotTree
-from core.robot import RobotModel
-from core.urdf_elements import UrdfLink
-from core.urdf_tree import UrdfTree
+from core.payload.inertia import InertialParameters
+from core.robot.bodies import Body
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

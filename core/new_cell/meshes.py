@@ -6,10 +6,10 @@ import re
 import shutil
 from pathlib import Path
 
+from core.cell.urdf import MAX_MESH_BYTES
 from core.errors import BadRobot
 from core.new_cell.packages import Packages
 from core.new_cell.robot_tree import RobotTree
-from core.urdf import MAX_MESH_BYTES
 
 FOLDER = "meshes"
 SUFFIXES = (".stl", ".dae", ".obj", ".ply")

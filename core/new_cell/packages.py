@@ -13,7 +13,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from core.errors import BadRobot
-from core.jail import find_inside
+from core.files.jail import find_inside
 
 PACKAGE = re.compile(r"[A-Za-z0-9_.-]{1,128}", re.ASCII)
 SCHEMES = ("package://", "model://")

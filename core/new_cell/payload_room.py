@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.bodies import Body
-from core.cell import Box, Pose
-from core.robot import RobotModel
+from core.cell.cell import Box, Pose
+from core.robot.bodies import Body
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

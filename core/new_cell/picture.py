@@ -14,9 +14,9 @@ from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from numpy.typing import NDArray
 
-from core.bodies import PAYLOAD, Body
 from core.report.faces import body_faces, joint_poses, placed
-from core.robot import RobotModel
+from core.robot.bodies import PAYLOAD, Body
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

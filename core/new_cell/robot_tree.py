@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.cell.urdf import Urdf, check_urdf
+from core.cell.urdf_elements import UrdfJoint, parse
 from core.errors import BadRobot
-from core.urdf import Urdf, check_urdf
-from core.urdf_elements import UrdfJoint, parse
 
 Array = NDArray[np.float64]
 

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell
 from core.planning.grid import Postures
-from core.planning.inverse_kinematics import solve_poses
 from core.planning.link_room import LinkRoom
-from core.planning.point_speed import point_speeds
 from core.planning.timing import MotionLimits
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.inverse_kinematics import solve_poses
+from core.robot.model import RobotModel
+from core.robot.point_speed import point_speeds
 
 Array = NDArray[np.float64]
 

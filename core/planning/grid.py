@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
-from core.chain import forward_many
-from core.robot import RobotModel
+from core.robot.chain import forward_many
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

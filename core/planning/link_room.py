@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.collision import CollisionModel
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

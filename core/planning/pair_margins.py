@@ -9,9 +9,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.bodies import Body
-from core.collision import CollisionModel
-from core.robot import RobotModel
+from core.robot.bodies import Body
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

@@ -13,18 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 from ompl import base, geometric, util
 
-from core.cell import Cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell
 from core.errors import NoPath
-from core.plan_settings import Planner
 from core.planning.certificate import LeastMargin, least_margin
 from core.planning.effort import PATH_ITERATIONS
 from core.planning.pair_margins import PairMargins
 from core.planning.room import Room
+from core.planning.settings import Planner
 from core.planning.shortcut import shortened
 from core.planning.throw import ThrowCheck
 from core.planning.timing import MotionLimits, least_seconds
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

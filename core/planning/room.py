@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.collision import CollisionModel
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
 from core.planning.throw import ThrowCheck
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

@@ -13,14 +13,14 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.cell import Cell
-from core.chain import Chain, joint_frames
-from core.collision import CollisionModel
-from core.planning.inverse_kinematics import _damped_step, _fill_jacobian, _pose_error
-from core.planning.point_speed import point_speeds
+from core.cell.cell import Cell
 from core.planning.timing import MotionLimits
-from core.robot import RobotModel
-from core.trajectory import AngularProfile
+from core.robot.chain import Chain, joint_frames
+from core.robot.collision import CollisionModel
+from core.robot.inverse_kinematics import _damped_step, _fill_jacobian, _pose_error
+from core.robot.model import RobotModel
+from core.robot.point_speed import point_speeds
+from core.robot.trajectory import AngularProfile
 
 Array = NDArray[np.float64]
 

@@ -14,20 +14,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell
 from core.errors import NoStartConfiguration, TooHeavy
-from core.joint_torques import HOLDING_SHARE, JointTorques
 from core.planning.candidates import Candidates, CandidateSearch, Weights
 from core.planning.certificate import is_clear
 from core.planning.effort import GRID_ROUNDS
 from core.planning.grid import draw_postures, first_grid, second_grid
+from core.planning.joint_torques import HOLDING_SHARE, JointTorques
 from core.planning.pair_margins import PairMargins
 from core.planning.rotation_room import Obstruction, RotationCheck, Turn
 from core.planning.throw import Throw, ThrowCheck, loads_of
-from core.robot import RobotModel
-from core.trajectory import AngularProfile
-from core.watched_pairs import ROOM_M
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+from core.robot.trajectory import AngularProfile
+from core.robot.watched_pairs import ROOM_M
 
 Array = NDArray[np.float64]
 

@@ -14,9 +14,9 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from core.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
-from core.robot import SensorPose
-from core.trajectory import AngularProfile
+from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
+from core.robot.model import SensorPose
+from core.robot.trajectory import AngularProfile
 
 Array = NDArray[np.float64]
 

@@ -13,15 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
-from core.bodies import SpeedPoints
-from core.cell import Cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell
 from core.errors import NoPath
 from core.planning.blending import rounded
 from core.planning.phase_plane import fastest_profile
-from core.planning.point_speed import point_positions, point_speeds
-from core.robot import RobotModel
-from core.trajectory import JointTrajectory
+from core.robot.bodies import SpeedPoints
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+from core.robot.point_speed import point_positions, point_speeds
+from core.robot.trajectory import JointTrajectory
 
 Array = NDArray[np.float64]
 

@@ -11,19 +11,19 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
-from core.cell import Cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell
 from core.errors import NoPath
-from core.plan_settings import Planner
 from core.planning.blending import rounded
 from core.planning.certificate import least_margin
 from core.planning.effort import PATH_ITERATIONS
 from core.planning.path import SPARE_M, check_drop, nearest_names, plan_path
 from core.planning.room import Room
+from core.planning.settings import Planner
 from core.planning.throw import ThrowCheck
 from core.planning.timing import MotionLimits, time_curve
-from core.robot import RobotModel
-from core.trajectory import JointTrajectory
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+from core.robot.trajectory import JointTrajectory
 
 Array = NDArray[np.float64]
 

@@ -7,8 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell
 from core.errors import NoPath
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
@@ -16,9 +15,10 @@ from core.planning.rotation_room import SHARE
 from core.planning.start_configuration import LIMIT_MARGIN_RAD
 from core.planning.throw import ThrowCheck
 from core.planning.timing import MotionLimits, limit_usage
-from core.robot import RobotModel
-from core.trajectory import JointTrajectory
-from core.watched_pairs import ROOM_M
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+from core.robot.trajectory import JointTrajectory
+from core.robot.watched_pairs import ROOM_M
 
 Array = NDArray[np.float64]
 

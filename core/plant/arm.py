@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
+from core.cell.cell import Cell
+from core.cell.urdf import Hinge, check_urdf
+from core.cell.urdf_tree import UrdfTree, axis_of, end_of, origin_of
 from core.errors import BadPayload, BadRobot
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.principal import principal_inertia
-from core.urdf import Hinge, check_urdf
-from core.urdf_tree import UrdfTree, axis_of, end_of, origin_of
 
 Array = NDArray[np.float64]
 

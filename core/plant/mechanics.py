@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.arm import Arm
 from core.plant.principal import principal_inertia
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.errors import BadPayload
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Sensor
+from core.cell.cell import Sensor
 from core.plant.faults.fault import Channel
 from core.plant.imperfections import Drift
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from core.cell import Cell
-from core.cell_tools import felt_with
-from core.inertia import InertialParameters
+from core.cell.cell import Cell
+from core.cell.tools import felt_with
+from core.payload.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.controller import JointController
 from core.plant.faults.fault import Fault, Setting

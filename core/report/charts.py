@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from core.estimation.segments import Segment
 from core.gap.limits import GAP
-from core.inertia import Motion
+from core.payload.inertia import Motion
 
 Array = NDArray[np.float64]
 

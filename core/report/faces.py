@@ -11,9 +11,9 @@ import pinocchio as pin
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
-from core.bodies import LinkShape, collision_shapes, visual_shapes
-from core.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
-from core.robot import RobotModel
+from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
+from core.robot.bodies import LinkShape, collision_shapes, visual_shapes
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 Faces = list[Array]

@@ -8,7 +8,7 @@ from typing import Any
 
 import jinja2
 
-from core.whole_file import write_whole
+from core.files.whole_file import write_whole
 
 
 def write_html(file: Path, template: str, content: Mapping[str, Any]) -> None:

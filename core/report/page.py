@@ -8,16 +8,16 @@ from typing import Any
 import numpy as np
 
 from core.estimation.estimate import Identification
-from core.recording import Recording
+from core.procedure.summary import RunSummary
+from core.recording.recording import Recording
 from core.report.charts import distance_chart, rotation_chart, wrench_chart
 from core.report.faces import arm_parts
 from core.report.html_file import write_html
 from core.report.opinion_rows import opinion_table
 from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
 from core.report.scene import scene
-from core.report.summary import RunSummary
 from core.report.workpiece_rows import workpiece_block
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 
 
 def write_report(file: Path, *, recording: Recording, identification: Identification, run: RunSummary | None = None) -> None:

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.estimation.estimate import Estimate, Identification
-from core.inertia import PHI_NAMES, PHI_UNITS, InertialParameters, symmetric
+from core.payload.inertia import PHI_NAMES, PHI_UNITS, InertialParameters, symmetric
 from core.planning.start_configuration import StartConfiguration
-from core.recording import Recording
+from core.procedure.summary import RunSummary
+from core.recording.recording import Recording
 from core.report.charts import CHANNELS, UNITS
-from core.report.summary import RunSummary
-from core.verification_words import HOLDS_UP_TO, verification_sentence
+from core.report.verification_words import HOLDS_UP_TO, verification_sentence
 
 Array = NDArray[np.float64]
 

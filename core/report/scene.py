@@ -12,11 +12,11 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Cell
-from core.cell_tools import tool_boxes
+from core.cell.cell import Box, Cell
+from core.cell.tools import tool_boxes
 from core.planning.start_configuration import StartConfiguration
 from core.report.faces import Faces, Part, arm_faces, box_faces, placed, shape_faces
-from core.robot import RobotModel, SensorPose
+from core.robot.model import RobotModel, SensorPose
 
 Array = NDArray[np.float64]
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.estimation.estimate import Identification
-from core.inertia import PHI_UNITS
-from core.recording import Recording
+from core.payload.inertia import PHI_UNITS
+from core.recording.recording import Recording
+from core.recording.workpiece import Workpiece, workpiece_alone
 from core.report.rows import INTERVAL, LABELS, error_of, rounded, sentence, two_digits
-from core.workpiece import Workpiece, workpiece_alone
 
 
 @dataclass(frozen=True)

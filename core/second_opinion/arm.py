@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Cell, Pose
+from core.cell.cell import Box, Cell, Pose
 from core.second_opinion.solids import Solid, box, numbers, solids_of_geometries
 
 Array = NDArray[np.float64]

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
+from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
 from core.second_opinion.arm import Frames, frame_of_pose
 from core.second_opinion.least import least_margin
 

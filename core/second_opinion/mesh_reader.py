@@ -9,8 +9,8 @@ import numpy as np
 import trimesh
 from numpy.typing import NDArray
 
-from core.confinement import Arrays, Order, serve
 from core.errors import BadRobot
+from core.files.confinement import Arrays, Order, serve
 
 CONVEX = 0.999
 """Share of its hull's room that a solid fills which counts as convex."""

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Box, Cell
+from core.cell.cell import Box, Cell
 from core.second_opinion.arm import Frames, arm_of_cell
 from core.second_opinion.least import least_margin
 from core.second_opinion.lost_load import nearest_flight

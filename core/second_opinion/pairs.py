@@ -9,7 +9,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell, Obstacle, Zone
+from core.cell.cell import Cell, Obstacle, Zone
 from core.second_opinion.arm import Arm, Body, Frames, frame_of_pose
 from core.second_opinion.solids import PlacedSolid, Solid, box, distance, place, solid_of_shape
 

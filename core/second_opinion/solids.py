@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 from scipy.spatial import ConvexHull, QhullError
 
-from core.cell import Box, Capsule, Cylinder, Shape, Sphere
+from core.cell.cell import Box, Capsule, Cylinder, Shape, Sphere
 from core.second_opinion.surfaces import Surface, read_surfaces, winding_number
 
 Array = NDArray[np.float64]

@@ -12,7 +12,7 @@ import fcl
 import numpy as np
 from numpy.typing import NDArray
 
-from core.confinement import Arrays, KnownFiles
+from core.files.confinement import Arrays, KnownFiles
 from core.second_opinion.mesh_reader import read_surface
 
 Array = NDArray[np.float64]

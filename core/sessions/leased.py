@@ -17,8 +17,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from core.errors import Commanded, ControlLost, Held, HoldExpired, Stopped
-from core.lateness import Cause, Lateness
+from core.errors import Cause, Commanded, ControlLost, Held, HoldExpired, Lateness, Stopped
 from core.sessions.session import RobotSession, RobotState
 
 Array = NDArray[np.float64]

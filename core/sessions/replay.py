@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.errors import BadRecording, BadState
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.sessions.pace import AsFastAsPossible, Pace
 from core.sessions.session import RobotSession, RobotState
 

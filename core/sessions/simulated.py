@@ -9,9 +9,9 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import BadState, OutOfLimits, TooFast
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.braking import braking_positions
 from core.plant.faults.fault import Fault
 from core.plant.imperfections import Imperfections
@@ -20,7 +20,7 @@ from core.plant.virtual_robot import VirtualRobot
 from core.sessions.pace import AsFastAsPossible, Pace
 from core.sessions.session import RobotSession, RobotState
 from core.sessions.twin_wrench import TwinWrench
-from core.twin import NOMINAL, Twin
+from core.twin.twin import NOMINAL, Twin
 
 Array = NDArray[np.float64]
 

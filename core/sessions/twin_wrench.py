@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.effects.scene import Scene
-from core.inertia import Motion
+from core.payload.inertia import Motion
 from core.plant.virtual_robot import Truth
-from core.robot import RobotModel
-from core.twin import Twin, standing
+from core.robot.model import RobotModel
+from core.twin.twin import Twin, standing
 
 Array = NDArray[np.float64]
 

@@ -21,7 +21,7 @@ from core.gap.fit_all import pair_of
 from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
 from core.gap.materiality import is_material
 from core.gap.windows import PHI, Windows
-from core.recording import Recording
+from core.recording.recording import Recording
 
 Array = NDArray[np.float64]
 

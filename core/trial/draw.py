@@ -12,12 +12,12 @@ from typing import Any, TypeVar
 import numpy as np
 from pydantic import BaseModel, ConfigDict
 
-from core.cell import Cell, find_cell, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell, find_cell, load_cell
 from core.events import Event
-from core.plan import Plan, plan_procedure
+from core.planning.plan import Plan, plan_procedure
 from core.plant.faults import FAULTS, Background, Fault, Setting, variants
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 
 Answer = TypeVar("Answer")
 

@@ -8,9 +8,9 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from core.errors import BadInput
+from core.files.whole_file import write_whole
 from core.trial.draw import Drawn
 from core.trial.outcome import Outcome
-from core.whole_file import write_whole
 
 OUTCOMES = "trials.jsonl"
 SEALS = "seals.txt"

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from core.cell import Cell, Friction
+from core.cell.cell import Cell, Friction
 from core.errors import Stopped
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
-from core.motion_sequence import Procedure
+from core.planning.sequence import Procedure
 from core.plant.faults import Fault, Setting
 from core.plant.mechanics import Drives
-from core.procedure import Run
-from core.recording import Recording
-from core.recording_folder import write_recording
-from core.sample_log import SampleLog
+from core.procedure.identify import Run
+from core.recording.folder import write_recording
+from core.recording.recording import Recording
+from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 from core.trial.bound import Bound, bound_of

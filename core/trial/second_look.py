@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from core.errors import Refused, Stopped
-from core.experiment.choice import choose_experiment
-from core.experiment.run import measure_more
 from core.gap.answer import Diagnosis
+from core.gap.choice import choose_experiment
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
 from core.plant.mechanics import Drives
-from core.recording import Recording
+from core.procedure.experiment import measure_more
+from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
 from core.trial.draw import Drawn, returned
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from core.files.whole_file import write_whole
 from core.trial import charts
 from core.trial.figures import (
     Share,
@@ -26,7 +27,6 @@ from core.trial.figures import (
 )
 from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, counts, material, named, named_first, right
 from core.trial.outcome import Outcome
-from core.whole_file import write_whole
 
 KINDS = ("none", "single", "double", "unknown")
 LEAST = 0.01

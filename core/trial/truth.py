@@ -14,9 +14,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.effects.channels import CHANNELS, SUFFIXES
-from core.inertia import PHI_NAMES, PHI_UNITS, InertialParameters
+from core.payload.inertia import PHI_NAMES, PHI_UNITS, InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.faults import Fault, Setting
 from core.plant.links import Links

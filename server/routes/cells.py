@@ -11,9 +11,9 @@ from fastapi import APIRouter, Depends, Request, Response
 from fastapi import Path as InPath
 from sqlalchemy.orm import Session
 
-from core.cell import Cell, CellRead
+from core.cell.cell import Cell, CellRead
 from core.errors import BadInput, BadTwin, HeftError
-from core.shapes import Pose
+from core.payload.shapes import Pose
 from server import audit, zones
 from server.cell_archive import UPLOAD
 from server.cell_folder import CellFolder

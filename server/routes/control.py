@@ -10,7 +10,7 @@ from pydantic import Field, ValidationError
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.websockets import WebSocketDisconnect
 
-from core.cell import Control as CellControl
+from core.cell.cell import Control as CellControl
 from core.errors import HeftError
 from core.sessions.leased import Renewal
 from server import audit

@@ -6,11 +6,11 @@ from typing import Annotated
 
 from fastapi import APIRouter, Path, Response
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import BadPayload
 from core.export.exports import TARGETS, frame_of, payload_of, target_of
 from core.export.target import Target
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 from server import downloads, run_ledger
 from server.dependencies import Here
 from server.schemas import Answer

@@ -7,9 +7,9 @@ from typing import Literal
 import numpy as np
 from fastapi import APIRouter
 
-from core.cell import Cell
-from core.comparison import Comparison, compared
+from core.cell.cell import Cell
 from core.export.exports import payload_of
+from core.payload.comparison import Comparison, compared
 from server import audit, run_ledger
 from server.dependencies import Asking, Here, Now
 from server.errors import Conflict, StoreUnavailable

@@ -9,7 +9,7 @@ from fastapi import APIRouter, Query, Response
 from sqlalchemy import select
 from starlette.status import HTTP_202_ACCEPTED
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import BadPayload
 from server import audit, run_ledger
 from server.dependencies import Asking, Here, Now

@@ -12,11 +12,11 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 from starlette.status import HTTP_202_ACCEPTED
 
-from core.cell import TWIN_FILE, Cell
+from core.cell.cell import TWIN_FILE, Cell
 from core.errors import BadTwin
+from core.files.jail import read_inside
+from core.files.schema_flaw import schema_flaw
 from core.gap.answer import Diagnosis
-from core.jail import read_inside
-from core.schema_flaw import schema_flaw
 from server import audit, jobs
 from server.dependencies import Asking, Cells, Here, Now, Stored
 from server.errors import Conflict, NotFound, Unprocessable

@@ -9,7 +9,7 @@ from fastapi import APIRouter
 from fastapi import Path as InPath
 from sqlalchemy.orm import Session
 
-from core.shapes import Pose
+from core.payload.shapes import Pose
 from server import audit, zones
 from server.cell_now import read_now
 from server.dependencies import Asking, Here, Now

@@ -14,20 +14,20 @@ from numpy.typing import NDArray
 
 from core.errors import Commanded, HeftError, Stopped
 from core.events import Event, Finished, RecordingWritten, RobotStopped
-from core.experiment.stops import Stops
-from core.joint_torques import known_load
-from core.motion_sequence import MotionSequence, Procedure
-from core.outcome import Outcome
-from core.plan import Plan
-from core.procedure import carried_out
-from core.recording import Recording, check_same_robot
-from core.recording_folder import read_recording
+from core.files.whole_file import write_whole
+from core.planning.joint_torques import known_load
+from core.planning.plan import Plan
+from core.planning.sequence import MotionSequence, Procedure
+from core.planning.stops import Stops
+from core.procedure.identify import carried_out
+from core.procedure.outcome import Outcome
+from core.recording.folder import read_recording
+from core.recording.recording import Recording, check_same_robot
 from core.report.page import write_report
 from core.sessions.leased import Lease, LeasedSession
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
-from core.twin_file import read_twin
-from core.whole_file import write_whole
+from core.twin.file import read_twin
 from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnded, Order, Paced, Ready, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused

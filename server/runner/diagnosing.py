@@ -8,21 +8,21 @@ from pathlib import Path
 
 from rich.console import Console
 
-from core.cell import Cell
-from core.diagnosis_overlay import overlay_of
+from core.cell.cell import Cell
+from core.cli.experiments import plan_next
 from core.errors import HeftError
-from core.experiment.command import plan_next
+from core.files.whole_file import write_whole
 from core.gap.diagnosis import examine
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import FitAll, Task, one_by_one
+from core.gap.twin_addition import addable_to
 from core.gap.windows import Windows
-from core.recording_folder import read_recording
+from core.recording.folder import read_recording
+from core.recording.stated_friction import knowing_friction
 from core.report.diagnosis_page import write_diagnosis
-from core.stated_friction import knowing_friction
-from core.twin import NOMINAL
-from core.twin_addition import addable_to
-from core.twin_file import read_twin
-from core.whole_file import write_whole
+from core.report.overlay import overlay_of
+from core.twin.file import read_twin
+from core.twin.twin import NOMINAL
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.shown_overlay import shown_overlay
 from server.runner.work import give_way

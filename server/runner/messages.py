@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from core.cell import Box, Cell, Pose
+from core.cell.cell import Box, Cell, Pose
+from core.errors import Lateness
+from core.estimation.result import Result
 from core.events import Event
-from core.gap.experiment import Stop
-from core.lateness import Lateness
-from core.plan_settings import WHOLE, Planner, Scope, Timing
-from core.result import Result
+from core.planning.settings import WHOLE, Planner, Scope, Timing
+from core.planning.stop import Stop
 from core.sessions.leased import Renewal
 from server.event_schemas import LiveBatch
 from server.plan_schemas import RunPlan

@@ -7,12 +7,12 @@ from collections.abc import Generator
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 
-from core.collision import CollisionModel
 from core.errors import HeftError, Refused
 from core.events import Event
-from core.motion_sequence import MotionSequence, PlanRequest
-from core.plan import Plan
-from core.robot import RobotModel
+from core.planning.plan import Plan
+from core.planning.sequence import MotionSequence, PlanRequest
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from server.runner.messages import Failed
 from server.runner.priority import Priority, take
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import HeftError
-from core.recording_folder import read_recording
-from core.robot import RobotModel
-from core.sample_log import SampleLog
+from core.recording.folder import read_recording
+from core.robot.model import RobotModel
+from core.sessions.sample_log import SampleLog
 from server.runner.messages import Failed, Recovered
 from server.runner.run_folder import RECORDING, locked
 from server.runner.sample_stream import recover

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from hashlib import sha256
 
-from core.cell import Box, Cell
+from core.cell.cell import Box, Cell
 
 
 def release_sha256(digest: str, cell: Cell, payload_box: Box) -> str:

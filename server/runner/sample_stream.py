@@ -12,8 +12,8 @@ from typing import Any, BinaryIO, Self, cast
 import numpy as np
 import pyarrow as pa
 
-from core.recording_folder import write_recording
-from core.sample_log import SampleLog
+from core.recording.folder import write_recording
+from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotState
 from server.runner.run_folder import SAMPLES
 

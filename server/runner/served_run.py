@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.errors import Commanded
+from core.estimation.result import numbers
 from core.events import Event, Progress
-from core.plan import Plan
-from core.procedure import Run
-from core.result import numbers
-from core.rigid_wrench import wrench
-from core.sample_log import SampleLog
+from core.payload.rigid_wrench import wrench
+from core.planning.plan import Plan
+from core.procedure.identify import Run
 from core.sessions.leased import LeasedSession
+from core.sessions.sample_log import SampleLog
 from server.event_schemas import LiveBatch, NearestPart, WaitingForZone
 from server.runner.messages import FromChild, Order, Sampled
 from server.runner.pipe import Listener, Speaker

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from core.cell import Box, Cell
-from core.plan import Leg, Plan
+from core.cell.cell import Box, Cell
+from core.planning.plan import Leg, Plan
 from core.planning.throw import Throw
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 from server.plan_schemas import ThrowPart
 
 Array = NDArray[np.float64]

@@ -6,10 +6,10 @@ from contextlib import suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import HeftError
-from core.twin_addition import with_effect
-from core.twin_file import checked_text, read_twin
+from core.gap.twin_addition import with_effect
+from core.twin.file import checked_text, read_twin
 from server.runner.diagnosing import told_as_it_goes
 from server.runner.messages import Answered, Failed
 from server.runner.work import give_way

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from multiprocessing.connection import Connection
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import HeftError
-from core.twin_file import checked_text, read_twin
+from core.twin.file import checked_text, read_twin
 from server.runner.messages import Answered, Failed
 from server.runner.work import give_way
 

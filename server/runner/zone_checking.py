@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 from multiprocessing.connection import Connection
 
-from core.cell import Cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell
 from core.errors import BadInput, HeftError
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from server.runner.messages import Answered, Failed
 from server.runner.work import give_way
 

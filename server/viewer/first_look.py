@@ -7,9 +7,9 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.report.faces import Faces, arm_faces, shape_faces
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

@@ -6,9 +6,9 @@ import asyncio
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import HeftError
-from core.shapes import Pose
+from core.payload.shapes import Pose
 from server import run_ledger
 from server.conductor import Conductor
 from server.viewer.process import InTheWay, Moved, Planned, ViewerProcess, Zones

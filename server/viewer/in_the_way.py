@@ -6,7 +6,7 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
-from core.cell import Cell, Obstacle, Zone
+from core.cell.cell import Cell, Obstacle, Zone
 from core.report.faces import Faces, shape_faces
 from server.viewer.scene import INK, Colour, add_body
 

@@ -10,7 +10,7 @@ from multiprocessing.connection import Connection
 
 import numpy as np
 
-from core.cell import Box, Cell
+from core.cell.cell import Box, Cell
 from server.event_schemas import LiveBatch
 from server.plan_schemas import RunPlan
 from server.runner.context import CONTEXT

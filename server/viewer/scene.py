@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from viser import _messages as messages
 
-from core.cell import Box, Cell
-from core.cell_tools import tool_boxes
+from core.cell.cell import Box, Cell
+from core.cell.tools import tool_boxes
 from core.report.faces import Faces, arm_parts, joint_poses, shape_faces
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 from server.event_schemas import NearestPart
 from server.plan_schemas import RunPlan, ThrowPart
 from server.viewer.first_look import first_look

@@ -17,7 +17,7 @@ import pytest
 from hypothesis import settings
 from scipy.spatial.transform import Rotation
 
-from core.cell import Box, Cell, load_cell
+from core.cell.cell import Box, Cell, load_cell
 from tests.convex_distance import Convex
 from tests.convex_distance import box as box_of_size
 from tests.convex_distance import distance as certified_distance

@@ -7,10 +7,10 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from core.cell import Cell, load_cell
-from core.recording_folder import write_recording
-from core.robot import RobotModel
-from core.sample_log import SampleLog
+from core.cell.cell import Cell, load_cell
+from core.recording.folder import write_recording
+from core.robot.model import RobotModel
+from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
 from server import jobs
 from server.job_kinds import DIAGNOSIS, DiagnosisOrder

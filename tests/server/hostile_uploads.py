@@ -9,7 +9,7 @@ import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
-from tests.core.mesh_bytes import BAD
+from tests.core.robot.mesh_bytes import BAD
 
 CELL = Path(__file__).parents[2] / "cells" / "lwr4_bench"
 Files = dict[str, bytes]

@@ -11,9 +11,9 @@ import pytest
 from fastapi.testclient import TestClient
 from sqlalchemy.exc import OperationalError
 
+from core.errors import Cause
 from core.events import PhaseStarted, RobotStopped, StepFinished
-from core.lateness import Cause
-from core.plan_summary import PlanSummary
+from core.planning.summary import PlanSummary
 from core.sessions.leased import LEASE_S, Renewal
 from server import run_journal, run_ledger
 from server.control_lease import next_fence

@@ -11,7 +11,7 @@ from pathlib import Path
 import httpx2 as httpx
 import pytest
 
-from core.recording_folder import read_recording
+from core.recording.folder import read_recording
 from tests.server.breaking_robot import DISK_FULL, FROZEN, NAN, STALE, seed_of, told
 from tests.server.real_service import Console, RealService, real_service, wait_for
 

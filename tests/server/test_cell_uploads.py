@@ -6,16 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
 from core.errors import BadCell, BadInput, BadRobot
-from core.twin import Twin
-from core.twin_file import read_twin
+from core.twin.file import read_twin
+from core.twin.twin import Twin
 from server.cell_archive import UPLOAD
 from server.cell_folder import CellFolder
 from server.cell_uploads import CellChecker, take_in, upload_folder
 from server.errors import Conflict, Unprocessable
 from server.problems import problem_of
-from tests.core.mesh_bytes import BAD
+from tests.core.robot.mesh_bytes import BAD
 from tests.server.hostile_uploads import HOSTILE, sound, zipped
 from tests.server.real_service import ROOT
 from tests.twin_entries import entry

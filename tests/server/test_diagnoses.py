@@ -13,7 +13,7 @@ from fastapi.testclient import TestClient
 
 from core.errors import BadRecording
 from core.gap.diagnosis import diagnose
-from core.recording_folder import read_recording
+from core.recording.folder import read_recording
 from server import jobs
 from server.job_kinds import DIAGNOSIS, DiagnosisOrder, diagnoses, overlay_of
 from server.overlay_schemas import OverlayAnswer

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
 from core.report.faces import arm_faces, box_faces
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 from server.viewer.first_look import crossed, first_look, hidden
 
 CELLS = Path(__file__).parents[2] / "cells"

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from core.cell import load_cell
-from core.recording_folder import read_recording
+from core.cell.cell import load_cell
+from core.recording.folder import read_recording
 from server.run_schemas import RunAnswer
 from tests.server.finished_diagnosis import SWINGS, diagnosed_run, stopped_in_its_first_hold
 from tests.server.real_service import ROOT, Console, RealService, real_service

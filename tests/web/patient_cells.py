@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from core.cell import CELL_FILE, list_cells
+from core.cell.cell import CELL_FILE, list_cells
 from tests.server.real_service import ROOT, RealService, real_service
 
 LEASE_S = 3.0

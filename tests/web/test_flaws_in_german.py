@@ -16,15 +16,15 @@ import pytest
 from playwright.sync_api import Browser, FilePayload, expect
 from pydantic import BaseModel, ValidationError
 
-from core.cell import Cell, load_cell
+from core.cell.cell import Cell, load_cell
 from core.errors import BadInput
-from core.manifest import Manifest, manifest_of
-from core.schema_flaw import schema_flaw
-from core.twin import Twin
+from core.files.schema_flaw import schema_flaw
+from core.recording.manifest import Manifest, manifest_of
+from core.twin.twin import Twin
 from server.cell_archive import UPLOAD
 from server.cell_uploads import CellChecker
 from server.problems import problem_of
-from tests.core.small_recording import recording
+from tests.core.recording.small_recording import recording
 from tests.server.hostile_uploads import CELL, HOSTILE, sound, zipped
 from tests.server.real_service import RealService
 from tests.twin_entries import entry

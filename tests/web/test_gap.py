@@ -13,7 +13,7 @@ from playwright.sync_api import Browser, Page, Route, expect
 
 from core.effects.library import library, symptoms
 from core.gap.answer import Diagnosis, Experiment, Tied
-from core.gap.experiment import Stop, Swings
+from core.planning.stop import Stop, Swings
 from tests.server.real_service import ROOT, Console, RealService
 from tests.web.finished_answers import NOISY, OTHER_PAYLOAD, RUBBING
 from tests.web.judgement import check_looks, check_nothing_is_cut_off

@@ -12,7 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 from core.effects.library import library, symptoms
 from core.export.exports import TARGETS
 from core.gap.answer import Diagnosis
-from core.gap.experiment import candidates, second_payload
+from core.planning.stop import candidates, second_payload
 from server.problems import kinds_by_name
 from server.reason import OWN
 from tests.server.real_service import ROOT, Console, RealService

@@ -10,14 +10,13 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, expect
 
-from core.cell import Box, Pose, list_cells, load_cell
-from core.collision import Nearest
+from core.cell.cell import Box, Pose, list_cells, load_cell
 from core.control.checks import Fault, Numbers
 from core.control.faults import frozen, stopped, too_close
-from core.errors import BadCell, NoStartConfiguration, PlanDisputed
-from core.lateness import Lateness
+from core.errors import BadCell, Lateness, NoStartConfiguration, PlanDisputed
 from core.planning.rotation_room import Obstruction
-from core.robot import RobotModel
+from core.robot.collision import Nearest
+from core.robot.model import RobotModel
 from core.second_opinion.arm import arm_of_cell
 from core.second_opinion.opinion import Approach, FastestPoint, Opinion
 from core.second_opinion.pairs import OVERLAP, Kind, accounted_pairs

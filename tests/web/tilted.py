@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core.recording_folder import write_recording
+from core.recording.folder import write_recording
 from tests.synthetic import Imperfections, payload, record, run_of
 
 TILT_RAD = 0.02

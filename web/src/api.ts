@@ -2902,7 +2902,7 @@ export interface components {
          *             cell's first where absent.
          *         payload_box: what certainly contains the payload, sensor frame; that of the payload where absent.
          *         seed: makes planning and the simulated noise repeatable.
-         *         hold_s, settle_s, robot_s, inertia_std: as in `core.plan_settings.Timing`.
+         *         hold_s, settle_s, robot_s, inertia_std: as in `core.planning.settings.Timing`.
          *         pace: of the simulated robot.
          *         axes: sensor axes to hold along gravity and to turn about, in the order x, y, z; fewer where one has no room.
          *         rotations: false for holds alone, which tell mass and centre of mass.

@@ -12,8 +12,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell import Cell
-from core.inertia import InertialParameters
+from core.cell.cell import Cell
+from core.payload.inertia import InertialParameters
 
 Array = NDArray[np.float64]
 Three = tuple[float, float, float]

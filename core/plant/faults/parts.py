@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 
 from core.errors import BadPayload
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.mechanics import parameters_of, set_parameters
 
 

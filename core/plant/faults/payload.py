@@ -9,7 +9,7 @@ from typing import Self
 import mujoco
 import numpy as np
 
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.faults.draws import direction, moment, scattered, sign, spread, three
 from core.plant.faults.fault import Act, Array, Fault, Machine, Setting, Three
 from core.plant.faults.parts import scaled, size_of, split_off

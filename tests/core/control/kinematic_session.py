@@ -11,11 +11,11 @@ from typing import Self
 
 import numpy as np
 
-from core.cell import Cell, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell, load_cell
 from core.control.guard import Guard
 from core.control.speed import fastest_point
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from core.sessions.session import RobotSession, RobotState
 
 ROOT = Path(__file__).parents[3]

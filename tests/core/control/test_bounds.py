@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from kinematic_session import ROOT
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
 from core.control.bounds import JointLimits, velocity_bounds
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 
 periods = st.sampled_from([0.0005, 0.001, 0.004, 0.01, 0.05])
 

@@ -7,8 +7,8 @@ from kinematic_session import PERIOD, KinematicSession, bench, spoiled_after
 from core.control.execute import execute
 from core.control.movers import Playback, StandStill
 from core.errors import BadState, TooFast
+from core.robot.trajectory import JointTrajectory
 from core.sessions.session import RobotState
-from core.trajectory import JointTrajectory
 
 
 def swing(n: int = 120) -> np.ndarray:

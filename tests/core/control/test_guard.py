@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from kinematic_session import CELLS, PERIOD, KinematicSession, approach, bench, fresh_bench, spoiled_after
 
-from core.cell import Pose
+from core.cell.cell import Pose
 from core.control.execute import execute
 from core.control.guard import REACTION
 from core.control.movers import Playback, StandStill
 from core.errors import BadState, OutOfLimits, OverLoad, RobotStateLate, SensorFrozen, TooClose, TooFast
+from core.robot.trajectory import JointTrajectory
 from core.sessions.session import RobotState
-from core.trajectory import JointTrajectory
 
 
 def at(index: int, value: float):

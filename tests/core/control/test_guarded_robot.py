@@ -7,13 +7,13 @@ import pytest
 from kinematic_session import CELLS, PERIOD, approach, bench
 
 from core.control.bounds import JointLimits
-from core.control.decoupling import decoupling_profile
 from core.control.execute import execute
 from core.control.movers import Playback, StandStill
 from core.control.rotation import Rotation
 from core.errors import TooClose
+from core.robot.decoupling import decoupling_profile
+from core.robot.trajectory import JointTrajectory
 from core.sessions.simulated import SimulatedSession
-from core.trajectory import JointTrajectory
 
 
 def session_of(name: str) -> SimulatedSession:

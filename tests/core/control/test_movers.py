@@ -6,13 +6,13 @@ from kinematic_session import CELLS, PERIOD, bench
 from scipy.spatial.transform import Rotation as Orientation
 
 from core.control.bounds import JointLimits
-from core.control.decoupling import decoupling_profile
 from core.control.movers import Mover, Playback, StandStill
 from core.control.rotation import Rotation
 from core.control.speed import fastest_point
 from core.errors import BadState, OutOfLimits
+from core.robot.decoupling import decoupling_profile
+from core.robot.trajectory import AngularProfile, JointTrajectory
 from core.sessions.session import RobotState
-from core.trajectory import AngularProfile, JointTrajectory
 
 
 def standing(q: np.ndarray) -> RobotState:

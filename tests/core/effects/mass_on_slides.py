@@ -6,7 +6,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from core.inertia import Motion
+from core.payload.inertia import Motion
 
 Array = np.ndarray
 

@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
 from core.effects.effect import Effect
 from core.effects.scene import Scene
-from core.inertia import InertialParameters, Motion, regressor
-from core.robot import RobotModel
+from core.payload.inertia import InertialParameters, Motion, regressor
+from core.robot.model import RobotModel
 
 Array = np.ndarray
 Path3 = Callable[[Array], Array]

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from core.effects.scene import Scene
-from core.inertia import InertialParameters, Motion
+from core.payload.inertia import InertialParameters, Motion
 
 AXES = np.array([[0, 0, 1], [0, 1, 0], [0, 1, 0], [0, 0, 1], [0, 1, 0], [0, 0, 1]], dtype=float)
 LINKS = np.array([[0, 0, 0.3], [0, 0, 0.4], [0, 0, 0.35], [0, 0, 0.1], [0, 0, 0.1], [0, 0, 0.05]])

@@ -9,11 +9,11 @@ import pinocchio as pin
 import pytest
 from scipy.spatial.transform import Rotation
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
 from core.effects.effect import Finding, View
 from core.effects.joint_friction import JointFriction
-from core.recording import FrictionDescription, Recording, RobotDescription
-from core.robot import RobotModel
+from core.recording.recording import FrictionDescription, Recording, RobotDescription
+from core.robot.model import RobotModel
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
 ROBOT = RobotDescription(CELL.urdf, tuple(f"joint{j}" for j in range(1, 8)), CELL.robot.base_frame, CELL.robot.sensor_frame)

@@ -18,7 +18,7 @@ from core.effects.joint_backlash import JointBacklash
 from core.effects.payload_mass_change import PayloadMassChange
 from core.effects.payload_shift import PayloadShift
 from core.effects.sensor_translation import SensorTranslation
-from core.inertia import Motion
+from core.payload.inertia import Motion
 
 each = pytest.mark.parametrize("case", PLANTED, ids=[case.id for case in PLANTED])
 

@@ -7,8 +7,8 @@ import pytest
 
 from core.effects.effect import Finding, View
 from core.effects.payload_mismatch import PayloadMismatch
-from core.inertia import InertialParameters
-from core.recording import Recording
+from core.payload.inertia import InertialParameters
+from core.recording.recording import Recording
 
 REFERENCE = InertialParameters.from_com(2.4, [0.01, -0.02, 0.08], np.diag([0.006, 0.007, 0.004]))
 STD = np.array([1e-3, *[1e-4] * 3, *[5e-5] * 6])

@@ -9,8 +9,8 @@ from mechanical_truth import scene
 from scipy.spatial.transform import Rotation
 
 from core.effects.rigid_body import rotation
-from core.inertia import regressor
-from core.rigid_wrench import wrench
+from core.payload.inertia import regressor
+from core.payload.rigid_wrench import wrench
 
 
 @settings(max_examples=30)

@@ -26,7 +26,7 @@ from core.effects.sensor_nonlinearity import SensorNonlinearity
 from core.effects.sensor_offset_step import SensorOffsetStep
 from core.effects.sensor_saturation import SensorSaturation
 from core.effects.time_delay import TimeDelay
-from core.inertia import Motion
+from core.payload.inertia import Motion
 
 Array = np.ndarray
 RUN = scene(seconds=18.0)

@@ -20,7 +20,7 @@ from core.effects.sample_dropout import SampleDropout, held_share, lost_share
 from core.effects.sensor_interference import SensorInterference
 from core.effects.sensor_noise import SensorNoise
 from core.effects.sensor_quantization import SensorQuantization, step_of
-from core.recording import Recording, SensorDescription
+from core.recording.recording import Recording, SensorDescription
 
 Array = np.ndarray
 RATE = 500.0

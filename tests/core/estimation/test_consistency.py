@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from core.estimation.consistency import nearest_consistent
-from core.inertia import is_consistent
+from core.payload.inertia import is_consistent
 from tests.synthetic import random_payload
 
 STD = np.array([1e-3, 1e-4, 1e-4, 1e-4, *[3e-4] * 6])

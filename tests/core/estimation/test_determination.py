@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from core.estimation.determination import determined, reasons
-from core.inertia import PHI_NAMES, Motion
+from core.payload.inertia import PHI_NAMES, Motion
 
 PHI = np.array([2.0, 0.0, 0.0, 0.1, 0.02, 0.0, 0.0, 0.02, 0.0, 0.01])
 HARDLY = Motion.still(np.tile([9.81, 0.0, 0.0], (50, 1)))

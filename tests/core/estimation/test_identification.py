@@ -10,8 +10,8 @@ import pytest
 
 from core.estimation.estimate import Estimate, Identification
 from core.estimation.identification import identify_recording
-from core.recording import Recording, appended
-from core.recording_folder import read_recording
+from core.recording.folder import read_recording
+from core.recording.recording import Recording, appended
 from tests.synthetic import NOISE_STD, Imperfections, payload, random_payload, record, run_of
 
 REAL = Path(__file__).resolve().parents[4] / "shared" / "real"

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from core.estimation.offset import OpposedPoses, offset_of_opposed_poses, pose_of_gravity
-from core.inertia import Motion
-from core.rigid_wrench import wrench
+from core.payload.inertia import Motion
+from core.payload.rigid_wrench import wrench
 from tests.synthetic import payload
 
 OFFSET = np.array([3.0, -2.0, 5.0, 0.1, -0.2, 0.3])

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from core.estimation.regression import RecursiveLeastSquares, RecursiveRegression, Thresholds, regress, regression
 from core.estimation.segments import motionless, segments_of_phase
-from core.inertia import Motion
+from core.payload.inertia import Motion
 from tests.synthetic import GRAVITY, NOISE_STD, payload, run_of, wrench_of
 
 THRESHOLDS = Thresholds((1e-3, 1e-3), fast=1.0, slow=0.2)

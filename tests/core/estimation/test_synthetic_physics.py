@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pinocchio as pin
 
-from core.inertia import PINOCCHIO_ORDER
+from core.payload.inertia import PINOCCHIO_ORDER
 from tests.synthetic import GRAVITY, payload, point_masses, random_payload, run_of, wrench_of
 
 

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
 from core.estimation.identification import identify_recording
-from core.recording import Recording
-from core.twin import NOMINAL, Twin
+from core.recording.recording import Recording
+from core.twin.twin import NOMINAL, Twin
 from tests.synthetic import payload, record, run_of
 from tests.twin_entries import entry
 

@@ -9,8 +9,8 @@ import pytest
 
 from core.estimation.estimate import Verification
 from core.estimation.identification import identify_recording
-from core.recording import Recording
-from core.result import SecondsPart, result_of
+from core.estimation.result import SecondsPart, result_of
+from core.recording.recording import Recording
 from tests.synthetic import Imperfections, payload, record, run_of
 
 

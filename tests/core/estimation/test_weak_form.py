@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from core.estimation.kinematics import Poses, poses_of, rotation_of
 from core.estimation.weak_form import WeakForm, regressor_of, second_difference, tilt_axes, whiten
-from core.inertia import Motion, regressor, skew
+from core.payload.inertia import Motion, regressor, skew
 from tests.synthetic import GRAVITY, Imperfections, payload, record, run_of
 
 EXACT = Imperfections(noise_std=np.full(6, 1e-12), encoder_std=0.0, resolution=None, offset=np.zeros(6))

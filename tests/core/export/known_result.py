@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from core.result import EstimatePart, PaperPart, Result, SecondsPart
+from core.estimation.result import EstimatePart, PaperPart, Result, SecondsPart
 from tests.core.export.cloud import Cloud, covariance
 
 

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from core.errors import BadInput, BadPayload
 from core.export.exports import TARGETS, target_of
-from core.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters
 from tests.core.export.cloud import cloud, covariance
 
 Array = NDArray[np.float64]

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from core.export.principal_axes import principal_axes, quaternion, zyx_degrees
-from core.inertia import six_of, symmetric
+from core.payload.inertia import six_of, symmetric
 
 angles = st.floats(-np.pi, np.pi)
 

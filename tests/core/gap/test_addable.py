@@ -7,18 +7,18 @@ from pathlib import Path
 
 import pytest
 
-from core.cell import TWIN_FILE, Cell, load_cell
+from core.cell.cell import TWIN_FILE, Cell, load_cell
 from core.effects.library import library
 from core.errors import BadTwin
 from core.gap.diagnosis import diagnose
+from core.gap.twin_addition import addable_to, with_effect
 from core.plant.imperfections import Imperfections
-from core.procedure import carry_out
-from core.recording import Recording
-from core.recording_folder import write_recording
+from core.procedure.identify import carry_out
+from core.recording.folder import write_recording
+from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
 from core.trial import planned, returned
-from core.twin import NOMINAL
-from core.twin_addition import addable_to, with_effect
+from core.twin.twin import NOMINAL
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "payload_shift"))
 

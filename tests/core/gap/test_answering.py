@@ -8,16 +8,16 @@ from functools import cache
 import numpy as np
 import pytest
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.effects.library import library
 from core.gap.answer import Also, Diagnosis
 from core.gap.diagnosis import diagnose
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.faults import Setting, variants
 from core.plant.imperfections import Imperfections
 from core.plant.mechanics import Drives
-from core.procedure import carry_out
-from core.recording import COLUMNS, Recording
+from core.procedure.identify import carry_out
+from core.recording.recording import COLUMNS, Recording
 from core.sessions.simulated import SimulatedSession
 from core.trial import planned, returned
 

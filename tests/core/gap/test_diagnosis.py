@@ -18,9 +18,9 @@ from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.residual import Residual
 from core.gap.windows import Windows
 from core.plant.imperfections import Imperfections
-from core.procedure import carry_out
-from core.recording import Recording
-from core.recording_folder import read_recording
+from core.procedure.identify import carry_out
+from core.recording.folder import read_recording
+from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
 from core.trial import planned, returned
 

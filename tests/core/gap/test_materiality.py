@@ -14,11 +14,11 @@ from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
 from core.gap.limits import GAP
 from core.gap.materiality import moved
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.faults import Setting, variants
 from core.plant.mechanics import Drives
-from core.procedure import carry_out
-from core.recording import Recording
+from core.procedure.identify import carry_out
+from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
 from core.trial.draw import planned, returned
 

@@ -9,12 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from core.cell import Pose, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import Pose, load_cell
 from core.planning.certificate import is_clear, least_margin
 from core.planning.pair_margins import PairMargins
 from core.planning.path import dense
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 
 Array = NDArray[np.float64]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.plan_settings import MAX_EFFORT
 from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
+from core.planning.settings import MAX_EFFORT
 from core.planning.start_configuration import Grid
 
 EFFORTS = st.integers(1, MAX_EFFORT)

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from core.planning.grid import Postures, draw_postures, first_grid, second_grid, shortest_turns
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 
 DOWN = np.array([0.0, 0.0, -1.0])
 X = np.array([1.0, 0.0, 0.0])

@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell import Cell, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell, load_cell
 from core.planning.link_room import LinkRoom
 from core.planning.start_configuration import Grid, find_start_configuration
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 
 ROOT = Path(__file__).parents[3]
 DIAMETER = 2.0

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell import Box, Cell, Obstacle, Pose, Zone, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import Box, Cell, Obstacle, Pose, Zone, load_cell
 from core.errors import NoPath
 from core.planning.path import Path as JointPath
 from core.planning.path import dense, one_turn_away, plan_path
 from core.planning.room import LIMIT_ROOM_RAD, Room
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from tests.independent_checker import IndependentChecker
 
 CELLS = Path(__file__).parents[3] / "cells"

@@ -7,10 +7,10 @@ import pytest
 
 from bench.brute_force import BruteForce
 from bench.random_cells import judge, judge_refusal, summary
-from core.cell import Obstacle
-from core.collision import CollisionModel
-from core.robot import RobotModel
-from core.shapes import Box, Pose
+from core.cell.cell import Obstacle
+from core.payload.shapes import Box, Pose
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from tests.independent_checker import IndependentChecker
 from tests.random_cells import RandomCell, random_cell
 

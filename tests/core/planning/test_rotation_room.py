@@ -10,12 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
-from core.cell import Cell, load_cell
-from core.collision import CollisionModel
-from core.control.decoupling import decoupling_profile
+from core.cell.cell import Cell, load_cell
 from core.planning.rotation_room import SHARE, Obstruction, RotationCheck, Turn, rotation_path
-from core.robot import RobotModel
-from core.trajectory import AngularProfile
+from core.robot.collision import CollisionModel
+from core.robot.decoupling import decoupling_profile
+from core.robot.model import RobotModel
+from core.robot.trajectory import AngularProfile
 
 AXES = np.eye(3)
 

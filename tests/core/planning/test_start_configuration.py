@@ -6,19 +6,19 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from core.cell import Box, Cell, Obstacle, Pose, Zone, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import Box, Cell, Obstacle, Pose, Zone, load_cell
 from core.control.bounds import JointLimits
-from core.control.decoupling import decoupling_profile
 from core.control.rotation import Rotation
 from core.errors import BadCell, NoStartConfiguration
 from core.planning.candidates import Weights
 from core.planning.link_room import LinkRoom
-from core.planning.point_speed import point_positions
 from core.planning.start_configuration import LIMIT_MARGIN_RAD, ROOM_M, Grid, StartConfiguration, find_start_configuration
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.decoupling import decoupling_profile
+from core.robot.model import RobotModel
+from core.robot.point_speed import point_positions
+from core.robot.trajectory import AngularProfile
 from core.sessions.session import RobotState
-from core.trajectory import AngularProfile
 
 SIDES = [("back", 0, -1), ("front", 0, 1), ("right", 1, -1), ("left", 1, 1), ("floor", 2, -1), ("ceiling", 2, 1)]
 AXES = ("x+", "x-", "y+", "y-", "z+", "z-")

@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from core.cell import Box, Capsule, Cell, Cylinder, Pose, Sphere, Zone, load_cell
-from core.control.decoupling import decoupling_profile
+from core.cell.cell import Box, Capsule, Cell, Cylinder, Pose, Sphere, Zone, load_cell
 from core.planning.throw import PAD_M, ThrowCheck, loads_of
-from core.trajectory import AngularProfile
+from core.robot.decoupling import decoupling_profile
+from core.robot.trajectory import AngularProfile
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
 BOX = CELL.payloads["steel_block"].box

@@ -11,14 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from core.cell import Cell, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell, load_cell
 from core.errors import NoPath
 from core.planning.blending import corners, rounded
 from core.planning.phase_plane import fastest_profile
 from core.planning.timing import SMOOTHING_S, MotionLimits, least_seconds, time_curve, time_path
-from core.robot import RobotModel
-from core.trajectory import JointTrajectory
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+from core.robot.trajectory import JointTrajectory
 from tests.independent_checker import IndependentChecker
 
 with warnings.catch_warnings():

@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell import Cell, Pose, load_cell
-from core.collision import CollisionModel
+from core.cell.cell import Cell, Pose, load_cell
 from core.errors import NoPath
 from core.planning.path import one_turn_away
 from core.planning.timing import MotionLimits, least_seconds
 from core.planning.transfer import SPEED_FRACTION, Transfer, plan_transfer
-from core.robot import RobotModel
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from tests.independent_checker import IndependentChecker
 
 CELLS = Path(__file__).parents[3] / "cells"

@@ -6,11 +6,11 @@ from functools import cache
 import numpy as np
 from plant_oracle import CELLS, PinocchioArm, smooth_move
 
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.faults import Setting
 from core.plant.faults.fault import Machine
 from core.plant.virtual_robot import VirtualRobot
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 
 CELL = CELLS["lwr4_bench"]
 PAYLOAD = CELL.payloads["steel_block"].parameters

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 
-from core.cell import Cell, load_cell
-from core.inertia import PINOCCHIO_ORDER, InertialParameters
+from core.cell.cell import Cell, load_cell
+from core.payload.inertia import PINOCCHIO_ORDER, InertialParameters
 from core.plant.mechanics import Drives
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 
 CELLS = {name: load_cell(Path(__file__).parents[3] / "cells" / name) for name in ("lwr4_bench", "ur5e_line")}
 CARRIED = [(cell, payload) for cell in CELLS.values() for payload in cell.payloads]

@@ -5,11 +5,11 @@ import pinocchio as pin
 import pytest
 from plant_oracle import CELLS
 
-from core.cell import Cell
+from core.cell.cell import Cell
 from core.errors import BadRobot
-from core.inertia import PINOCCHIO_ORDER
+from core.payload.inertia import PINOCCHIO_ORDER
 from core.plant.arm import Arm, arm_of_cell
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 
 BRANCHED = """<robot name="branched">
   <link name="root"/>

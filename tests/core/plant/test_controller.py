@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from plant_oracle import CARRIED, CELLS, NAMES, opposed_trapezoids, smooth_move
 
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.controller import JointController
 from core.plant.mechanics import Drives, build_model

@@ -10,7 +10,7 @@ from plant_oracle import CELLS
 from scipy.spatial.transform import Rotation
 
 from core.errors import BadPayload
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.faults import FAULTS, Background, Setting, variants
 from core.plant.faults.base import TiltedBase
 from core.plant.faults.loose import SprungPart

@@ -7,11 +7,11 @@ import pinocchio as pin
 import pytest
 from plant_oracle import smooth_move
 
-from core.cell import Cell, load_cell
-from core.inertia import InertialParameters
+from core.cell.cell import Cell, load_cell
+from core.payload.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.virtual_robot import VirtualRobot
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 from tests.core.handed import GRIPPER, HAND, HAND_AS_TOOL, cell_folder
 
 ADAPTER = GRIPPER.replace("tools.gripper", "tools.adapter")

@@ -5,7 +5,7 @@ from plant_oracle import CARRIED, CELLS, NAMES, PinocchioArm
 from scipy.spatial.transform import Rotation
 
 from core.errors import BadPayload
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.mechanics import Drives, build_model
 

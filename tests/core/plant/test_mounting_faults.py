@@ -7,7 +7,7 @@ from fault_oracle import CELL, EXACT, HOME, PAYLOAD, SIGNAL, clean, path, rigid,
 from plant_oracle import PinocchioArm
 from scipy.spatial.transform import Rotation
 
-from core.inertia import frame_change
+from core.payload.inertia import frame_change
 from core.plant.faults.base import SoftFloor, TiltedBase, WobblyBase
 from core.plant.faults.encoders import EccentricEncoders, EncoderOffsets, WarmingArm
 from core.plant.faults.mounting import (

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.mechanics import quaternion
 from core.plant.principal import principal_inertia
 

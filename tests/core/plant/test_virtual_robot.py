@@ -5,7 +5,7 @@ import pytest
 from plant_oracle import CARRIED, CELLS, NAMES, PinocchioArm, smooth_move
 from scipy.spatial.transform import Rotation
 
-from core.inertia import InertialParameters
+from core.payload.inertia import InertialParameters
 from core.plant.imperfections import Imperfections, LinearDrift
 from core.plant.mechanics import Drives
 from core.plant.virtual_robot import VirtualRobot
@@ -81,7 +81,7 @@ def test_at_rest_with_x_along_gravity_the_force_is_minus_the_weight():
 
 
 def robot_rotation(cell, q):
-    from core.robot import RobotModel
+    from core.robot.model import RobotModel
 
     return RobotModel.of_cell(cell).sensor_pose(q).rotation
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from core.cell import Capsule, Pose, load_cell
+from core.cell.cell import Capsule, Pose, load_cell
 from core.report.faces import (
     Faces,
     arm_faces,
@@ -22,7 +22,7 @@ from core.report.faces import (
     shape_faces,
     sphere_faces,
 )
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 
 CELLS = Path(__file__).parents[3] / "cells"
 

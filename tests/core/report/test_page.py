@@ -12,20 +12,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
 from core.estimation.estimate import Drift, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.segments import segments_of_phase
-from core.inertia import Motion
+from core.payload.inertia import Motion
+from core.payload.rigid_wrench import wrench
 from core.planning.start_configuration import StartConfiguration
 from core.planning.throw import Throw
-from core.recording import Recording, SensorDescription
+from core.procedure.summary import RunSummary
+from core.recording.recording import Recording, SensorDescription
 from core.remark import Remark
 from core.report import page
 from core.report.charts import POINTS, decimated
 from core.report.page import write_report
 from core.report.rows import facts, parameter_rows, rounded
-from core.report.summary import RunSummary
-from core.rigid_wrench import wrench
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
 PHI = CELL.payloads["steel_block"].parameters.phi

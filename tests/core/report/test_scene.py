@@ -11,11 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
 from core.planning.start_configuration import StartConfiguration
 from core.planning.throw import Throw
 from core.report.scene import HEIGHT, WIDTH, View, scene
-from core.robot import RobotModel
+from core.robot.model import RobotModel
 
 CELLS = Path(__file__).parents[3] / "cells"
 NAMES = sorted(folder.name for folder in CELLS.iterdir() if folder.is_dir())

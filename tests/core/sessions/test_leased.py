@@ -12,9 +12,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.cell import load_cell
-from core.errors import Commanded, ControlLost, Held, HoldExpired
-from core.lateness import Cause, Lateness
+from core.cell.cell import load_cell
+from core.errors import Cause, Commanded, ControlLost, Held, HoldExpired, Lateness
 from core.sessions.leased import FUTURE_S, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal, is_stopped
 from core.sessions.simulated import SimulatedSession
 from tests.hand_clock import HandClock

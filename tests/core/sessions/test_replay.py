@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from core.errors import BadRecording, BadState
-from core.recording import Recording
+from core.recording.recording import Recording
 from core.sessions.replay import ReplaySession
 
 

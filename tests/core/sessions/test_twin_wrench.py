@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
 from core.effects.library import library
 from core.sessions.simulated import SimulatedSession
-from core.twin import NOMINAL, Twin, standing
+from core.twin.twin import NOMINAL, Twin, standing
 from tests.twin_entries import entry
 
 CELLS = {name: load_cell(Path(__file__).parents[3] / "cells" / name) for name in ("lwr4_bench", "ur5e_line")}

@@ -9,8 +9,8 @@ import pytest
 
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
-from core.gap.experiment import second_payload
 from core.gap.fit_all import one_by_one
+from core.planning.stop import second_payload
 from core.plant.faults import Background, Setting
 from core.trial.draw import Drawn, Sealed
 from core.trial.second_look import second_look

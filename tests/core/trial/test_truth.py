@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.cell import find_cell, load_cell
+from core.cell.cell import find_cell, load_cell
 from core.effects.library import library
 from core.effects.scene import Scene
 from core.gap.basis import basis_of
 from core.gap.effect_fit import fit_effects, fit_nominal
 from core.gap.windows import Windows
-from core.inertia import InertialParameters, Motion
+from core.payload.inertia import InertialParameters, Motion
 from core.plant.faults import FAULTS, Fault, Setting
 from core.plant.faults.base import TiltedBase
 from core.plant.faults.encoders import EncoderOffsets
@@ -28,8 +28,8 @@ from core.plant.faults.sensor_response import Crosstalk, Gain, Quadratic
 from core.plant.faults.timing import Delay
 from core.plant.mechanics import PERIOD, Drives
 from core.plant.virtual_robot import VirtualRobot
-from core.recording import Recording, SensorDescription
-from core.robot import RobotModel
+from core.recording.recording import Recording, SensorDescription
+from core.robot.model import RobotModel
 from core.trial.truth import TOLD, difference_of, parameters_of, payload_of
 
 CELL = load_cell(find_cell("lwr4_bench"))

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
-from core.cell import CELL_FILE, load_cell
-from core.shapes import Box
+from core.cell.cell import CELL_FILE, load_cell
+from core.payload.shapes import Box
 from server import jobs, run_ledger
 from server.job_kinds import DIAGNOSIS, DiagnosisOrder
 from server.reason import Reason

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from fastapi.testclient import TestClient
 
-from core.cell import load_cell
+from core.cell.cell import load_cell
+from core.estimation.result import Result
 from core.export.exports import TARGETS
-from core.result import Result
 from server import run_ledger
 from server.packml import Command
 from server.roles import Role

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from fastapi.testclient import TestClient
 
-from core.cell import TWIN_FILE, load_cell
-from core.twin import NOMINAL, Entry, Fitted, Twin
-from core.twin_file import read_twin, write_twin
+from core.cell.cell import TWIN_FILE, load_cell
+from core.twin.file import read_twin, write_twin
+from core.twin.twin import NOMINAL, Entry, Fitted, Twin
 from server import jobs
 from server.job_kinds import ADDITION, AdditionOrder, DiagnosisOrder, additions
 from server.jobs import State

@@ -6,8 +6,8 @@ from multiprocessing import get_context
 
 import pytest
 
-from core.motion_sequence import Procedure
-from core.plan_settings import Timing
+from core.planning.sequence import Procedure
+from core.planning.settings import Timing
 from server.runner.planning import PlanningProcess
 
 

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell import Cell, load_cell
-from core.recording_folder import read_recording
-from core.robot import RobotModel
-from core.sample_log import SampleLog
+from core.cell.cell import Cell, load_cell
+from core.recording.folder import read_recording
+from core.robot.model import RobotModel
+from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
 from server.runner.run_folder import SAMPLES
 from server.runner.sample_stream import SampleStream, recover

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell import Cell, load_cell
-from core.collision import CollisionModel
-from core.plan import Plan, plan_procedure
-from core.robot import RobotModel
-from core.shapes import Pose
+from core.cell.cell import Cell, load_cell
+from core.payload.shapes import Pose
+from core.planning.plan import Plan, plan_procedure
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
 from server.runner.release_hash import release_sha256
 from server.runner.shown_plan import plan_digest, shown
 

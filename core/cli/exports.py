@@ -1,0 +1,64 @@
+"""`heft export`: a result as robot controllers and simulators take it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from pydantic import ValidationError
+
+from core.cell.cell import find_cell, load_cell
+from core.cli.terminal import answers, messages
+from core.errors import BadInput
+from core.estimation.result import Result
+from core.export.exports import TARGETS, frame_of, payload_of, target_of
+from core.export.target import Lack, Target
+from core.files.schema_flaw import schema_flaw
+from core.payload.uncertain_parameters import UncertainParameters
+
+
+def export(
+    result: Annotated[Path, typer.Argument(metavar="RESULT", help="The answer of `heft run` or `heft identify`, as --json wrote it.")],
+    target: Annotated[str | None, typer.Option(metavar="NAME", help="For whom; the targets are listed where none is named.")] = None,
+    cell: Annotated[str | None, typer.Option(metavar="CELL", help="Whose sensor mount counts. [default: the cell of the result]")] = None,
+) -> None:
+    """Write the payload as a robot's controller or a simulator takes it, on standard output; say what that cannot hold."""
+    found = read_result(result)
+    name = cell or found.cell
+    made_in = None if name is None else load_cell(find_cell(name))
+    payload = payload_of(found, made_in)
+    if target is None:
+        for each in TARGETS:
+            answers.print(f"{each.name:<13} {each.title}: {each.says}", highlight=False, soft_wrap=True)
+        return
+    chosen = target_of(target)
+    answers.print(chosen.written(payload), end="", markup=False, highlight=False, soft_wrap=True)
+    messages.print(f"In {frame_of(made_in)}; {chosen.says}.", highlight=False, soft_wrap=True)
+    for sentence in lack_sentences(chosen, payload):
+        messages.print(sentence, highlight=False, soft_wrap=True)
+
+
+def read_result(file: Path) -> Result:
+    """A result that was written as JSON.
+
+    Raises:
+        BadInput: there is none in the file.
+    """
+    try:
+        return Result.model_validate_json(file.read_bytes())
+    except OSError as error:
+        raise BadInput(str(file), f"nothing that can be read ({error.strerror})", "a file that --json wrote") from error
+    except ValidationError as error:
+        where, found, _ = schema_flaw(error.errors()[0]).at(str(file))
+        raise BadInput(where, found, "the answer of `heft run` or `heft identify`") from error
+
+
+def lack_sentences(target: Target, payload: UncertainParameters) -> list[str]:
+    """What gets lost, each with its size against its uncertainty."""
+    return [_sentence(target, lack) for lack in target.lacks(payload)]
+
+
+def _sentence(target: Target, lack: Lack) -> str:
+    size = f"{lack.value:.3g} {lack.unit}, {lack.times_std:.1f} times its uncertainty"
+    return f"{target.title} has no place for {lack.name} = {size}."

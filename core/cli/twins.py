@@ -1,0 +1,100 @@
+"""`heft twin add|show|remove`: what has been added to a cell's simulation."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import nullcontext
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from core.cell.cell import find_cell, load_cell
+from core.errors import BadInput, BadTwin
+from core.files.whole_file import write_whole
+from core.gap.twin_addition import chosen_effects, with_effect
+from core.twin.file import close_name, read_twin, write_twin
+from core.twin.twin import Entry, Twin
+
+app = typer.Typer(help="What has been added to a cell's simulation.", no_args_is_help=True)
+answers = Console()
+messages = Console(stderr=True)
+
+CellArgument = Annotated[str, typer.Argument(metavar="CELL", help="A cell's name (see `heft cells`) or the path of its folder.")]
+
+
+@app.command()
+def add(
+    cell: CellArgument,
+    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
+    effect: Annotated[str, typer.Argument(metavar="EFFECT", help="An effect's identifier, or two as in `time_delay+base_tilt`.")],
+) -> None:
+    """Fit an effect to a recording and add it to the cell's twin: simulation, identification and diagnosis count with it from then on."""
+    chosen = chosen_effects(effect)
+    loaded = load_cell(find_cell(cell))
+    before = read_twin(loaded)
+    with messages.status("fitting effects") if messages.is_terminal else nullcontext():
+        after = with_effect(before, loaded, recording, effect)
+    write_twin(loaded, after)
+    for identifier in [one.id for one in chosen]:
+        verb = "replaced by the new fit in" if identifier in before.ids else "added to"
+        answers.print(f"{identifier} {verb} the twin of {loaded.name}.", highlight=False)
+    answers.print(twin_table(loaded.name, after))
+
+
+@app.command()
+def show(
+    cell: CellArgument,
+    json: Annotated[str | None, typer.Option("--json", metavar="FILE", help="Write the twin as JSON; `-` for standard output.")] = None,
+) -> None:
+    """The effects of a cell's twin, with their parameters and where they come from."""
+    loaded = load_cell(find_cell(cell))
+    twin = read_twin(loaded)
+    if json == "-":
+        sys.stdout.write(twin.model_dump_json(indent=2) + "\n")
+        return
+    if json is not None:
+        _write(twin, Path(json))
+    if twin.effects:
+        answers.print(twin_table(loaded.name, twin))
+    else:
+        answers.print(f"The twin of {loaded.name} is the nominal one: nothing has been added to it.", highlight=False)
+
+
+@app.command()
+def remove(
+    cell: CellArgument, effect: Annotated[str, typer.Argument(metavar="EFFECT", help="Identifier of an effect that the twin has.")]
+) -> None:
+    """Take an effect out of the cell's twin."""
+    loaded = load_cell(find_cell(cell))
+    twin = read_twin(loaded)
+    if effect not in twin.ids:
+        expected = close_name(effect, list(twin.ids)) if twin.ids else "nothing: the twin is the nominal one"
+        raise BadTwin(f"twin of {loaded.name}: effect", repr(effect), expected)
+    write_twin(loaded, twin.without(effect))
+    answers.print(f"{effect} taken out of the twin of {loaded.name}.", highlight=False)
+
+
+def twin_table(name: str, twin: Twin) -> Table:
+    """One row per effect."""
+    table = Table(title=f"Twin of {name}", caption="± is the standard uncertainty; the gap is in units of noise")
+    for heading in ("effect", "parameters", "gap before, after", "recording", "added"):
+        table.add_column(heading)
+    for entry in twin.effects:
+        gap = f"{entry.gap_before:.3f}, {entry.gap_after:.3f}"
+        source = f"{entry.recording} ({entry.sha256[:12]})"
+        table.add_row(entry.effect, _parameters(entry), gap, source, f"{entry.added:%Y-%m-%d %H:%M} UTC")
+    return table
+
+
+def _parameters(entry: Entry) -> str:
+    return "\n".join(f"{name} {p.value:.4g} ± {p.std:.2g}" for name, p in entry.parameters.items())
+
+
+def _write(twin: Twin, file: Path) -> None:
+    """A file that appears only when it is whole."""
+    if not file.absolute().parent.is_dir():
+        raise BadInput(str(file), "a folder that does not exist", "a file in an existing folder")
+    write_whole(file, twin.model_dump_json(indent=2) + "\n")

@@ -1,0 +1,122 @@
+"""Two identifications of what may be the same payload: what differs, by how much, and whether that is more than chance."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict
+
+from core.payload.inertia import PHI_NAMES, PHI_UNITS
+from core.payload.uncertain_parameters import UncertainParameters
+
+Array = NDArray[np.float64]
+
+SIGNIFICANT = 0.01
+"""Chance of a difference at least as large between two runs with one payload, below which they are said to differ."""
+OFFSET_NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
+OFFSET_UNITS = ("N", "N", "N", "N m", "N m", "N m")
+
+
+class Difference(BaseModel):
+    """The second minus the first, in `unit`.
+
+    Args:
+        std: standard uncertainty of the difference; `times_std` is the difference in multiples of it, with its sign.
+    """
+
+    model_config = ConfigDict(frozen=True, allow_inf_nan=False)
+
+    name: str
+    value: float
+    std: float
+    times_std: float
+    unit: str
+
+
+class Comparison(BaseModel):
+    """Two runs side by side; what one of them does not determine is not compared.
+
+    Args:
+        parameters: in the frame in which both were given, in the paper's order.
+        com: centre of mass; `inertia_com` about it.
+        offset: of the sensor, N and N m: how it drifted from one run to the other.
+        chance: of a difference at least as large in all parameters together, were the payload the same; null without any in common.
+        differ: whether that is too small to believe.
+    """
+
+    model_config = ConfigDict(frozen=True, allow_inf_nan=False)
+
+    parameters: list[Difference]
+    com: list[Difference]
+    inertia_com: list[Difference]
+    offset: list[Difference]
+    chance: float | None
+    differ: bool
+    verdict: str
+
+
+def compared(
+    first: UncertainParameters, second: UncertainParameters, offset_first: tuple[Array, Array], offset_second: tuple[Array, Array]
+) -> Comparison:
+    """Compares two runs whose noise is independent; what is wrong with the cell in both alike does not show.
+
+    Args:
+        first, second: in one frame.
+        offset_first, offset_second: (6,) the sensor's offsets with their standard uncertainties (6,), N and N m.
+    """
+    parameters = differences(PHI_NAMES, first.phi, first.std, second.phi, second.std, PHI_UNITS)
+    chance = chance_of(second.phi - first.phi, first.covariance + second.covariance)
+    differ = chance is not None and chance < SIGNIFICANT
+    return Comparison(
+        parameters=parameters,
+        com=differences(("cx", "cy", "cz"), first.com_m, first.com_std, second.com_m, second.com_std, ("m",) * 3),
+        inertia_com=differences(
+            PHI_NAMES[4:], first.inertia_com, first.inertia_com_std, second.inertia_com, second.inertia_com_std, PHI_UNITS[4:]
+        ),
+        offset=differences(OFFSET_NAMES, *offset_first, *offset_second, OFFSET_UNITS),
+        chance=chance,
+        differ=differ,
+        verdict=_verdict(parameters, chance, differ=differ),
+    )
+
+
+def differences(
+    names: tuple[str, ...], first: Array, first_std: Array, second: Array, second_std: Array, units: tuple[str, ...]
+) -> list[Difference]:
+    """Of each number that both know with an uncertainty."""
+    std = np.hypot(first_std, second_std)
+    found = zip(names, second - first, std, units, strict=True)
+    return [Difference(name=n, value=d, std=s, times_std=d / s, unit=u) for n, d, s, u in found if np.isfinite(d) and s > 0.0]
+
+
+def chance_of(difference: Array, covariance: Array) -> float | None:
+    """Chance of a difference (n,) at least as large with this covariance (n, n); unknown entries (NaN) are left out."""
+    known = np.isfinite(difference) & np.isfinite(np.diag(covariance))
+    if not known.any():
+        return None
+    std = np.sqrt(np.diag(covariance)[known])
+    scaled = difference[known] / std
+    correlation = covariance[np.ix_(known, known)] / np.outer(std, std)
+    distance = float(scaled @ np.linalg.solve(correlation, scaled))
+    return chi_square_tail(distance, int(known.sum()))
+
+
+def chi_square_tail(x: float, freedom: int) -> float:
+    """Chance that a chi-square variable exceeds x, by its recursion over the degrees of freedom (Abramowitz and Stegun 26.4.4-5)."""
+    half = 0.5 * max(x, 0.0)
+    tail = math.erfc(math.sqrt(half)) if freedom % 2 else math.exp(-half)
+    for k in range(2 - freedom % 2, freedom, 2):
+        tail += math.exp(0.5 * k * math.log(half) - half - math.lgamma(0.5 * k + 1.0)) if half > 0.0 else 0.0
+    return min(tail, 1.0)
+
+
+def _verdict(parameters: list[Difference], chance: float | None, *, differ: bool) -> str:
+    if chance is None:
+        return "The runs have no parameter in common, so they cannot be compared."
+    if not differ:
+        return f"No significant difference: one at least as large is seen in {chance:.0%} of repetitions with the same payload."
+    largest = max(parameters, key=lambda difference: abs(difference.times_std))
+    size = f"{largest.name} by {largest.value:+.3g} {largest.unit}, {abs(largest.times_std):.1f} times its uncertainty"
+    return f"The runs differ by more than chance ({chance:.1g}), most clearly in {size}."

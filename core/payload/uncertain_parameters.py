@@ -1,0 +1,91 @@
+"""Inertial parameters with their covariance: what follows from them, and how they look in another frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from core.payload.inertia import frame_change, six_of
+
+Array = NDArray[np.float64]
+
+ROUNDING = 1e-12  # of a frame change, whose entries are of the order of 1
+
+
+@dataclass(frozen=True)
+class UncertainParameters:
+    """The ten parameters as far as they are known, SI.
+
+    Args:
+        phi: (10,), the paper's order; NaN where not determined.
+        covariance: (10, 10), of `phi`; NaN in the rows and columns of what is not determined.
+    """
+
+    phi: Array
+    covariance: Array
+
+    @cached_property
+    def std(self) -> Array:
+        """(10,), standard uncertainty; NaN where not determined."""
+        return np.sqrt(np.diag(self.covariance))
+
+    @cached_property
+    def com_m(self) -> Array:
+        """(3,), centre of mass; NaN where not determined."""
+        return np.asarray(self.phi[1:4] / self.phi[0])
+
+    @cached_property
+    def com_covariance(self) -> Array:
+        """(3, 3), m2, by first-order propagation."""
+        J = np.column_stack((-self.com_m / self.phi[0], np.eye(3) / self.phi[0]))
+        return _propagate(J, self.covariance[:4, :4])
+
+    @property
+    def com_std(self) -> Array:
+        """(3,), m."""
+        return np.sqrt(np.diag(self.com_covariance))
+
+    @cached_property
+    def inertia_com(self) -> Array:
+        """(6,), `[Ixx, Ixy, Ixz, Iyy, Iyz, Izz]` about the centre of mass, kg m2; NaN where not determined."""
+        return self.phi[4:] - six_of(_steiner(self.phi[:4]))
+
+    @cached_property
+    def inertia_com_std(self) -> Array:
+        """(6,), kg m2, by first-order propagation."""
+        m, mc = self.phi[0], self.phi[1:4]
+        J = np.zeros((6, 10))
+        J[:, 4:] = np.eye(6)
+        J[:, 0] = six_of(_steiner(self.phi[:4])) / m
+        for i, e in enumerate(np.eye(3)):
+            J[:, 1 + i] = -six_of(2.0 * mc[i] * np.eye(3) - np.outer(mc, e) - np.outer(e, mc)) / m
+        return np.sqrt(np.diag(_propagate(J, self.covariance)))
+
+    def in_frame(self, rotation: ArrayLike, translation: ArrayLike) -> UncertainParameters:
+        """The same body in another frame, arguments as of `core.payload.inertia.frame_change`; what mixes with unknowns is unknown."""
+        A = frame_change(rotation, translation)
+        A[np.abs(A) < ROUNDING] = 0.0
+        known = np.isfinite(self.phi)
+        phi = A[:, known] @ self.phi[known]
+        phi[(A[:, ~known] != 0.0).any(axis=1)] = np.nan
+        return UncertainParameters(phi, _propagate(A, self.covariance))
+
+
+def _steiner(moments: Array) -> Array:
+    """3x3 share of the offset centre of mass in the inertia, from `[m, mc]`."""
+    m, mc = moments[0], moments[1:]
+    return np.asarray((mc @ mc * np.eye(3) - np.outer(mc, mc)) / m)
+
+
+def _propagate(J: Array, covariance: Array) -> Array:
+    """J S J^T in which a NaN spoils only the outputs that depend on it."""
+    unknown = np.isnan(np.diag(covariance))
+    S = np.where(np.isnan(covariance), 0.0, covariance)
+    result = np.where(np.isnan(J), 0.0, J) @ S @ np.where(np.isnan(J), 0.0, J).T
+    spoilt = np.isnan(J).any(axis=1) | (np.abs(np.where(np.isnan(J), 1.0, J)) @ unknown > 0)
+    result[spoilt, :] = np.nan
+    result[:, spoilt] = np.nan
+    return np.asarray(result)

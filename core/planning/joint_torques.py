@@ -1,0 +1,149 @@
+"""What torques a plan asks of the joints with the load that is stated, against the URDF's `effort`.
+
+Recursive Newton-Euler over every set point, with finite differences of the set points as they will be commanded, and the friction that the
+cell states. The drives' own inertia is in no URDF and is left out; at the accelerations of a plan it is some per cent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell.cell import Box, Cell
+from core.cell.tools import felt_with
+from core.cell.urdf import check_urdf
+from core.errors import TooHeavy
+from core.payload.inertia import InertialParameters
+from core.planning.summary import LargestTorque, PlanTorques
+from core.robot.dynamics import LinkDynamics
+from core.robot.model import RobotModel
+from core.second_opinion.opinion import JointPath
+
+Array = NDArray[np.float64]
+
+HOLDING_SHARE = 0.9
+"""Of a joint's torque: what holding still may take where a pose is chosen. The rest is for moving."""
+
+MOVING_RAD_S = 1e-4
+"""A joint that is slower stands, and has no friction to overcome."""
+
+
+@dataclass(frozen=True)
+class Load:
+    """What the robot is taken to carry.
+
+    Args:
+        parameters: sensor frame.
+        source: where that is from, in words.
+    """
+
+    parameters: InertialParameters
+    source: str
+
+
+def known_load(cell: Cell, name: str | None) -> Load | None:
+    """A payload that the cell knows by name; None where it knows none of that name."""
+    known = cell.payloads.get(name or "")
+    return None if known is None else Load(known.parameters, f"payload {name!r} as the cell knows it")
+
+
+def even_load(box: Box, mass_kg: float, source: str) -> Load:
+    """A mass spread evenly over a box (sensor frame)."""
+    size = np.array(box.size_m)
+    inertia = box.pose.rotation @ np.diag(mass_kg / 12.0 * (size @ size - size**2)) @ box.pose.rotation.T
+    return Load(InertialParameters.from_com(mass_kg, box.pose.translation, inertia), f"{source}, spread evenly over the payload box")
+
+
+def guessed_load(cell: Cell, box: Box, mass_guess_kg: float) -> Load:
+    """A payload of which only the box is known: as heavy as the cell says that the robot may carry, otherwise the guess."""
+    limit = cell.robot.payload_limit_kg
+    return even_load(box, mass_guess_kg, "a guessed mass") if limit is None else even_load(box, limit, "the robot's payload limit")
+
+
+class JointTorques:
+    """The torques of one cell's robot with one load and the cell's tools, and its joints' limits.
+
+    A joint is not judged where the URDF states no torque for it (`effort` 0), or no mass for something that it carries.
+    """
+
+    def __init__(self, cell: Cell, robot: RobotModel, load: Load) -> None:
+        self.load = load
+        self._dynamics = LinkDynamics(robot, cell.gravity, felt_with(cell, load.parameters))
+        self._joints = robot.description.joints
+        effort = {joint.name: joint.effort or 0.0 for joint in check_urdf(cell.urdf, str(cell.folder / cell.robot.urdf)).joints}
+        self._limits = np.array([effort[joint] for joint in self._joints])
+        friction = cell.robot.friction
+        self._coulomb = np.zeros(robot.n) if friction is None else np.array(friction.coulomb_n_m)
+        self._viscous = np.zeros(robot.n) if friction is None else np.array(friction.viscous_n_m_s)
+        masses = np.array([inertia.mass for inertia in robot.model.inertias])[-robot.n :]
+        self._why = [self._unjudged(j, masses) for j in range(robot.n)]
+        self._judged = np.flatnonzero([not why for why in self._why])
+
+    def _unjudged(self, j: int, masses: Array) -> str:
+        """Why the torque of a joint cannot be judged; nothing where it can."""
+        if self._limits[j] <= 0.0:
+            return f"{self._joints[j]!r}: the URDF states no effort"
+        without = next((self._joints[k] for k in range(j, len(masses)) if masses[k] <= 0.0), None)
+        return "" if without is None else f"{self._joints[j]!r}: the URDF states no mass of the link after {without!r}"
+
+    def too_weak_to_hold(self, q: Array) -> tuple[str, float] | None:
+        """The joint that has the largest share of its torque to give to hold still at q (n,), and that share; None where all can."""
+        if len(self._judged) == 0:
+            return None
+        still = np.zeros((1, len(q)))
+        share = np.abs(self._dynamics.torque(q[None], still, still)[0, self._judged]) / self._limits[self._judged]
+        most = int(np.argmax(share))
+        return (self._joints[self._judged[most]], float(share[most])) if share[most] > HOLDING_SHARE else None
+
+    def of(self, paths: Sequence[JointPath], period: float) -> PlanTorques:
+        """The largest share of its torque that a joint has to give, anywhere along motions from standstill to standstill.
+
+        Args:
+            paths: their set points; what holds lie between them ask for no more than their ends.
+            period: between set points, s.
+        """
+        largest = [self._largest(path, period) for path in paths] if len(self._judged) else []
+        return PlanTorques(
+            load=self.load.source,
+            mass_kg=self.load.parameters.mass,
+            largest=max(largest, key=lambda each: each.ratio, default=None),
+            not_judged=[why for why in self._why if why],
+        )
+
+    def _largest(self, path: JointPath, period: float) -> LargestTorque:
+        padded = np.concatenate((path.q[:1], path.q, path.q[-1:]))
+        dq = (padded[2:] - padded[:-2]) / (2.0 * period)
+        ddq = np.diff(padded, 2, axis=0) / period**2
+        friction = self._coulomb * np.where(np.abs(dq) > MOVING_RAD_S, np.sign(dq), 0.0) + self._viscous * dq
+        torque = self._dynamics.torque(path.q, dq, ddq) + friction
+        ratio = np.abs(torque[:, self._judged]) / self._limits[self._judged]
+        row, column = (int(k) for k in np.unravel_index(np.argmax(ratio), ratio.shape))
+        j = int(self._judged[column])
+        still = np.zeros((1, len(padded[0])))
+        return LargestTorque(
+            joint=self._joints[j],
+            torque_n_m=abs(float(torque[row, j])),
+            holding_n_m=abs(float(self._dynamics.torque(path.q[row][None], still, still)[0, j])),
+            limit_n_m=float(self._limits[j]),
+            ratio=float(ratio[row, column]),
+            part=path.name,
+            time_s=row * period,
+        )
+
+
+def refuse_too_heavy(torques: PlanTorques) -> None:
+    """Nothing where every joint that can be judged has enough torque.
+
+    Raises:
+        TooHeavy: the joint with the largest share has not.
+    """
+    most = torques.largest
+    if most is not None and most.ratio > 1.0:
+        raise TooHeavy(
+            f"the load of {torques.mass_kg:.3f} kg is too heavy for {most.joint!r}: it would need {most.torque_n_m:.1f} N m "
+            f"(limit {most.limit_n_m:.1f} N m), {most.holding_n_m:.1f} N m of them to hold still, {most.time_s:.3f} s after the beginning "
+            f"of {most.part}. Take a lighter payload or another home, or correct the effort in the URDF."
+        )

@@ -1,0 +1,160 @@
+"""What to measure next: motions that may tell two explanations apart, as small data. Which one does is predicted, not listed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from core.payload.shapes import Model
+from core.recording.recording import Recording
+
+if TYPE_CHECKING:  # who only reads a proposal waits for no estimator
+    from core.estimation.segments import Segment
+
+Array = NDArray[np.float64]
+
+Axis = Literal["x", "y", "z"]
+AXES: tuple[Axis, Axis, Axis] = ("x", "y", "z")
+Rad = Annotated[float, Field(ge=-100.0, le=100.0)]
+Component = Annotated[float, Field(ge=-1.0, le=1.0)]
+Direction = tuple[Component, Component, Component]
+
+HOLD_S = 1.5
+"""Motionless phase on arrival at every stop."""
+TILT_RAD = 0.6
+"""Between an attitude and the ones from whose sides it is approached."""
+SECOND_PAYLOAD = "second_payload"
+
+
+class Swings(Model):
+    """Rotation about a sensor axis through the sensor origin, out and back, trapezoids of angular velocity."""
+
+    about: Axis
+    excursion_rad: Annotated[float, Field(gt=0.0, le=3.0)] = 0.25
+    repetitions: Annotated[int, Field(ge=1, le=100)] = 10
+
+
+class Wave(Model):
+    """All joints at once, sines between two frequencies whose speeds are alike; how large, planning decides."""
+
+    seconds: Annotated[float, Field(ge=2.0, le=120.0)] = 10.0
+    lowest_hz: Annotated[float, Field(gt=0.0, le=50.0)] = 0.3
+    highest_hz: Annotated[float, Field(gt=0.0, le=50.0)] = 6.0
+    seed: Annotated[int, Field(ge=0)] = 0
+
+
+class Stop(Model):
+    """One attitude: the way there, a hold, and what is done from it before the next hold.
+
+    Args:
+        down: direction of gravity in the sensor frame, unit length.
+        swings, wave: at most one of them; only the hold where both are absent.
+        away_from_rad: joint positions of another posture of the arm with the same attitude, to keep far from.
+    """
+
+    down: Direction
+    swings: Swings | None = None
+    wave: Wave | None = None
+    away_from_rad: Annotated[tuple[Rad, ...], Field(max_length=32)] | None = None
+
+    @property
+    def label(self) -> str:
+        """As in the phases of a recording: `x+` where that axis points down, `free` where none points up or down."""
+        axis = int(np.argmax(np.abs(self.down)))
+        if abs(self.down[axis]) < 1.0 - 1e-6:
+            return "free"
+        return f"{'xyz'[axis]}{'+' if self.down[axis] > 0 else '-'}"
+
+
+class Motion(Model):
+    """A candidate: its identifier, what it is in words, and its stops; no stops for what is no motion."""
+
+    id: Annotated[str, Field(max_length=64)]
+    sentence: Annotated[str, Field(max_length=400)]
+    stops: Annotated[tuple[Stop, ...], Field(max_length=12)]
+
+
+def candidates(recording: Recording, segments: tuple[Segment, ...], g: Array) -> Iterator[Motion]:
+    """Motions that may be worth their time after a recording.
+
+    Args:
+        segments: of the recording.
+        g: (N, 3), gravity in the sensor frame.
+    """
+    first = next((part for part in segments if part.is_hold), None)
+    down = _unit(g[0] if first is None else g[first.rows].mean(axis=0))
+    for about in (0, 1, 2):
+        yield _swings(about, (about + 1) % 3)
+    yield Motion(id="tilted_holds", sentence="holds with gravity along four diagonals of the sensor frame", stops=_diagonals())
+    yield Motion(id="revisit", sentence="the first hold once more", stops=(Stop(down=down),))
+    yield Motion(id="both_sides", sentence="the first hold, approached from one side and from the other", stops=_both_sides(down))
+    for name, low, high, seconds in (("slow", 0.3, 5.0, 10.0), ("fast", 5.0, 15.0, 20.0)):
+        wave = Wave(lowest_hz=low, highest_hz=high, seconds=seconds)
+        sentence = f"a wide-band motion about all axes at once, {low:g} to {high:g} Hz"
+        yield Motion(id=f"wide_band_{name}", sentence=sentence, stops=(Stop(down=_diagonal(1, 1), wave=wave),))
+    if recording.q is not None:
+        q = recording.q[0 if first is None else first.stop - 1]
+        elsewhere = Stop(down=down, away_from_rad=tuple(q.tolist()))
+        yield Motion(id="other_posture", sentence="the first hold in another posture of the arm", stops=(elsewhere,))
+
+
+def second_payload(best_sigma: float) -> Motion:
+    """What is left where no motion tells two explanations apart: the best one reaches `best_sigma`."""
+    sentence = (
+        "the same run with a second payload whose mass and centre of mass are known: no motion with this one "
+        f"gets the explanations further apart than {best_sigma:.1f} standard deviations"
+    )
+    return Motion(id=SECOND_PAYLOAD, sentence=sentence, stops=())
+
+
+def _swings(about: int, vertical: int) -> Motion:
+    """Rotation about a horizontal axis: gravity sweeps through the sensor."""
+    axis, down = AXES[about], AXES[vertical]
+    return Motion(
+        id=f"swings_about_horizontal_{axis}",
+        sentence=f"rotation about the sensor's {axis} axis, held horizontal with {down} pointing down: gravity sweeps through the sensor",
+        stops=(Stop(down=_unit(np.eye(3)[vertical]), swings=Swings(about=axis)),),
+    )
+
+
+def _diagonals() -> tuple[Stop, ...]:
+    return tuple(Stop(down=_diagonal(x, y)) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1)))
+
+
+def _diagonal(x: int, y: int) -> Direction:
+    return _unit(np.array([x, y, 1.0]))
+
+
+def _both_sides(down: Direction) -> tuple[Stop, ...]:
+    """Tilted one way, upright, tilted the other way, upright."""
+    across = np.cross(down, np.eye(3)[int(np.argmin(np.abs(down)))])
+    sides = [_unit(np.cos(TILT_RAD) * np.array(down) + sign * np.sin(TILT_RAD) * across / np.linalg.norm(across)) for sign in (1, -1)]
+    return tuple(Stop(down=direction) for direction in (sides[0], down, sides[1], down))
+
+
+def _unit(x: Array) -> Direction:
+    unit = x / np.linalg.norm(x)
+    nearest = int(np.argmax(np.abs(unit)))
+    if abs(unit[nearest]) > np.cos(np.radians(1.0)):  # an axis that is held along gravity is meant to be exactly there
+        unit = np.sign(unit[nearest]) * np.eye(3)[nearest]
+    return float(unit[0]), float(unit[1]), float(unit[2])
+
+
+def wave_shape(wave: Wave, joints: int, period: float) -> Array:
+    """(N, joints), joint positions of a wave, rad for a largest joint speed of 1 rad/s, at rest at zero at both ends.
+
+    Each joint has frequencies of its own, evenly spaced in their logarithm, so that no two joints move together.
+    """
+    rng = np.random.default_rng(wave.seed)
+    t = period * np.arange(round(wave.seconds / period) + 1)
+    lines = np.geomspace(wave.lowest_hz, wave.highest_hz, 4 * joints).reshape(4, joints)
+    phases = rng.uniform(0.0, 2.0 * np.pi, lines.shape)
+    edge = np.clip(np.minimum(t, t[-1] - t) / 1.0, 0.0, 1.0)
+    rise = edge**3 * (10.0 - 15.0 * edge + 6.0 * edge**2)
+    angle = 2.0 * np.pi * lines * t[:, None, None] + phases
+    q = rise[:, None] * (np.sin(angle) / (2.0 * np.pi * lines)).sum(axis=1)
+    return np.asarray(q / np.abs(np.gradient(q, period, axis=0)).max(axis=0))

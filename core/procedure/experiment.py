@@ -1,0 +1,56 @@
+"""Carries an experiment out and appends what it measured to the recording that asked for it."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from core.cell.cell import Box, Cell
+from core.events import Event
+from core.planning.joint_torques import known_load
+from core.planning.settings import Planner
+from core.planning.stop import Stop
+from core.planning.stops import Stops
+from core.procedure.identify import Run, carried_out
+from core.procedure.outcome import Outcome
+from core.recording.recording import Recording, check_same_robot
+from core.sessions.session import RobotSession
+from core.twin.twin import NOMINAL, Twin
+
+
+def measure_more(
+    before: Recording,
+    stops: Sequence[Stop],
+    cell: Cell,
+    session: RobotSession,
+    payload_box: Box,
+    *,
+    planner: Planner = "rrt_connect",
+    seed: int = 0,
+    effort: int = 1,
+    out: Path | None = None,
+    twin: Twin = NOMINAL,
+) -> Generator[Event, None, Outcome]:
+    """Plans an experiment, carries it out, and estimates from the old and the new samples together.
+
+    Args:
+        before: the recording that is continued; only read.
+        stops: of the experiment.
+        effort: how much is searched before a plan is refused.
+        out: folder to make for both; nothing is written where absent.
+        twin: of the cell; the estimate accounts for its effects.
+
+    Returns:
+        The outcome; its recording holds the old samples and, after a gap in time, the new ones.
+
+    Raises:
+        BadInput: nothing to move for, or the recording is not of this cell's robot as it stands.
+        Refused, Stopped, Interrupted: as in `procedure.identify`.
+    """
+    run = Run(cell, session, payload_box, Stops.of(stops), planner, seed)
+    check_same_robot(before, run.robot.description, cell.gravity_in_base)
+    run.twin, run.before, run.load, run.effort = twin, before, known_load(cell, before.payload), effort
+    plan = yield from run.planned(np.array(cell.robot.home_rad))
+    return (yield from carried_out(run, plan, before.payload, None, out))

@@ -1,0 +1,240 @@
+"""The recording as a folder: `recording.json`, `samples.parquet` (or `.csv`, `.csv.gz` on import) and the URDF.
+
+Reading turns the wrench into the paper's sign; writing always states sign 1. What is written is complete or not there.
+Rows are counted from 1, the first sample.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import uuid
+from hashlib import sha256
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from core.cell.urdf import check_urdf
+from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
+from core.errors import BadInput, BadRecording
+from core.files.jail import find_inside, read_inside
+from core.recording.manifest import FILE as MANIFEST
+from core.recording.manifest import RobotPart, manifest_of, read_manifest
+from core.recording.recording import Recording, RobotDescription
+from core.recording.samples import FILES as SAMPLES
+from core.recording.samples import MAX_BYTES, Samples, write_samples
+
+Array = NDArray[np.float64]
+
+QUATERNION = ("qx", "qy", "qz", "qw")
+POSITION = ("px", "py", "pz")
+WRENCH = ("fx", "fy", "fz", "tx", "ty", "tz")
+PHASE = re.compile(r"transfer|hold:[xyz][+-]|hold:free|rotate:[xyz]")
+
+
+def read_recording(folder: Path) -> Recording:
+    """Reads a recording folder.
+
+    Args:
+        folder: holds `recording.json`, one samples file and, for joints, the URDF.
+
+    Returns:
+        the recording, its wrench in the paper's sign whatever `sensor.sign` says.
+
+    Raises:
+        BadRecording: anything that `recording/1` does not allow; one sentence with the file, the key, column and row.
+        BadRobot: the URDF is malformed or hostile.
+    """
+    folder = Path(folder)
+    if not folder.is_dir():
+        raise BadRecording(str(folder), "no such folder", f"a folder with {MANIFEST} and samples")
+    manifest = read_manifest(folder)
+    reference = manifest.payload_reference
+    robot = _read_robot(folder, manifest.robot) if manifest.robot else None
+    samples = Samples(folder)
+    n = len(robot.joints) if robot else 0
+    wrench = samples.numbers(*WRENCH) * manifest.sensor.sign if samples.any_of(WRENCH) else None
+    q = _joint_columns(samples, "q", n, optional=robot is None)
+    tau = _joint_columns(samples, "tau", n)
+    if wrench is None and tau is None:
+        raise BadRecording(samples.where, "neither a wrench (fx .. tz) nor joint torques (tau_1 ..)", "at least one of them")
+    phase = samples.texts("phase") if "phase" in samples else None
+    return Recording(
+        t=_checked_time(samples),
+        gravity=np.array(manifest.gravity),
+        wrench=wrench,
+        q=q,
+        dq=_joint_columns(samples, "dq", n),
+        q_cmd=_joint_columns(samples, "q_cmd", n),
+        tau=tau,
+        orientation=None if robot else _orientation(samples),
+        position=samples.numbers(*POSITION) if robot is None and samples.any_of(POSITION) else None,
+        temperature=samples.numbers("temperature")[:, 0] if "temperature" in samples else None,
+        phase=_checked_phase(phase, samples.where),
+        robot=robot,
+        friction=manifest.robot.friction.description if manifest.robot and manifest.robot.friction else None,
+        sensor=manifest.sensor.description,
+        reference=reference.parameters if reference else None,
+        reference_source=reference.source if reference else None,
+        source=manifest.source,
+        cell=manifest.cell,
+        payload=manifest.payload,
+        tools=tuple(tool.known for tool in manifest.tools or ()),
+    )
+
+
+def write_recording(recording: Recording, folder: Path) -> None:
+    """Writes a recording as a new folder; it appears under its name complete, or not at all.
+
+    Raises:
+        BadInput: the folder exists and is not empty; a recording is never overwritten.
+        BadRecording: columns of different lengths, values that are not finite, or time that does not increase.
+    """
+    folder = Path(folder)
+    if folder.exists() and not (folder.is_dir() and not any(folder.iterdir())):
+        raise BadInput(str(folder), "something that is already there", "a new or empty folder; a recording is never overwritten")
+    columns = _columns_of(recording)
+    manifest = manifest_of(recording).model_dump_json(indent=1, exclude_none=True)
+    partial = folder.with_name(f".{folder.name}.{uuid.uuid4().hex[:8]}.partial")
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        partial.mkdir()
+        write_samples(partial / "samples.parquet", columns)
+        if recording.robot:
+            (partial / "robot.urdf").write_text(recording.robot.urdf, encoding="utf-8")
+        (partial / MANIFEST).write_text(manifest + "\n", encoding="utf-8")
+        try:
+            partial.rename(folder)
+        except OSError as error:
+            raise BadInput(str(folder), f"a folder that cannot be made ({error.strerror})", "a new folder") from error
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
+
+
+def recording_sha256(folder: Path) -> str:
+    """SHA-256 of what a recording consists of: manifest, samples and URDF, whatever else lies beside them.
+
+    Raises:
+        BadRecording: no readable recording is there.
+    """
+    folder = Path(folder)
+    if not folder.is_dir():
+        raise BadRecording(str(folder), "no such folder", f"a folder with {MANIFEST} and samples")
+    manifest = read_manifest(folder)
+    names = [MANIFEST, *(name for name in SAMPLES if (folder / name).exists()), *([manifest.robot.urdf] if manifest.robot else [])]
+    digest = sha256()
+    for name in names:
+        digest.update(f"{name}\n".encode())
+        digest.update(find_inside(folder, name, BadRecording, max_bytes=MAX_BYTES).read_bytes())
+    return digest.hexdigest()
+
+
+# reading
+
+
+def _read_robot(folder: Path, robot: RobotPart) -> RobotDescription:
+    where = f"{folder / MANIFEST}: robot.urdf"
+    text = read_inside(folder, robot.urdf, BadRecording, max_bytes=MAX_URDF_BYTES, where=where)
+    urdf = check_urdf(text, str(folder / robot.urdf))
+    known = [joint.name for joint in urdf.joints]
+    unknown = [name for name in robot.joints if name not in known]
+    if unknown:
+        raise BadRecording(f"{folder / MANIFEST}: robot.joints", f"{unknown[0]!r}", f"joints of the URDF, {known}")
+    for key in ("base_frame", "sensor_frame"):
+        if getattr(robot, key) not in urdf.links:
+            raise BadRecording(
+                f"{folder / MANIFEST}: robot.{key}",
+                repr(getattr(robot, key)),
+                f"a link of the URDF, {list(urdf.links)}",
+            )
+    chain = urdf.chain(robot.base_frame, robot.sensor_frame)
+    if robot.joints != chain:
+        raise BadRecording(
+            f"{folder / MANIFEST}: robot.joints",
+            str(list(robot.joints)),
+            f"the chain's joints in its order, {list(chain)}",
+        )
+    return RobotDescription(text, chain, robot.base_frame, robot.sensor_frame)
+
+
+def _names(prefix: str, n: int) -> list[str]:
+    return [f"{prefix}_{j + 1}" for j in range(n)]
+
+
+def _joint_columns(samples: Samples, prefix: str, n: int, *, optional: bool = True) -> Array | None:
+    """Columns (N, n) of the n joints; all of them, or none where they are optional."""
+    extra = f"{prefix}_{n + 1}"
+    if n and extra in samples:
+        raise BadRecording(f"{samples.where}: column {extra!r}", "more columns than joints", f"{prefix}_1 to {prefix}_{n}")
+    names = _names(prefix, n)
+    return None if optional and not samples.any_of(names) else samples.numbers(*names)
+
+
+def _checked_time(samples: Samples) -> Array:
+    t = samples.numbers("t")[:, 0]
+    _check_time(t, samples.where)
+    return t
+
+
+def _check_time(t: Array, where: str) -> None:
+    late = np.flatnonzero(np.diff(t) <= 0)
+    if len(late):
+        k = int(late[0]) + 1
+        raise BadRecording(f"{where}: column 't', row {k + 1}", f"{t[k]:.9g} s after {t[k - 1]:.9g} s", "time that strictly increases")
+
+
+def _orientation(samples: Samples) -> Array:
+    """Rotation matrices (N, 3, 3) of the quaternions, normalised."""
+    if not samples.any_of(QUATERNION):
+        found = "joint positions without a robot" if "q_1" in samples else "neither joint positions (q_1 ..) nor poses (qx qy qz qw)"
+        raise BadRecording(samples.where, found, "joints with `robot` in recording.json, or poses")
+    quaternions = samples.numbers(*QUATERNION)
+    norms = np.linalg.norm(quaternions, axis=1)
+    wrong = np.flatnonzero(np.abs(norms - 1.0) > 0.01)
+    if len(wrong):
+        k = int(wrong[0])
+        raise BadRecording(f"{samples.where}: columns qx qy qz qw, row {k + 1}", f"a norm of {norms[k]:.4g}", "a unit quaternion")
+    return np.asarray(Rotation.from_quat(quaternions).as_matrix())
+
+
+def _checked_phase(phase: NDArray[np.str_] | None, where: str) -> NDArray[np.str_] | None:
+    if phase is None:
+        return None
+    for label in np.unique(phase):
+        if not PHASE.fullmatch(str(label)):
+            row = int(np.flatnonzero(phase == label)[0]) + 1
+            expected = "transfer, hold:<axis><sign>, hold:free or rotate:<axis>"
+            raise BadRecording(f"{where}: column 'phase', row {row}", repr(str(label))[:60], expected)
+    return phase
+
+
+# writing
+
+
+def _columns_of(recording: Recording) -> dict[str, Array | NDArray[np.str_]]:
+    """Columns of the samples, checked."""
+    columns: dict[str, Array | NDArray[np.str_]] = {"t": np.asarray(recording.t, dtype=float)}
+    for prefix in ("q", "dq", "q_cmd", "tau"):
+        values = getattr(recording, prefix)
+        if values is not None:
+            columns |= dict(zip(_names(prefix, values.shape[1]), np.asarray(values, dtype=float).T, strict=True))
+    if recording.orientation is not None:
+        columns |= dict(zip(QUATERNION, Rotation.from_matrix(recording.orientation).as_quat().T, strict=True))
+    if recording.position is not None:
+        columns |= dict(zip(POSITION, recording.position.T, strict=True))
+    if recording.wrench is not None:
+        columns |= dict(zip(WRENCH, recording.wrench.T, strict=True))
+    if recording.temperature is not None:
+        columns["temperature"] = recording.temperature
+    for name, values in columns.items():
+        if len(values) != len(recording.t):
+            raise BadRecording(f"column {name!r}", f"{len(values)} values", f"{len(recording.t)}, as many as times")
+        bad = np.flatnonzero(~np.isfinite(values))
+        if len(bad):
+            raise BadRecording(f"column {name!r}, row {bad[0] + 1}", str(values[bad[0]]), "a finite number")
+    _check_time(recording.t, "recording")
+    if recording.phase is not None:
+        columns["phase"] = np.asarray(recording.phase, dtype=np.str_)
+    return columns

@@ -1,0 +1,177 @@
+"""The samples of a recording on disk: named columns of equal length in Parquet or CSV, read as an untrusted file.
+
+Rows are counted from 1, the first sample. Columns that the format does not know are left alone.
+"""
+
+from __future__ import annotations
+
+import gzip
+import io
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Literal, NoReturn, TypeAlias
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.csv as pa_csv
+import pyarrow.parquet as pq
+from numpy.typing import NDArray
+
+from core.errors import BadRecording
+from core.files.jail import find_inside
+
+Array = NDArray[np.float64]
+Column: TypeAlias = "pa.ChunkedArray[Any]"
+
+FILES = ("samples.parquet", "samples.csv", "samples.csv.gz")
+MAX_SAMPLES = 3_000_000  # 50 minutes at 1 kHz
+MAX_BYTES = 2_000_000_000
+
+
+class Samples:
+    """Columns of one samples file.
+
+    Args:
+        folder: the recording's folder.
+
+    Raises:
+        BadRecording: none or several samples files, one that is truncated, malformed, empty or too long.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        present = [name for name in FILES if (folder / name).exists() or (folder / name).is_symlink()]
+        if len(present) != 1:
+            raise BadRecording(str(folder), " and ".join(present) or "no samples", f"exactly one of {', '.join(FILES)}")
+        self.file = find_inside(folder, present[0], BadRecording, max_bytes=MAX_BYTES)
+        self.where = str(folder / present[0])
+        self.table = self._read_parquet() if present[0].endswith("parquet") else self._read_csv()
+        names = self.table.column_names
+        twice = sorted({name for name in names if names.count(name) > 1})
+        if twice:
+            raise BadRecording(f"{self.where}: column {twice[0]!r}", f"{names.count(twice[0])} of them", "one")
+        self._check_length(len(self.table))
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.table.column_names
+
+    def __len__(self) -> int:
+        return len(self.table)
+
+    def any_of(self, names: Iterable[str]) -> bool:
+        """Whether at least one of the columns is there."""
+        return any(name in self for name in names)
+
+    def numbers(self, *names: str) -> Array:
+        """The columns side by side, (N, len(names)), finite.
+
+        Raises:
+            BadRecording: a column is missing, holds text, or a value is missing, NaN or infinite.
+        """
+        return np.column_stack([self._number_column(name) for name in names])
+
+    def texts(self, name: str) -> NDArray[np.str_]:
+        """A column of text, (N,).
+
+        Raises:
+            BadRecording: the column is missing, is not text, or a value is missing.
+        """
+        column = self._column(name)
+        if pa.types.is_dictionary(column.type):
+            column = column.cast(column.type.value_type)
+        if not (pa.types.is_string(column.type) or pa.types.is_large_string(column.type)):
+            self._refuse(name, f"values of the type {column.type}", "text")
+        if column.null_count:
+            self._refuse(name, "no value", "text", row=_first_null(column))
+        return np.asarray(column.to_pylist(), dtype=np.str_)
+
+    def _column(self, name: str) -> Column:
+        if name not in self:
+            self._refuse(name, "no such column", f"it beside {self.table.column_names}")
+        return self.table.column(name)
+
+    def _number_column(self, name: str) -> Array:
+        column = self._column(name)
+        if pa.types.is_string(column.type) or pa.types.is_large_string(column.type) or pa.types.is_dictionary(column.type):
+            self._refuse_text(name, column)
+        if not (pa.types.is_floating(column.type) or pa.types.is_integer(column.type)):
+            self._refuse(name, f"values of the type {column.type}", "numbers")
+        if column.null_count:
+            self._refuse(name, "no value", "a finite number", row=_first_null(column))
+        values = np.asarray(column.to_numpy(), dtype=float)
+        bad = np.flatnonzero(~np.isfinite(values))
+        if len(bad):
+            self._refuse(name, str(values[bad[0]]), "a finite number", row=int(bad[0]) + 1)
+        return values
+
+    def _refuse_text(self, name: str, column: Column) -> NoReturn:
+        for row, value in enumerate(column.to_pylist(), start=1):
+            try:
+                float(str(value))
+            except ValueError:
+                self._refuse(name, f"the text {str(value)[:40]!r}", "a number", row=row)
+        self._refuse(name, "numbers written as text", "numbers")
+
+    def _refuse(self, column: str, found: str, expected: str, *, row: int | None = None) -> NoReturn:
+        raise BadRecording(f"{self.where}: column {column!r}" + (f", row {row}" if row else ""), found, expected)
+
+    def _check_length(self, rows: int) -> None:
+        if not 2 <= rows <= MAX_SAMPLES:
+            raise BadRecording(self.where, f"{rows} rows", f"2 to {MAX_SAMPLES}")
+
+    def _read_parquet(self) -> pa.Table:
+        try:
+            with pq.ParquetFile(self.file) as parquet:
+                self._check_length(parquet.metadata.num_rows)
+                return parquet.read()
+        except (pa.ArrowException, OSError) as error:
+            raise BadRecording(self.where, f"Parquet that cannot be read ({_one_line(error)})", "a complete Parquet file") from error
+
+    def _read_csv(self) -> pa.Table:
+        wrong_rows: list[pa_csv.InvalidRow] = []
+
+        def keep(row: pa_csv.InvalidRow) -> Literal["skip"]:
+            wrong_rows.append(row)
+            return "skip"
+
+        try:
+            content = self._csv_bytes()
+            table = pa_csv.read_csv(
+                io.BytesIO(content),
+                # one block: a column's type is that of all its rows, not of those in the first megabyte
+                read_options=pa_csv.ReadOptions(use_threads=False, block_size=len(content) + 1),
+                parse_options=pa_csv.ParseOptions(invalid_row_handler=keep),
+                convert_options=pa_csv.ConvertOptions(null_values=[""], strings_can_be_null=True),
+            )
+        except (pa.ArrowException, OSError, EOFError, ValueError) as error:
+            raise BadRecording(self.where, f"CSV that cannot be read ({_one_line(error)})", "CSV in UTF-8 with a header") from error
+        if wrong_rows:
+            row = wrong_rows[0]
+            number = f": row {row.number - 1}" if row.number else ""
+            raise BadRecording(f"{self.where}{number}", f"{row.actual_columns} values", f"{row.expected_columns}, one for each column")
+        return table
+
+    def _csv_bytes(self) -> bytes:
+        if self.file.suffix != ".gz":
+            return self.file.read_bytes()
+        with gzip.open(self.file) as stream:
+            content = stream.read(MAX_BYTES + 1)
+        if len(content) > MAX_BYTES:
+            raise BadRecording(self.where, f"more than {MAX_BYTES} bytes when unpacked", "a recording of a plausible size")
+        return content
+
+
+def write_samples(file: Path, columns: Mapping[str, Array | NDArray[np.str_]]) -> None:
+    """Writes columns of equal length as Parquet: float64 bit for bit, zstd."""
+    table = pa.table({name: pa.array(values) for name, values in columns.items()})
+    numbers = [name for name, values in columns.items() if values.dtype.kind == "f"]
+    texts = [name for name in columns if name not in numbers]
+    encodings: dict[str, Any] = {"use_dictionary": texts or False, "use_byte_stream_split": numbers}
+    pq.write_table(table, file, compression="zstd", **encodings)
+
+
+def _first_null(column: Column) -> int:
+    return int(np.flatnonzero(np.asarray(column.is_null()))[0]) + 1
+
+
+def _one_line(error: BaseException) -> str:
+    return " ".join(str(error).split())[:160]

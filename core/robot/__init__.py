@@ -1,0 +1,1 @@
+"""The robot as a checked model: kinematics, dynamics, bodies and their distances."""

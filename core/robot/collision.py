@@ -1,0 +1,383 @@
+"""Distances of the robot and the payload box to obstacles, protected zones and themselves: Coal through Pinocchio.
+
+Meshes count as the convex parts that contain them. Every pair has a required distance, see `core.robot.watched_pairs`. A *margin* is a
+distance minus what is required; margins are signed, negative where a pair is too close.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import inf
+from typing import Any
+
+import coal
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
+from core.cell.contradictions import BASE_IN_OBSTACLE
+from core.errors import BadCell
+from core.robot.bodies import (
+    FLOOR,
+    PAYLOAD,
+    Body,
+    SpeedPoints,
+    corners_of,
+    fixed_body,
+    floor_body,
+    link_bodies,
+    payload_body,
+    reach_of,
+    tool_bodies,
+)  # fmt: skip
+from core.robot.model import RobotModel
+from core.robot.watched_pairs import CONTACT_M, LeftOut, OwnPairs, Rule, Watch, may_be_near, rule_of_standing
+
+MOUNT_M = 0.002
+"""A base this near to something is mounted on it."""
+
+__all__ = ["Body", "CollisionModel", "Nearest", "SpeedPoints"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Nearest:
+    """The nearest pair of bodies.
+
+    Args:
+        distance_m: signed distance, negative when they penetrate; infinite when there is no pair.
+        required_m: what the cell requires between them.
+        first: link name, or "payload".
+        second: name of the obstacle, the protected zone or the other link.
+        point_first, point_second: (3,), the nearest points, world frame, m.
+    """
+
+    distance_m: float
+    required_m: float
+    first: str
+    second: str
+    point_first: Array
+    point_second: Array
+
+    @property
+    def margin_m(self) -> float:
+        """Distance minus what is required."""
+        return self.distance_m - self.required_m
+
+
+class CollisionModel:
+    """Distances of one robot with one payload box in one cell.
+
+    Pairs are the moving links, the payload box and the tools against all obstacles, zones and the floor, and against each other and the
+    base. Which of them are watched, and what each has to keep, says `core.robot.watched_pairs`; the others are in `left_out`.
+
+    Args:
+        cell: obstacles, zones, floor and clearances.
+        robot: the kinematics of the same cell.
+        payload_box: in the sensor frame.
+
+    Raises:
+        BadCell: something stands where the robot's base is, or the home configuration is too close to something.
+    """
+
+    def __init__(self, cell: Cell, robot: RobotModel, payload_box: Box) -> None:
+        self.cell = cell
+        self.robot = robot
+        self.payload_box = payload_box
+        bodies = [*link_bodies(cell, robot), *tool_bodies(cell, robot), payload_body(robot, payload_box)]
+        self._things = {item.name: fixed_body(item.name, item.shape) for item in _standing(cell)}
+        things = [*self._things.values(), floor_body(cell.floor_z_m)]  # whose name may be an obstacle's as well
+        self._zones = [self._things[zone.name] for zone in cell.zones]
+        self._base = [body for body in bodies if body.joint == 0]
+        self.points = corners_of(bodies)
+        self.reach = reach_of(robot, self.points)
+        """(n,), the largest distance from axis i of any point behind joint i over all configurations, m."""
+        self._why: dict[tuple[str, str], str] = {}
+        standing = [(body, thing) for body in bodies if body.joint > 0 for thing in things]
+        first_links = [pair for pair in standing if may_be_near(pair[0])]
+        near = [pair for pair in first_links if not self._is_zone(pair[1])]
+        asked = {Watch.CLEARANCE: cell.limits.clearance_m, Watch.TIGHT: cell.limits.clearance_m, Watch.CONTACT: CONTACT_M}
+        self._standing = {
+            watch: _Pairs(robot, required_m, standing if watch is Watch.CLEARANCE else near) for watch, required_m in asked.items()
+        }
+        self._clear = _Pairs(robot, 0.0, first_links)
+        own, keep = self._own_pairs(bodies), cell.limits.self_clearance_m
+        asked = {Watch.CLEARANCE: keep, Watch.TIGHT: keep, Watch.CONTACT: CONTACT_M}
+        self._own = {watch: _Pairs(robot, required_m, own[watch]) for watch, required_m in asked.items()}
+        for thing in things:
+            self._watch_standing(thing, thing.placement)
+        _check_base(cell, bodies, things)
+        _check_home(cell, self)
+
+    @property
+    def pairs(self) -> tuple[list[tuple[Body, Body]], list[tuple[Body, Body]]]:
+        """The pairs that are watched: those with obstacles, zones and the floor, and those within the arm."""
+        standing, own = ([pair for group in groups.values() for pair in group.active] for groups in (self._standing, self._own))
+        return standing, own
+
+    @property
+    def watched(self) -> NDArray[np.bool_]:
+        """Which pairs are watched: `move` may change it."""
+        return np.concatenate([group.watched for group in self._groups])
+
+    @property
+    def required_m(self) -> Array:
+        """(n_pairs,), what each of `pairs` has to keep, m."""
+        return np.concatenate([np.full(len(group.active), group.required_m) for group in self._groups])
+
+    @property
+    def share(self) -> Array:
+        """(n_pairs,), how much of the room beyond the required distances can be asked of each of `pairs`."""
+        groups = [(watch, group) for each in (self._standing, self._own) for watch, group in each.items()]
+        return np.concatenate([np.full(len(group.active), watch.share) for watch, group in groups])
+
+    @property
+    def left_out(self) -> list[LeftOut]:
+        """The pairs of links, payload, tools and things of which nothing is watched, and why."""
+        watched = {(first.name, second.name) for pairs in self.pairs for first, second in pairs}
+        return [LeftOut(*names, why) for names, why in self._why.items() if names not in watched and names[0] != names[1]]
+
+    @property
+    def _groups(self) -> list[_Pairs]:
+        return [*self._standing.values(), *self._own.values()]
+
+    def nearest(self, q: Array) -> Nearest:
+        """The pair with the smallest margin at q (n,)."""
+        return min((group.nearest(q) for group in self._groups), key=lambda pair: pair.margin_m)
+
+    def margin(self, q: Array) -> float:
+        """Smallest distance minus required distance over all pairs at q (n,), m; negative if q is not finite."""
+        return min(group.margin(q) for group in self._groups)
+
+    def margins(self, q: Array) -> Array:
+        """Distance minus required distance at q (n,) of every pair, obstacles and zones first, m; infinite where it is not watched.
+
+        `margins(q)[watched]` are those of `pairs`, in their order.
+        """
+        return np.concatenate([group.margins(q) for group in self._groups])
+
+    def is_free(self, q: Array, extra_m: float = 0.0) -> bool:
+        """Whether every margin at q (n,) exceeds `extra_m`; cheaper than `margin`."""
+        return all(group.is_free(q, extra_m) for group in self._groups)
+
+    def obstacle_distance(self, q: Array) -> Nearest:
+        """The smallest distance to obstacles, protected zones and the floor at q (n,), without `left_out_distance`."""
+        return min((group.nearest(q) for group in self._standing.values()), key=lambda pair: pair.distance_m)
+
+    def left_out_distance(self, q: Array) -> Nearest:
+        """The smallest distance at q (n,) of the first links to what they cannot come too close to; infinite where there is none."""
+        return self._clear.nearest(q)
+
+    def obstacle_margin(self, q: Array) -> float:
+        """Smallest margin to obstacles, zones and the floor at q (n,), m."""
+        return min(group.margin(q) for group in self._standing.values())
+
+    def self_margin(self, q: Array) -> float:
+        """Smallest margin within the arm, payload included, at q (n,), m."""
+        return min(group.margin(q) for group in self._own.values())
+
+    def obstacle_room(self, q: Array) -> float:
+        """`obstacle_margin`, those of pairs whose construction leaves them little room counted larger by as much."""
+        return min(group.margin(q) / watch.share for watch, group in self._standing.items())
+
+    def obstacle_rooms(self, q: Array) -> Array:
+        """The same of every pair with an obstacle, a zone or the floor, in the order of `pairs`."""
+        return np.concatenate([group.margins(q)[group.watched] / watch.share for watch, group in self._standing.items()])
+
+    def self_room(self, q: Array) -> float:
+        """`self_margin`, counted likewise."""
+        return min(group.margin(q) / watch.share for watch, group in self._own.items())
+
+    def room(self, q: Array) -> float:
+        """`margin`, counted likewise: what is compared with the room that planning asks for beyond the required distances, m."""
+        return min(self.obstacle_room(q), self.self_room(q))
+
+    def motion_bound(self, q_a: Array, q_b: Array) -> float:
+        """Upper bound of how far any point moves on the straight line between two configurations, m.
+
+        The sum over the joints of |dq_i| times `reach` i. No margin changes by more than this between q_a and q_b, also
+        none between two links.
+        """
+        return float(np.abs(np.subtract(q_b, q_a)) @ self.reach)
+
+    def move(self, name: str, pose: Pose) -> None:
+        """Moves an obstacle or a zone (a live position); world frame.
+
+        Raises:
+            BadCell: there is no obstacle or zone of that name.
+        """
+        if name not in self._things:
+            raise BadCell(f"{self.cell.folder.name}/cell.toml: obstacles and zones", repr(name), f"one of {list(self._things)}")
+        thing, placement = self._things[name], pin.SE3(pose.rotation, pose.translation)
+        for group in (*self._standing.values(), self._clear):
+            group.move(thing, placement)
+        self._watch_standing(thing, placement)
+
+    def _own_pairs(self, bodies: list[Body]) -> dict[Watch, list[tuple[Body, Body]]]:
+        """The pairs within the arm, by what they have to keep."""
+        rules = OwnPairs(self.cell, self.robot, bodies)
+        found: dict[Watch, list[tuple[Body, Body]]] = {watch: [] for watch in Watch}
+        for i, first in enumerate(bodies):
+            for k, second in enumerate(bodies):
+                if (first.joint, i) > (second.joint, k):
+                    rule = rules.rule(first, second, _Pairs(self.robot, 0.0, [(first, second)]).margin)
+                    found[rule.watch].append((first, second))
+                    self._note((first, second), rule)
+        return found
+
+    def _watch_standing(self, thing: Body, placement: Any) -> None:
+        """Chooses what the moving bodies have to keep from an obstacle, a zone or the floor that is there now."""
+        there = replace(thing, placement=placement)
+        is_mount = not self._is_zone(thing) and self._is_mount(there)
+        for pair in self._standing[Watch.CLEARANCE].bodies:
+            if pair[1] is thing:
+                distance = _Pairs(self.robot, 0.0, [(pair[0], there)]).margin
+                rule = rule_of_standing(self.robot, (pair[0], there), distance, self.cell.limits.clearance_m, is_mount=is_mount)
+                for watch, group in self._standing.items():
+                    group.use(pair, rule.watch is watch)
+                self._clear.use(pair, rule.watch is Watch.NOTHING)
+                self._note(pair, rule)
+
+    def _is_zone(self, thing: Body) -> bool:
+        return any(thing is zone for zone in self._zones)
+
+    def _is_mount(self, thing: Body) -> bool:
+        """Whether the robot's base stands on a thing, hangs from it or is bolted to it."""
+        return any(_distance(base.geometry, base.placement, thing.geometry, thing.placement) <= MOUNT_M for base in self._base)
+
+    def _note(self, pair: tuple[Body, Body], rule: Rule) -> None:
+        """Why nobody watches a pair."""
+        if rule.watch is Watch.NOTHING:
+            self._why[pair[0].name, pair[1].name] = rule.why
+
+
+class _Pairs:
+    """Pairs that share one required distance, so that a single call returns the one that matters; all of them are watched at first."""
+
+    def __init__(self, robot: RobotModel, required_m: float, bodies: list[tuple[Body, Body]]) -> None:
+        self.required_m = required_m
+        self.bodies = bodies
+        self._index = {_key(pair): k for k, pair in enumerate(bodies)}
+        self._model, self._data = robot.model, robot.model.createData()
+        self._geometry = pin.GeometryModel()
+        self._ids: dict[str, int] = {}
+        for pair in bodies:
+            self._geometry.addCollisionPair(pin.CollisionPair(*[self._add(body) for body in pair]))
+        self._results = self._geometry.createData()
+        self.watched = np.ones(len(bodies), dtype=bool)
+        """(n_pairs,), which of `bodies` are taken into the computation."""
+        self._extra_m = -inf
+
+    def _add(self, body: Body) -> int:
+        """Index of the geometry object of a body, which is added when it is new."""
+        key = _id(body)
+        if key not in self._ids:
+            shape = pin.GeometryObject(key, body.joint, body.placement, body.geometry)
+            self._ids[key] = self._geometry.addGeometryObject(shape)
+        return self._ids[key]
+
+    def _nearest_pair(self, q: Array) -> int:
+        return int(pin.computeDistances(self._model, self._data, self._geometry, self._results, q))
+
+    def margin(self, q: Array) -> float:
+        if not self.watched.any():
+            return inf
+        return float(self._results.distanceResults[self._nearest_pair(q)].min_distance) - self.required_m
+
+    def margins(self, q: Array) -> Array:
+        """Of all `bodies`, infinite where a pair is left out."""
+        if not self.watched.any():
+            return np.full(len(self.bodies), inf)
+        pin.computeDistances(self._model, self._data, self._geometry, self._results, q)
+        distances = np.array([result.min_distance for result in self._results.distanceResults])
+        return np.where(self.watched, distances - self.required_m, inf)
+
+    def nearest(self, q: Array) -> Nearest:
+        if not self.watched.any():
+            return Nearest(inf, self.required_m, "robot", "nothing", np.full(3, np.nan), np.full(3, np.nan))
+        k = self._nearest_pair(q)
+        result = self._results.distanceResults[k]
+        first, second = self.bodies[k]
+        points = np.array(result.getNearestPoint1()), np.array(result.getNearestPoint2())
+        return Nearest(float(result.min_distance), self.required_m, first.name, second.name, *points)
+
+    def is_free(self, q: Array, extra_m: float) -> bool:
+        if not self.watched.any():
+            return True
+        if extra_m != self._extra_m:
+            for request in self._results.collisionRequests:
+                request.security_margin = self.required_m + extra_m
+            self._extra_m = extra_m
+        return not pin.computeCollisions(self._model, self._data, self._geometry, self._results, q, True)
+
+    def use(self, pair: tuple[Body, Body], wanted: bool) -> None:
+        """Takes a pair into the computation or leaves it out; nothing where this group does not have it."""
+        k = self._index.get(_key(pair))
+        if k is None:
+            return
+        (self._results.activateCollisionPair if wanted else self._results.deactivateCollisionPair)(k)
+        self.watched[k] = wanted
+
+    @property
+    def active(self) -> list[tuple[Body, Body]]:
+        """The pairs that are taken into the computation."""
+        return [pair for pair, watched in zip(self.bodies, self.watched, strict=True) if watched]
+
+    def move(self, thing: Body, placement: Any) -> None:
+        """Moves a fixed body; nothing where no pair has it."""
+        if _id(thing) in self._ids:
+            self._geometry.geometryObjects[self._ids[_id(thing)]].placement = placement
+
+
+def _id(body: Body) -> str:
+    return f"{body.joint} {body.name} {id(body)}"
+
+
+def _key(pair: tuple[Body, Body]) -> tuple[int, int]:
+    return id(pair[0]), id(pair[1])
+
+
+def _standing(cell: Cell) -> list[Obstacle | Zone]:
+    """Everything that the robot must keep away from."""
+    return [*cell.obstacles, *cell.zones]
+
+
+def _distance(first: Any, first_placement: Any, second: Any, second_placement: Any) -> float:
+    """Signed distance of two shapes, m."""
+    transforms = [coal.Transform3s(T.rotation, T.translation) for T in (first_placement, second_placement)]
+    return float(coal.distance(first, transforms[0], second, transforms[1], coal.DistanceRequest(), coal.DistanceResult()))
+
+
+def _check_base(cell: Cell, bodies: list[Body], things: list[Body]) -> None:
+    for base in (body for body in bodies if body.joint == 0):
+        for thing in things:
+            distance = _distance(base.geometry, base.placement, thing.geometry, thing.placement)
+            if distance < -BASE_IN_OBSTACLE:
+                raise BadCell(
+                    f"{cell.folder.name}/cell.toml: {thing.name}",
+                    f"{base.name!r} of the robot {-distance:.3f} m inside it",
+                    f"the robot's base outside (at most {BASE_IN_OBSTACLE} m sunk into what it is mounted on)",
+                    thing.name,
+                )
+
+
+def _check_home(cell: Cell, collision: CollisionModel) -> None:
+    nearest = collision.nearest(np.array(cell.robot.home_rad))
+    if nearest.margin_m < 0.0:
+        raise BadCell(
+            f"{cell.folder.name}/cell.toml: robot.home_rad",
+            f"{nearest.first!r} {nearest.distance_m:.3f} m from {nearest.second!r}",
+            _wanted_at_home(cell, nearest),
+            nearest.second,
+        )
+
+
+def _wanted_at_home(cell: Cell, nearest: Nearest) -> str:
+    """With the keys that would change it."""
+    if nearest.second in {FLOOR, *(item.name for item in _standing(cell))}:
+        return f"at least {nearest.required_m:.3f} m at home (limits.clearance_m)"
+    if nearest.first in {PAYLOAD, *cell.tools, *(link for tool in cell.tools.values() for link in tool.links or ())}:
+        return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or a smaller box of payload or tool)"
+    return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or the pair in robot.adjacent)"

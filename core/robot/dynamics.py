@@ -1,0 +1,46 @@
+"""What the links of an arm, and a load where there is one, ask of its joints: inertia and torque, from the masses of the URDF."""
+
+from __future__ import annotations
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from core.payload.inertia import PINOCCHIO_ORDER, InertialParameters
+from core.robot.model import RobotModel
+
+Array = NDArray[np.float64]
+
+
+class LinkDynamics:
+    """Rigid-body dynamics of the arm.
+
+    Args:
+        robot: with masses in its URDF (see `has_masses`).
+        gravity: (3,), in the frame of the robot model's poses, m/s2.
+        load: what hangs on the sensor, in its frame; None for the bare arm.
+    """
+
+    def __init__(self, robot: RobotModel, gravity: Array, load: InertialParameters | None = None) -> None:
+        self._model = robot.model.copy()
+        self._model.gravity.linear = np.asarray(gravity, dtype=float)
+        if load is not None:
+            sensor = self._model.frames[robot.sensor_frame_id]
+            carried = pin.Inertia.FromDynamicParameters(load.phi[PINOCCHIO_ORDER])
+            self._model.inertias[sensor.parentJoint] += sensor.placement.act(carried)
+        self._data = self._model.createData()
+
+    def inertia(self, q: Array) -> Array:
+        """(N, n, n), in joint coordinates, kg m2, at each row of q (N, n)."""
+        upper = np.triu(np.stack([pin.crba(self._model, self._data, row).copy() for row in q]))
+        return np.asarray(upper + np.triu(upper, 1).transpose(0, 2, 1))
+
+    def torque(self, q: Array, dq: Array, ddq: Array) -> Array:
+        """(N, n), N m, for positions, velocities and accelerations (N, n): recursive Newton-Euler."""
+        rows = zip(q, dq, ddq, strict=True)
+        return np.stack([pin.rnea(self._model, self._data, *row).copy() for row in rows])
+
+
+def has_masses(robot: RobotModel) -> bool:
+    """Whether the URDF states any mass."""
+    return bool(sum(inertia.mass for inertia in robot.model.inertias) > 0.0)

@@ -1,0 +1,89 @@
+"""Collects a run's samples while it goes on, so that a recording can be closed at any moment."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from core.cell.cell import Cell, Payload
+from core.cell.tools import known_tools
+from core.recording.recording import Recording, SensorDescription, appended
+from core.recording.stated_friction import stated_friction
+from core.robot.model import RobotModel
+from core.sessions.session import RobotState
+
+
+class SampleLog:
+    """Robot states with the phase in which each was taken, in the order of time.
+
+    Args:
+        before: a recording of the same robot that they continue.
+    """
+
+    def __init__(
+        self, cell: Cell, robot: RobotModel, *, payload: str | None, reference: Payload | None, before: Recording | None = None
+    ) -> None:
+        self.cell = cell
+        self.robot = robot
+        self.payload = payload
+        self.reference = reference
+        self.before = before
+        self.states: list[RobotState] = []
+        self.phases: list[str] = []
+
+    def __len__(self) -> int:
+        return len(self.states)
+
+    @property
+    def seconds(self) -> float:
+        """From the first sample to the last, s."""
+        return self.states[-1].t - self.states[0].t if self.states else 0.0
+
+    def extend(self, states: Iterable[RobotState], phase: str) -> list[RobotState]:
+        """Appends samples of one phase, but for those that no recording can hold: not finite, or with a clock that stands still.
+
+        The guard stops the robot at such a sample, and its error carries it. Returns what was appended.
+        """
+        before = len(self.states)
+        for state in states:
+            if self._fits(state):
+                self.states.append(state)
+                self.phases.append(phase)
+        return self.states[before:]
+
+    def _fits(self, state: RobotState) -> bool:
+        later = not self.states or state.t > self.states[-1].t
+        finite = np.isfinite(state.t + state.q.sum() + state.dq.sum() + state.q_cmd.sum() + state.wrench.sum())
+        return later and bool(finite) and (state.tau is None or bool(np.isfinite(state.tau).all()))
+
+    def recording(self) -> Recording:
+        """The samples so far, after those of the recording that they continue."""
+        return self._new() if self.before is None else appended(self.before, self._new())
+
+    def _new(self) -> Recording:
+        """Gravity is turned into the base frame, which the recording's URDF starts from."""
+        states = self.states
+        sensor = self.cell.sensor
+        has_torque = bool(states) and all(state.tau is not None for state in states)
+        has_temperature = bool(states) and all(state.temperature is not None for state in states)
+        return Recording(
+            t=np.array([state.t for state in states]),
+            gravity=self.cell.gravity_in_base,
+            wrench=np.array([state.wrench for state in states]),
+            q=np.array([state.q for state in states]),
+            dq=np.array([state.dq for state in states]),
+            q_cmd=np.array([state.q_cmd for state in states]),
+            tau=np.array([state.tau for state in states]) if has_torque else None,
+            temperature=np.array([state.temperature for state in states]) if has_temperature else None,
+            phase=np.array(self.phases),
+            robot=self.robot.description,
+            friction=stated_friction(self.cell),
+            sensor=SensorDescription(np.array(sensor.noise_std), np.array(sensor.range), np.array(sensor.resolution)),
+            reference=None if self.reference is None else self.reference.parameters,
+            reference_source=None if self.reference is None else self.reference.source,
+            source="heft run",
+            cell=self.cell.name,
+            payload=self.payload,
+            tools=known_tools(self.cell),
+        )

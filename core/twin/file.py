@@ -1,0 +1,110 @@
+"""`twin.json` in a cell's folder: read as the untrusted file it is, written whole or not at all."""
+
+from __future__ import annotations
+
+import difflib
+
+import numpy as np
+from pydantic import ValidationError
+
+from core.cell.cell import TWIN_FILE, Cell
+from core.effects.effect import Parameter
+from core.effects.library import library
+from core.errors import BadTwin
+from core.files.jail import read_inside
+from core.files.schema_flaw import schema_flaw
+from core.files.whole_file import write_whole
+from core.twin.twin import NOMINAL, Entry, Twin, standing
+
+MAX_BYTES = 1_000_000
+MINUS_ZERO = -1e-6
+"""Of the largest eigenvalue; a covariance that has been written and read again may be this far from positive."""
+
+
+def read_twin(cell: Cell) -> Twin:
+    """The cell's twin; the nominal one where its folder has no `twin.json`.
+
+    Raises:
+        BadTwin: the file is malformed, names an unknown effect or parameter, or a value is impossible.
+    """
+    file = cell.folder / TWIN_FILE
+    if not file.exists() and not file.is_symlink():
+        return NOMINAL
+    text = read_inside(cell.folder, TWIN_FILE, BadTwin, max_bytes=MAX_BYTES)
+    try:
+        twin = Twin.model_validate_json(text)
+    except ValidationError as error:
+        raise BadTwin(*schema_flaw(error.errors()[0]).at(str(file))) from error
+    _check(twin, cell, str(file))
+    return twin
+
+
+def write_twin(cell: Cell, twin: Twin) -> None:
+    """Replaces the cell's twin, or takes the file away where nothing is left to add to the nominal one.
+
+    Raises:
+        BadTwin: an effect, parameter or value that could not be read again, or a folder that cannot be written.
+    """
+    file, text = cell.folder / TWIN_FILE, checked_text(cell, twin)
+    try:
+        if twin.effects:
+            write_whole(file, text)
+        else:
+            file.unlink(missing_ok=True)
+    except OSError as error:
+        raise BadTwin(str(file), f"a folder that cannot be written ({error.strerror})", "one that is yours to change") from error
+
+
+def checked_text(cell: Cell, twin: Twin) -> str:
+    """What is to stand in the cell's `twin.json`.
+
+    Raises:
+        BadTwin: an effect, parameter or value that could not be read again.
+    """
+    _check(twin, cell, str(cell.folder / TWIN_FILE))
+    return twin.model_dump_json(indent=1) + "\n"
+
+
+def close_name(identifier: str, known: list[str]) -> str:
+    """What an unknown name is answered with."""
+    close = difflib.get_close_matches(identifier, known, n=1, cutoff=0.5)
+    return f"{close[0]!r}, if that is what was meant" if close else f"one of {', '.join(known)}"
+
+
+def _check(twin: Twin, cell: Cell, where: str) -> None:
+    known = {effect.id: effect for effect in library()}
+    scene = standing(cell)
+    for k, entry in enumerate(twin.effects):
+        here = f"{where}: effects.{k}"
+        if entry.effect not in known:
+            raise BadTwin(f"{here}.effect", repr(entry.effect), close_name(entry.effect, sorted(known)))
+        if twin.ids.count(entry.effect) > 1:
+            raise BadTwin(f"{here}.effect", f"{entry.effect!r} {twin.ids.count(entry.effect)} times", "each effect once")
+        _check_parameters(entry, known[entry.effect].parameters(scene), f"{here}.parameters")
+        _check_covariance(entry, f"{here}.covariance")
+
+
+def _check_parameters(entry: Entry, parameters: tuple[Parameter, ...], where: str) -> None:
+    by_name = {p.name: p for p in parameters}
+    for name in entry.parameters:
+        if name not in by_name:
+            raise BadTwin(f"{where}.{name}", f"no parameter of {entry.effect}", close_name(name, list(by_name)))
+    for name in by_name:
+        if name not in entry.parameters and not name.endswith("_per_k"):  # only found where the temperature is recorded
+            raise BadTwin(f"{where}.{name}", "no such key", "it")
+    for name, fitted in entry.parameters.items():
+        p = by_name[name]
+        if fitted.unit != p.unit:
+            raise BadTwin(f"{where}.{name}.unit", repr(fitted.unit), repr(p.unit))
+        if not p.lower <= fitted.value <= p.upper:
+            raise BadTwin(f"{where}.{name}.value", f"{fitted.value:.6g} {p.unit}", f"between {p.lower:.6g} and {p.upper:.6g}")
+
+
+def _check_covariance(entry: Entry, where: str) -> None:
+    n = len(entry.parameters)
+    if [len(row) for row in entry.covariance] != [n] * n:
+        raise BadTwin(where, f"{len(entry.covariance)} rows", f"{n} by {n} numbers")
+    C = np.array(entry.covariance)
+    size = np.linalg.eigvalsh(C)
+    if not np.allclose(C, C.T) or size[0] < MINUS_ZERO * max(size[-1], 0.0):
+        raise BadTwin(where, "a matrix that is not symmetric and positive", "a covariance")

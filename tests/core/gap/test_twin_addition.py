@@ -1,0 +1,164 @@
+"""The loop from a fault to a twin that shows it: planted, diagnosed, added, simulated again."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from core.cell.cell import TWIN_FILE, Cell, load_cell
+from core.cli.main import app
+from core.effects.library import library
+from core.errors import BadTwin
+from core.estimation.identification import identify_recording
+from core.gap.diagnosis import diagnose
+from core.gap.twin_addition import chosen_effects, with_effect
+from core.plant.imperfections import Imperfections
+from core.plant.mechanics import Drives
+from core.procedure.identify import carry_out
+from core.recording.folder import read_recording, recording_sha256, write_recording
+from core.recording.recording import Recording
+from core.sessions.simulated import SimulatedSession
+from core.trial import planned, returned
+from core.twin.file import read_twin
+from core.twin.twin import NOMINAL
+
+PAYLOAD = "gripper"
+TILT_RAD, DELAY_S = np.radians(0.5), 0.015
+SMOOTH = Drives(damping_s=0.0, friction=0.0)
+"""Friction in the joints would be found, rightly."""
+FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
+runner = CliRunner()
+
+
+def recorded(cell: Cell, **options: object) -> Recording:
+    """A run in the simulation."""
+    carried = cell.payloads[PAYLOAD]
+    session = SimulatedSession(cell, carried.parameters, seed=4, drives=SMOOTH, **options)  # type: ignore[arg-type]  # any option
+    plan = planned("lwr4_bench")[1][PAYLOAD]
+    return returned(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folders of a cell and of a run in which its base was tilted and its wrench late."""
+    folder = tmp_path_factory.mktemp("loop")
+    shutil.copytree(planned("lwr4_bench")[0].folder, folder / "lwr4_bench", ignore=shutil.ignore_patterns(TWIN_FILE))
+    faults = Imperfections(base_tilt_rad=(TILT_RAD, 0.0), wrench_delay_s=DELAY_S)
+    write_recording(recorded(load_cell(folder / "lwr4_bench"), imperfections=faults), folder / "faulty")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def faulty(place: Path) -> Recording:
+    return read_recording(place / "faulty")
+
+
+@pytest.fixture(scope="module")
+def completed(place: Path) -> Cell:
+    """The cell after `heft twin add`."""
+    done = runner.invoke(app, ["twin", "add", str(place / "lwr4_bench"), str(place / "faulty"), "time_delay+base_tilt"])
+    assert done.exception is None, done.exception
+    assert "time_delay added to the twin of lwr4_bench" in done.output
+    return load_cell(place / "lwr4_bench")
+
+
+@pytest.fixture(scope="module")
+def simulated(completed: Cell) -> Recording:
+    """A run of the simulation without the faults, with the twin."""
+    return recorded(completed, twin=read_twin(completed))
+
+
+def test_the_entries_have_the_planted_sizes_and_say_where_they_come_from(completed: Cell, place: Path) -> None:
+    delay, tilt = sorted(read_twin(completed).effects, key=lambda entry: entry.effect, reverse=True)
+    assert abs(delay.parameters["delay_s"].value - DELAY_S) < 5 * delay.parameters["delay_s"].std + 3e-4
+    assert tilt.parameters["about_x_rad"].value == pytest.approx(TILT_RAD, abs=1e-3)
+    assert delay.recording == "faulty"
+    assert delay.sha256 == recording_sha256(place / "faulty")
+    assert delay.gap_after < 1.05 < delay.gap_before
+
+
+def test_the_gap_between_the_recording_and_the_completed_twin_is_gone(faulty: Recording, completed: Cell) -> None:
+    before, after = diagnose(faulty, FEW), diagnose(faulty, FEW, read_twin(completed))
+    assert before.gap is not None and after.gap is not None
+    assert before.verdict != "no_gap"
+    assert after.verdict == "no_gap"
+    assert after.gap.before == pytest.approx(1.0, abs=0.02)
+    assert set(after.twin) == {"time_delay", "base_tilt"}
+
+
+def test_the_twins_own_run_shows_what_was_planted(faulty: Recording, simulated: Recording) -> None:
+    assert faulty.wrench is not None and simulated.wrench is not None
+    smooth = np.ones(25) / 25  # the two differ in how noise is made; means of 25 ms are below it
+    apart = np.column_stack([np.convolve(x, smooth, "valid") for x in (simulated.wrench - faulty.wrench).T])
+    noise = planned("lwr4_bench")[0].sensor.noise_std
+    assert (apart.std(axis=0) < 0.5 * np.array(noise)).all()
+    found = diagnose(simulated, FEW)
+    assert {*found.pairs[0].ids} == {"time_delay", "base_tilt"}
+
+
+def test_a_change_of_what_the_twin_has_is_found_as_that_effect(completed: Cell) -> None:
+    repaired = recorded(completed, imperfections=Imperfections(base_tilt_rad=(TILT_RAD, 0.0)))
+    found = diagnose(repaired, FEW, read_twin(completed))
+    assert (found.verdict, found.effects[0].id) == ("explained", "time_delay")
+    assert found.effects[0].parameters["delay_s"].value == pytest.approx(0.0, abs=5e-4)
+
+
+def test_identification_with_the_twin_recovers_the_payload(simulated: Recording, completed: Cell) -> None:
+    found = identify_recording(simulated, read_twin(completed))
+    assert found.estimate is not None
+    assert set(found.accounted) == {"time_delay", "base_tilt"}
+    truth = completed.payloads[PAYLOAD].parameters.phi
+    assert np.abs((found.estimate.phi - truth) / found.estimate.std).max() < 4.5
+    assert found.estimate.delay_s == pytest.approx(0.0, abs=1e-3)
+
+
+def test_the_twin_is_shown_as_a_table_and_as_json(completed: Cell, tmp_path: Path) -> None:
+    file = tmp_path / "twin.json"
+    done = runner.invoke(app, ["twin", "show", str(completed.folder), "--json", str(file)])
+    assert done.exit_code == 0
+    assert "time_delay" in done.output
+    assert json.loads(file.read_text()) == json.loads((completed.folder / TWIN_FILE).read_text())
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_an_effect_is_removed_by_its_name_only(completed: Cell, tmp_path: Path) -> None:
+    shutil.copytree(completed.folder, tmp_path / "cell")
+    where = str(tmp_path / "cell")
+    wrong = runner.invoke(app, ["twin", "remove", where, "time_delays"])
+    assert isinstance(wrong.exception, BadTwin)
+    assert "'time_delay', if that is what was meant" in str(wrong.exception)
+    assert runner.invoke(app, ["twin", "remove", where, "time_delay"]).exit_code == 0
+    assert runner.invoke(app, ["twin", "remove", where, "base_tilt"]).exit_code == 0
+    assert not (tmp_path / "cell" / TWIN_FILE).exists()
+    assert "nominal" in runner.invoke(app, ["twin", "show", where]).output
+
+
+def test_what_closes_nothing_is_refused_with_the_figures(completed: Cell, place: Path) -> None:
+    with pytest.raises(BadTwin, match=r"closing -?\d+ % of the gap \(\d\.\d+ before, \d\.\d+ after, noise is 1\)"):
+        with_effect(read_twin(completed), completed, place / "faulty", "sensor_gain+joint_offset")
+
+
+@pytest.mark.parametrize(
+    ("identifier", "words"),
+    [
+        ("time_delya", "'time_delay', if that is what was meant"),
+        ("sensor_noise", "does not act on the wrench"),
+        ("time_delay+base_tilt+sensor_gain", "3 effects at once"),
+        ("", "expected one of base_tilt"),
+    ],
+)
+def test_what_is_no_effect_on_the_wrench_is_refused(identifier: str, words: str) -> None:
+    with pytest.raises(BadTwin) as caught:
+        chosen_effects(identifier)
+    assert words in str(caught.value)
+
+
+def test_a_recording_of_another_cell_is_refused(place: Path) -> None:
+    other = load_cell(planned("lwr4_bench")[0].folder.parent / "ur5e_line")
+    with pytest.raises(BadTwin, match="'lwr4_bench', expected 'ur5e_line'"):
+        with_effect(NOMINAL, other, place / "faulty", "time_delay")
