@@ -14,12 +14,13 @@ from fastapi import Depends, FastAPI
 from fastapi.routing import APIRoute
 
 from server import __version__
+from server.authority import AUTHORITY
 from server.cell_folder import CellFolder
 from server.cell_uploads import CellChecker
-from server.dependencies import let_in
 from server.metrics import Metrics
 from server.middleware import BodyLimit, Requests
 from server.openapi import describe
+from server.people.door import let_in
 from server.problem_answers import answer_with_problems
 from server.routes import ROUTERS
 from server.service import Service, utc_now
@@ -77,7 +78,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
         redoc_url=None,
         generate_unique_id_function=operation_id,
     )
-    app.openapi = lambda: describe(app)  # type: ignore[method-assign]  # how FastAPI documents it
+    app.openapi = lambda: describe(app, AUTHORITY)  # type: ignore[method-assign]  # how FastAPI documents it
     app.state.service = service
     answer_with_problems(app)
     for router in ROUTERS:

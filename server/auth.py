@@ -9,19 +9,21 @@ from __future__ import annotations
 import secrets
 from dataclasses import dataclass
 from datetime import datetime, timedelta
+from typing import Annotated
 from urllib.parse import urlsplit
 
+from fastapi import Depends
 from sqlalchemy.orm import Session
 from starlette.requests import HTTPConnection
 
 from server.accounts import KEY_PREFIX, Account, ApiKey, SignIn, sha256
 from server.authority import AUTHORITY
 from server.errors import NotAllowed, NotSignedIn
+from server.http.dependencies import part
+from server.openapi import COOKIE, CSRF_HEADER
 from server.roles import Role
 from server.settings import Settings
 
-COOKIE = "heft_session"
-CSRF_HEADER = "X-CSRF-Token"
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
 RECENT = timedelta(minutes=10)  # for which the database may be away before nobody is let in any more
 TOUCH = timedelta(minutes=1)  # how exactly the last use of a session is known
@@ -157,3 +159,12 @@ def check_authority(endpoint: str, caller: Caller) -> None:
     if not caller.roles & allowed:
         has, needs = ", ".join(sorted(caller.roles)) or "no role", ", ".join(sorted(allowed))
         raise NotAllowed(f"{endpoint}: {caller.who} is {has}; it takes one of {needs}")
+
+
+def _caller(connection: HTTPConnection) -> Caller:
+    found: Caller = connection.state.caller
+    return found
+
+
+RecentCallersDep = Annotated[RecentCallers, part("recent_callers")]
+CallerDep = Annotated[Caller, Depends(_caller)]

@@ -7,11 +7,13 @@ import json
 import shutil
 from pathlib import Path
 from threading import Lock
+from typing import Annotated
 
 from core.cell.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cells, read_cell
 from core.errors import BadCell, BadInput, BadTwin, refuse, together
 from core.files.whole_file import write_whole
 from server.errors import Conflict, NotFound
+from server.http.dependencies import part
 
 OLD, NEW = ".old-", ".new-"
 """What stands before the name of a folder while it is being replaced; no cell's name begins so."""
@@ -159,3 +161,6 @@ def _stamp(folder: Path) -> Stamp:
 def _files(folder: Path) -> list[Path]:
     """All of a cell, but for what is just being written."""
     return sorted(each for each in folder.rglob("*") if each.suffix != ".part" and each.is_file())
+
+
+CellsDep = Annotated[CellFolder, part("cells")]

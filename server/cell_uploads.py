@@ -13,13 +13,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Lock
-from typing import Any
+from typing import Annotated, Any
 
 from core import errors
 from core.errors import BadInput
 from server.cell_archive import CELL
 from server.cell_folder import NEW, CellFolder
 from server.errors import Unprocessable
+from server.http.dependencies import part
 
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 
@@ -113,3 +114,6 @@ def take_in(checker: CellChecker, cells: CellFolder, folder: Path, *, name: str 
         raise Unprocessable(f"upload: the cell calls itself {found!r}, not {name!r}; send it to /api/cells/{found}")
     cells.install(folder / CELL, found, replace=name is not None)
     return found
+
+
+CheckerDep = Annotated[CellChecker, part("checker")]

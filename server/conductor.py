@@ -11,6 +11,7 @@ from contextlib import suppress
 from datetime import datetime
 from functools import partial
 from pathlib import Path
+from typing import Annotated
 
 from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
@@ -27,6 +28,7 @@ from server.cell_folder import CellFolder
 from server.cell_now import read_now
 from server.crashed_runs import Left, close_crashed, forget_journals, recover, take_from_journals, unrecovered
 from server.errors import Conflict
+from server.http.dependencies import part
 from server.idle_runs import IdleRuns
 from server.packml import Command, IllegalCommandError, State
 from server.reason import SHUT_DOWN, Reason, of_error
@@ -264,3 +266,6 @@ class Conductor:
         task = asyncio.create_task(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
+
+
+ConductorDep = Annotated[Conductor, part("conductor")]

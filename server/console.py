@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
 from fastapi.responses import FileResponse, HTMLResponse, Response
 
 from server.errors import NotFound
+from server.http.dependencies import part
 
 PLACES = (Path(__file__).parent / "console", Path(__file__).parents[1] / "web" / "dist")
 """In an installed package; in a checkout."""
@@ -70,3 +72,6 @@ class Console:
             if file.is_relative_to(assets) and file.is_file():
                 return FileResponse(file, headers=HEADERS | FOR_GOOD)
         raise NotFound("file of the console", path)
+
+
+ConsoleDep = Annotated[Console, part("console")]

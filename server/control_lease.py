@@ -9,11 +9,13 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Annotated
 
 from sqlalchemy.orm import Session
 
 from core.sessions.leased import FUTURE_S, Renewal
 from server.errors import Conflict
+from server.http.dependencies import part
 from server.link import Link
 from server.run_tables import ControlFence
 
@@ -138,3 +140,6 @@ def next_fence(db: Session, cell: str) -> int:
         db.add(row)
     row.fence += 1
     return row.fence
+
+
+ControlDep = Annotated[Control, part("control")]

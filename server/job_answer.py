@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Annotated, Any, Self
-
-from fastapi import Query, Response
+from typing import Any, Self
 
 from server.jobs import State, Worker
 from server.run_tables import JobRow
 from server.schemas import Answer
-
-Limit = Annotated[int, Query(ge=1, le=200)]
-"""How many of a list are answered."""
 
 
 class JobAnswer(Answer):
@@ -48,9 +43,3 @@ class JobAnswer(Answer):
             ended_at=row.ended_at,
             **own,
         )
-
-
-def accepted(response: Response, location: str, ask_again_s: int) -> None:
-    """The headers of a 202: where what was asked for is, and when it is worth a look."""
-    response.headers["Location"] = location
-    response.headers["Retry-After"] = str(ask_again_s)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
+from typing import Annotated
 
 from pydantic import BaseModel
 from sqlalchemy import select
@@ -16,6 +17,7 @@ from sqlalchemy.orm import Session
 
 from core.errors import HeftError
 from server.errors import Conflict, NotFound
+from server.http.dependencies import part
 from server.reason import Reason, because, cancelled, failed, of_error
 from server.run_ledger import new_id
 from server.run_tables import JobRow
@@ -204,3 +206,8 @@ class Worker:
             for name, value in changes.items():
                 setattr(row, name, value)
             self._kind.also(db, row)
+
+
+DiagnosesDep = Annotated[Worker, part("diagnoses")]
+AdditionsDep = Annotated[Worker, part("additions")]
+TrialsDep = Annotated[Worker, part("trials")]

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
 
-from server.run_metrics import RunMetrics
-
 CONTENT_TYPE = "text/plain; version=0.0.4; charset=utf-8"
 
 
@@ -19,7 +17,6 @@ class Metrics:
         self.seconds = Histogram("heft_request_seconds", "Seconds until a request was answered.", labels[:2], registry=self.registry)
         self.sign_ins = Counter("heft_sign_ins_total", "Sign-ins.", ("outcome",), registry=self.registry)
         self.cells_checked = Counter("heft_cells_checked_total", "Uploaded cells.", ("outcome",), registry=self.registry)
-        self.runs = RunMetrics(self.registry)
         self.started = Gauge("heft_start_time_seconds", "When the service started, Unix time.", registry=self.registry)
         self.started.set_to_current_time()
 

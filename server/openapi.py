@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
-from server.auth import COOKIE, CSRF_HEADER
-from server.authority import AUTHORITY
 from server.problems import MEDIA_TYPE, Problem
 
 Json = dict[str, Any]
+Authority = Mapping[str, frozenset[Any] | None]
 
+COOKIE = "heft_session"
+CSRF_HEADER = "X-CSRF-Token"
 REF = "#/components/schemas/"
 PROBLEM: Json = {
     "description": "A problem (RFC 9457): what, where, the value against the limit, the next step.",
@@ -25,19 +26,23 @@ SECURITY: Json = {
 }
 
 
-def describe(app: FastAPI) -> Json:
-    """The description of all routes; made once."""
+def describe(app: FastAPI, authority: Authority) -> Json:
+    """The description of all routes; made once.
+
+    Args:
+        authority: who may call what, see `server.authority`.
+    """
     if app.openapi_schema is None:
-        app.openapi_schema = _described(app)
+        app.openapi_schema = _described(app, authority)
     return app.openapi_schema
 
 
-def _described(app: FastAPI) -> Json:
+def _described(app: FastAPI, authority: Authority) -> Json:
     found: Json = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
     for endpoint, operation in operations(found):
         operation["responses"].pop("422", None)
         operation["responses"]["default"] = PROBLEM
-        allowed = AUTHORITY.get(endpoint, frozenset())
+        allowed = authority.get(endpoint, frozenset())
         operation["security"] = [] if allowed is None else [{"browser": []}, {"machine": []}]
         operation["x-roles"] = ["anybody"] if allowed is None else sorted(allowed)
     schemas = found.setdefault("components", {}).setdefault("schemas", {})

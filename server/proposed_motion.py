@@ -17,8 +17,9 @@ from core.planning.stop import Stop
 from core.recording.manifest import Manifest, RobotPart, read_manifest
 from server.errors import Conflict
 from server.job_kinds import DiagnosisOrder
-from server.run_schemas import Pace, ProposedMotion, RunOrder
+from server.run_schemas import ProposedMotion, RunOrder
 from server.run_tables import JobRow, RunRow
+from server.runner.messages import Pace
 from server.schemas import Body, Name
 
 

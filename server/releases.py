@@ -11,6 +11,7 @@ from collections.abc import Callable
 from datetime import datetime
 from hashlib import sha256
 from pathlib import Path
+from typing import Annotated
 
 from core.sessions.leased import Renewal
 from server import audit, run_ledger
@@ -18,6 +19,7 @@ from server.audit import Detail
 from server.conductor import Conductor
 from server.control_lease import Control
 from server.errors import Conflict, NoRoom
+from server.http.dependencies import part
 from server.packml import Command, IllegalCommandError, State
 from server.plan_schemas import RunPlan
 from server.runner.release_hash import release_sha256
@@ -109,3 +111,7 @@ def check_room(folder: Path, robot_s: float) -> None:
             f"disk: {free / 1e6:.0f} MB are free where runs are recorded, this one needs up to {needed / 1e6:.0f} MB; make room, then "
             "release it again"
         )
+
+
+ReleasesDep = Annotated[Releases, part("releases")]
+OffersDep = Annotated[Offers, part("offers")]

@@ -2,31 +2,32 @@
 
 from __future__ import annotations
 
-from datetime import timedelta
+from datetime import datetime, timedelta
 
 from server import run_ledger
+from server.conductor import Conductor
+from server.control_lease import Control
 from server.packml import State
 from server.run_schemas import RunAnswer
 from server.run_tables import RunRow
-from server.service import Service
 
 
-def answered(here: Service, run: str) -> RunAnswer:
+def answered(conductor: Conductor, control: Control, now: datetime, run: str) -> RunAnswer:
     """A run as it is now.
 
     Raises:
         NotFound: there is no such run.
     """
-    return answer_now(here, here.conductor.row_of(run))
+    return answer_now(conductor, control, now, conductor.row_of(run))
 
 
-def answer_now(here: Service, row: RunRow) -> RunAnswer:
+def answer_now(conductor: Conductor, control: Control, now: datetime, row: RunRow) -> RunAnswer:
     """A run that the database has told of, as it is by now."""
-    active = here.conductor.of_run(row.id)
+    active = conductor.of_run(row.id)
     if active is None:
         return run_ledger.answer(row)
     newest = None if active.newest is None else active.newest.batch
     progress, eta_s = (0.0, None) if newest is None else (newest.progress, newest.eta_s)
-    unattended_s = here.control.unattended_s(row.cell) if active.state is State.HELD else None
+    unattended_s = control.unattended_s(row.cell) if active.state is State.HELD else None
     left_s = None if unattended_s is None else active.hold_limit_s - unattended_s
-    return run_ledger.answer(active.row, progress, eta_s, None if left_s is None else here.now() + timedelta(seconds=left_s))
+    return run_ledger.answer(active.row, progress, eta_s, None if left_s is None else now + timedelta(seconds=left_s))

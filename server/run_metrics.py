@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Annotated
 
 from prometheus_client import CollectorRegistry, Counter, Histogram
 
 from core.events import RobotStopped
 from server.event_schemas import EventMessage, StateChanged
+from server.http.dependencies import part
 from server.packml import FINAL, State
 from server.reason import kind_of
 from server.run_tables import RunRow
@@ -79,3 +81,6 @@ class RunMetrics:
         self._late.inc(paced.late)
         self._latest.observe(paced.latest_s)
         self._median.observe(paced.median_s)
+
+
+RunMetricsDep = Annotated[RunMetrics, part("run_metrics")]

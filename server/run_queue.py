@@ -10,11 +10,12 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from server import audit, idempotency, run_ledger
+from server.conductor import Conductor
 from server.errors import Conflict
-from server.job_answer import accepted
 from server.run_schemas import Motion, RestOfRun, RunAnswer, RunOrder
 from server.run_tables import RunRow
-from server.service import Service
+from server.schemas import accepted
+from server.store import Store
 
 IdempotencyKey = Annotated[str | None, Header(alias="Idempotency-Key", min_length=1, max_length=128)]
 PLANNING_S = 5
@@ -30,7 +31,9 @@ class Request(NamedTuple):
     body: bytes
 
 
-def queued(here: Service, response: Response, asked: Request, order: RunOrder, motion: Motion | None = None) -> RunAnswer:
+def queued(
+    store: Store, conductor: Conductor, response: Response, asked: Request, order: RunOrder, motion: Motion | None = None
+) -> RunAnswer:
     """The run that the request makes, or has made already.
 
     Raises:
@@ -39,19 +42,19 @@ def queued(here: Service, response: Response, asked: Request, order: RunOrder, m
         Conflict: the same request is just being answered.
     """
     try:
-        with here.store.write() as db:
+        with store.write() as db:
             made = None if asked.key is None else idempotency.made_before(db, asked.who, asked.key, asked.body)
-            row = _made(here, db, asked, order, motion) if made is None else run_ledger.load(db, made)
+            row = _made(conductor, db, asked, order, motion) if made is None else run_ledger.load(db, made)
             found = run_ledger.answer(row)
     except IntegrityError as error:
         raise Conflict(f"Idempotency-Key {asked.key!r}: the first request is still under way; ask again") from error
-    here.conductor.wake()
+    conductor.wake()
     accepted(response, f"/api/runs/{found.run}", PLANNING_S)
     return found
 
 
-def _made(here: Service, db: Session, asked: Request, order: RunOrder, motion: Motion | None) -> RunRow:
-    here.conductor.plannable(db, order.cell)
+def _made(conductor: Conductor, db: Session, asked: Request, order: RunOrder, motion: Motion | None) -> RunRow:
+    conductor.plannable(db, order.cell)
     row = run_ledger.queue(db, order, asked.who, asked.now, motion)
     if asked.key is not None:
         idempotency.once(db, asked.who, asked.key, asked.body, row.id, asked.now)

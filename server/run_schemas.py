@@ -14,9 +14,8 @@ from core.planning.settings import MAX_EFFORT, Planner, Scope
 from core.planning.stop import Stop
 from server.packml import JobState, State
 from server.result_summary import ResultSummary
+from server.runner.messages import Pace
 from server.schemas import Answer, Body, Name
-
-Pace = Literal["real_time", "as_fast_as_possible"]
 
 
 class RunOrder(Body):

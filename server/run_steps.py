@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 from core.errors import HoldExpired
 from core.events import Event, PhaseStarted, RobotStopped
-from server.event_schemas import WaitingForZone
 from server.packml import Command, State
 from server.run_ledger import Step
+from server.runner.live_schemas import WaitingForZone
 
 DONE: Step = None
 

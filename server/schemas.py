@@ -5,6 +5,7 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Annotated
 
+from fastapi import Query, Response
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, SecretStr, StringConstraints
 
 Name = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
@@ -37,3 +38,13 @@ def _aware(moment: datetime) -> datetime:
 
 Moment = Annotated[datetime, AfterValidator(_aware)]
 """A time with its offset from UTC, ISO 8601."""
+
+
+Limit = Annotated[int, Query(ge=1, le=200)]
+"""How many of a list are answered."""
+
+
+def accepted(response: Response, location: str, ask_again_s: int) -> None:
+    """The headers of a 202: where what was asked for is, and when it is worth a look."""
+    response.headers["Location"] = location
+    response.headers["Retry-After"] = str(ask_again_s)

@@ -17,7 +17,9 @@ from server.console import Console
 from server.control_lease import Control
 from server.jobs import Worker
 from server.metrics import Metrics
+from server.people.door import Door
 from server.releases import Offers, Releases
+from server.run_metrics import RunMetrics
 from server.settings import Settings
 from server.store import Store
 from server.viewer.gallery import Gallery
@@ -47,9 +49,19 @@ class Service:
     """Small writes that nobody waits for."""
 
     @cached_property
+    def door(self) -> Door:
+        """What everybody goes through first."""
+        return Door(self.settings, self.store, self.recent_callers, self.now, self.later)
+
+    @cached_property
+    def run_metrics(self) -> RunMetrics:
+        """Figures of the runs."""
+        return RunMetrics(self.metrics.registry)
+
+    @cached_property
     def conductor(self) -> Conductor:
         """All runs."""
-        return Conductor(self.store, self.cells, self.settings.recordings_folder, self.now, self.metrics.runs)
+        return Conductor(self.store, self.cells, self.settings.recordings_folder, self.now, self.run_metrics)
 
     @cached_property
     def diagnoses(self) -> Worker:

@@ -7,8 +7,8 @@ from typing import Any, Literal
 from fastapi import APIRouter, Request, Response
 
 from server import __version__
-from server.dependencies import Here, Stored
 from server.errors import NotFound
+from server.http.dependencies import MetricsDep, StoreDep
 from server.metrics import CONTENT_TYPE
 from server.problems import kinds_by_name
 from server.schemas import Answer
@@ -34,16 +34,16 @@ class ProblemKind(Answer):
 
 
 @router.get("/health")
-def read_health(store: Stored) -> Health:
+def read_health(store: StoreDep) -> Health:
     """200 where the service and its store answer, 503 where the store does not."""
     store.check()
     return Health(status="ok", version=__version__)
 
 
 @router.get("/metrics", response_class=Response, responses={200: {"content": {"text/plain": {}}}})
-def read_metrics(here: Here) -> Response:
+def read_metrics(metrics: MetricsDep) -> Response:
     """Figures in Prometheus's text format."""
-    return Response(here.metrics.text(), media_type=CONTENT_TYPE)
+    return Response(metrics.text(), media_type=CONTENT_TYPE)
 
 
 @router.get("/openapi.json", include_in_schema=False)

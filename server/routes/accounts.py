@@ -12,7 +12,8 @@ from sqlalchemy import select
 from server import accounts, audit
 from server.accounts import Account
 from server.audit import Detail
-from server.dependencies import Asking, Here, Now, Stored
+from server.auth import CallerDep, RecentCallersDep
+from server.http.dependencies import NowDep, StoreDep
 from server.roles import Role
 from server.schemas import Answer, Body, Name, NewPassword
 
@@ -51,7 +52,7 @@ def _shown(account: Account) -> AccountShown:
 
 
 @router.get("")
-def list_accounts(store: Stored) -> list[AccountShown]:
+def list_accounts(store: StoreDep) -> list[AccountShown]:
     """All accounts."""
     with store.read() as db:
         return [_shown(account) for account in db.scalars(select(Account).order_by(Account.name))]
@@ -62,21 +63,28 @@ def list_accounts(store: Stored) -> list[AccountShown]:
     status_code=201,
     responses={201: {"links": {"change": {"operationId": "change_account", "parameters": {"account": "$response.body#/name"}}}}},
 )
-def create_account(new: NewAccount, response: Response, asking: Asking, store: Stored, now: Now) -> AccountShown:
+def create_account(new: NewAccount, response: Response, caller: CallerDep, store: StoreDep, now: NowDep) -> AccountShown:
     """Adds an account."""
     password_hash = accounts.hashed(new.password.get_secret_value())
     with store.write() as db:
         account = accounts.add_account(db, new.name, password_hash, new.roles, now)
-        audit.record(db, asking.who, "account.create", {"account": new.name, "roles": account.roles_text}, now=now)
+        audit.record(db, caller.who, "account.create", {"account": new.name, "roles": account.roles_text}, now=now)
     response.headers["Location"] = f"/api/accounts/{new.name}"
     return _shown(account)
 
 
 @router.patch("/{account}")
-def change_account(account: Annotated[Name, Path()], change: AccountChange, asking: Asking, here: Here, now: Now) -> AccountShown:
+def change_account(
+    account: Annotated[Name, Path()],
+    change: AccountChange,
+    caller: CallerDep,
+    store: StoreDep,
+    recent_callers: RecentCallersDep,
+    now: NowDep,
+) -> AccountShown:
     """Changes an account and signs it out everywhere."""
     password_hash = None if change.password is None else accounts.hashed(change.password.get_secret_value())
-    with here.store.write() as db:
+    with store.write() as db:
         changed = accounts.change_account(db, account, password_hash=password_hash, roles=change.roles, disabled=change.disabled)
         said: Detail = {
             "account": account,
@@ -84,6 +92,6 @@ def change_account(account: Annotated[Name, Path()], change: AccountChange, aski
             "disabled": changed.disabled,
             "password": password_hash is not None,
         }
-        audit.record(db, asking.who, "account.change", said, now=now)
-    here.recent_callers.forget(f"account:{account}")
+        audit.record(db, caller.who, "account.change", said, now=now)
+    recent_callers.forget(f"account:{account}")
     return _shown(changed)

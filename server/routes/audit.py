@@ -9,7 +9,7 @@ from fastapi import APIRouter, Query
 from sqlalchemy import select
 
 from server.audit import AuditEntry
-from server.dependencies import Stored
+from server.http.dependencies import StoreDep
 from server.schemas import Answer
 
 router = APIRouter(prefix="/api/audit", tags=["audit"])
@@ -30,7 +30,7 @@ class AuditEntryShown(Answer):
 
 @router.get("")
 def list_audit(
-    store: Stored, before: Annotated[int, Query(ge=1, le=2**53)] = 2**53, limit: Annotated[int, Query(ge=1, le=1000)] = 100
+    store: StoreDep, before: Annotated[int, Query(ge=1, le=2**53)] = 2**53, limit: Annotated[int, Query(ge=1, le=1000)] = 100
 ) -> list[AuditEntryShown]:
     """The latest entries, newest first; `before` a number, for those further back."""
     with store.read() as db:

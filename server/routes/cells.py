@@ -15,14 +15,15 @@ from core.cell.cell import Cell, CellRead
 from core.errors import BadInput, BadTwin, HeftError
 from core.payload.shapes import Pose
 from server import audit, zones
+from server.auth import CallerDep
 from server.cell_archive import UPLOAD
-from server.cell_folder import CellFolder
+from server.cell_folder import CellFolder, CellsDep
 from server.cell_now import read_now
-from server.cell_uploads import take_in, upload_folder
-from server.dependencies import Asking, Cells, Here, Now, Stored
+from server.cell_uploads import CheckerDep, take_in, upload_folder
+from server.http.dependencies import MetricsDep, NowDep, StoreDep
 from server.problems import Flaw, flaws_of
-from server.routes.twins import twin_of
 from server.schemas import Answer, Name
+from server.twin_answer import twin_of
 from server.zip_body import ZIP, check_is_zip, write_body
 from server.zones import ZonePosition
 
@@ -85,10 +86,10 @@ class CellTaken(Answer):
     sha256: str | None
 
 
-async def _uploaded(request: Request, here: Here) -> AsyncIterator[Path]:
+async def _uploaded(request: Request, cells: CellsDep) -> AsyncIterator[Path]:
     """The folder with the request's body in it, while the request lasts."""
     check_is_zip(request, "cell")
-    with upload_folder(here.cells) as folder:
+    with upload_folder(cells) as folder:
         await write_body(request, folder / UPLOAD)
         yield folder
 
@@ -97,14 +98,14 @@ Uploaded = Annotated[Path, Depends(_uploaded)]
 
 
 @router.get("")
-def list_cells(cells: Cells, store: Stored) -> list[CellListed]:
+def list_cells(cells: CellsDep, store: StoreDep) -> list[CellListed]:
     """All cells, also those in which nothing can be planned."""
     with store.read() as db:
         return [_listed(name, *_looked_at(cells, db, name)) for name in cells.names()]
 
 
 @router.get("/{cell}")
-def read_cell(cell: CellName, cells: Cells, store: Stored, now: Now) -> CellShown:
+def read_cell(cell: CellName, cells: CellsDep, store: StoreDep, now: NowDep) -> CellShown:
     """A cell, its protected zones where they are now, and what speaks against planning in it."""
     with store.read() as db:
         there, flaws = _looked_at(cells, db, cell)
@@ -122,24 +123,42 @@ def read_cell(cell: CellName, cells: Cells, store: Stored, now: Now) -> CellShow
 
 
 @router.post("/validate", openapi_extra=ZIP)
-def validate_cell(folder: Uploaded, here: Here) -> CellTaken:
+def validate_cell(folder: Uploaded, checker: CheckerDep) -> CellTaken:
     """Checks a zip of a cell and keeps nothing."""
-    name = here.checker.check(folder)
+    name = checker.check(folder)
     return CellTaken(name=name, sha256=None)
 
 
 @router.post("", status_code=201, openapi_extra=ZIP)
-def create_cell(folder: Uploaded, here: Here, asking: Asking, now: Now, response: Response) -> CellTaken:
+def create_cell(
+    folder: Uploaded,
+    store: StoreDep,
+    cells: CellsDep,
+    metrics: MetricsDep,
+    checker: CheckerDep,
+    caller: CallerDep,
+    now: NowDep,
+    response: Response,
+) -> CellTaken:
     """Takes a new cell in."""
-    taken = _take_in(here, folder, None, asking, now)
+    taken = _take_in(store, cells, metrics, checker, folder, None, caller, now)
     response.headers["Location"] = f"/api/cells/{taken.name}"
     return taken
 
 
 @router.put("/{cell}", openapi_extra=ZIP)
-def replace_cell(cell: CellName, folder: Uploaded, here: Here, asking: Asking, now: Now) -> CellTaken:
+def replace_cell(
+    cell: CellName,
+    folder: Uploaded,
+    store: StoreDep,
+    cells: CellsDep,
+    metrics: MetricsDep,
+    checker: CheckerDep,
+    caller: CallerDep,
+    now: NowDep,
+) -> CellTaken:
     """Takes a cell in, in place of the one of that name."""
-    return _take_in(here, folder, cell, asking, now)
+    return _take_in(store, cells, metrics, checker, folder, cell, caller, now)
 
 
 def _looked_at(cells: CellFolder, db: Session, name: str) -> tuple[CellRead | None, list[BadInput]]:
@@ -177,15 +196,24 @@ def _place(row: ZonePosition, in_file: Pose) -> ZonePlace:
     )
 
 
-def _take_in(here: Here, folder: Path, name: str | None, asking: Asking, now: Now) -> CellTaken:
-    counted = here.metrics.cells_checked.labels
+def _take_in(
+    store: StoreDep,
+    cells: CellsDep,
+    metrics: MetricsDep,
+    checker: CheckerDep,
+    folder: Path,
+    name: str | None,
+    caller: CallerDep,
+    now: NowDep,
+) -> CellTaken:
+    counted = metrics.cells_checked.labels
     try:
-        found = take_in(here.checker, here.cells, folder, name=name)
+        found = take_in(checker, cells, folder, name=name)
     except HeftError:
         counted("refused").inc()
         raise
     counted("taken in").inc()
-    sha256 = here.cells.digest(found)
-    with here.store.write() as db:
-        audit.record(db, asking.who, "cell.create" if name is None else "cell.replace", {"cell": found, "sha256": sha256}, now=now)
+    sha256 = cells.digest(found)
+    with store.write() as db:
+        audit.record(db, caller.who, "cell.create" if name is None else "cell.replace", {"cell": found, "sha256": sha256}, now=now)
     return CellTaken(name=found, sha256=sha256)

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from fastapi import APIRouter, Response
 
-from server.dependencies import Here
+from server.console import ConsoleDep
 
 router = APIRouter(tags=["console"], include_in_schema=False)
 
 
 @router.get("/")
-def console_page(here: Here) -> Response:
+def console_page(console: ConsoleDep) -> Response:
     """The page."""
-    return here.console.page()
+    return console.page()
 
 
 @router.get("/assets/{path:path}")
-def console_asset(path: str, here: Here) -> Response:
+def console_asset(path: str, console: ConsoleDep) -> Response:
     """A file of the page, named after its content."""
-    return here.console.asset(path)
+    return console.asset(path)

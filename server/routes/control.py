@@ -14,12 +14,15 @@ from core.cell.cell import Control as CellControl
 from core.errors import HeftError
 from core.sessions.leased import Renewal
 from server import audit
-from server.auth import Caller
-from server.control_lease import STAMP_PERIOD_S, next_fence
-from server.dependencies import Asking, Here, Now, let_in
+from server.auth import Caller, CallerDep
+from server.cell_folder import CellFolder, CellsDep
+from server.conductor import Conductor, ConductorDep
+from server.control_lease import STAMP_PERIOD_S, Control, ControlDep, next_fence
 from server.errors import NotAllowed, NotSignedIn
+from server.http.dependencies import NowDep, StoreDep
+from server.people.door import Door, DoorDep
+from server.run_metrics import RunMetrics, RunMetricsDep
 from server.schemas import Answer, Body, Name
-from server.service import Service
 
 router = APIRouter(prefix="/api/control", tags=["control"])
 
@@ -92,40 +95,44 @@ class StampAnswer(Body):
 
 
 @router.post("")
-async def take_control(body: ControlBody, here: Here, asking: Asking, now: Now) -> ControlAnswer:
+async def take_control(
+    body: ControlBody, store: StoreDep, cells: CellsDep, control: ControlDep, caller: CallerDep, now: NowDep
+) -> ControlAnswer:
     """Takes control; then open the websocket `/api/control/{cell}/lease` and answer its stamps. Ends when they stop coming back."""
-    settings = await asyncio.to_thread(_settings, here, body.cell)
-    here.control.check_free(body.cell, asking.who)
+    settings = await asyncio.to_thread(_settings, cells, body.cell)
+    control.check_free(body.cell, caller.who)
 
     def write() -> int:
-        with here.store.write() as db:
+        with store.write() as db:
             fence = next_fence(db, body.cell)
-            audit.record(db, asking.who, "control.take", {"cell": body.cell, "fence": fence}, now=now)
+            audit.record(db, caller.who, "control.take", {"cell": body.cell, "fence": fence}, now=now)
             return fence
 
-    here.control.take(body.cell, asking.who, await asyncio.to_thread(write), settings.lease_s)
-    return _answer(here, body.cell, settings)
+    control.take(body.cell, caller.who, await asyncio.to_thread(write), settings.lease_s)
+    return _answer(control, body.cell, settings)
 
 
 @router.get("/{cell}")
-async def read_control(cell: str, here: Here) -> ControlAnswer:
+async def read_control(cell: str, cells: CellsDep, control: ControlDep) -> ControlAnswer:
     """Who is in control of a cell, and over which link."""
-    return _answer(here, cell, await asyncio.to_thread(_settings, here, cell))
+    return _answer(control, cell, await asyncio.to_thread(_settings, cells, cell))
 
 
 @router.delete("/{cell}")
-async def let_go_of_control(cell: str, fence: int, here: Here, asking: Asking) -> ControlAnswer:
+async def let_go_of_control(cell: str, fence: int, cells: CellsDep, control: ControlDep, caller: CallerDep) -> ControlAnswer:
     """Lets go of control that was taken with this fence; a robot that moves is put on hold when its lease ends."""
-    settings = await asyncio.to_thread(_settings, here, cell)
-    here.control.let_go(cell, asking.who, fence)
-    return _answer(here, cell, settings)
+    settings = await asyncio.to_thread(_settings, cells, cell)
+    control.let_go(cell, caller.who, fence)
+    return _answer(control, cell, settings)
 
 
 @router.websocket("/{cell}/lease")
-async def keep_control(websocket: WebSocket, cell: str, here: Here, asking: Asking) -> None:
+async def keep_control(
+    websocket: WebSocket, cell: str, control: ControlDep, conductor: ConductorDep, metrics: RunMetricsDep, door: DoorDep, caller: CallerDep
+) -> None:
     """Sends a stamp every 50 ms and takes the answers. A connection that is lost may be opened again with the same fence."""
     await websocket.accept()
-    keeper = _Keeper(websocket, here, cell, asking)
+    keeper = _Keeper(websocket, cell, caller, control, conductor, metrics, door)
     tasks = [asyncio.create_task(keeper.stamp()), asyncio.create_task(keeper.check())]
     try:
         while True:
@@ -143,34 +150,36 @@ async def keep_control(websocket: WebSocket, cell: str, here: Here, asking: Aski
 class _Keeper:
     """One websocket that keeps control. What sends the stamps waits for nothing but the socket."""
 
-    def __init__(self, websocket: WebSocket, here: Service, cell: str, asking: Caller) -> None:
-        self._websocket, self._here, self._cell, self._asking = websocket, here, cell, asking
+    def __init__(
+        self, websocket: WebSocket, cell: str, caller: Caller, control: Control, conductor: Conductor, metrics: RunMetrics, door: Door
+    ) -> None:
+        self._websocket, self._cell, self._caller = websocket, cell, caller
+        self._control, self._conductor, self._metrics, self._door = control, conductor, metrics, door
         self._fence = -1
 
     def hear(self, answer: StampAnswer) -> None:
         """Takes the answer to a stamp."""
-        here, self._fence = self._here, answer.fence
-        holder = here.control.held_with(self._cell, self._asking.who, answer.fence)
+        self._fence = answer.fence
+        holder = self._control.held_with(self._cell, self._caller.who, answer.fence)
         if holder is None:
             return
-        if answer.stamp_s <= here.control.clock():
-            holder.link.answered(answer.stamp_s, here.control.clock())
-            here.metrics.runs.answered(here.control.clock() - answer.stamp_s)
+        if answer.stamp_s <= self._control.clock():
+            holder.link.answered(answer.stamp_s, self._control.clock())
+            self._metrics.answered(self._control.clock() - answer.stamp_s)
         if answer.page_age_s > PAGE_LATE_S:
-            here.conductor.note_late_page(self._cell, answer.page_age_s)
+            self._conductor.note_late_page(self._cell, answer.page_age_s)
             return
         renewal = Renewal(answer.fence, answer.number, answer.stamp_s)
-        if here.control.renew(self._cell, self._asking.who, renewal):
-            here.conductor.renew(self._cell, renewal)
+        if self._control.renew(self._cell, self._caller.who, renewal):
+            self._conductor.renew(self._cell, renewal)
 
     async def stamp(self) -> None:
         """Sends stamps."""
-        control = self._here.control
         with suppress(WebSocketDisconnect, RuntimeError):
             while True:
-                stamp_s = control.clock()
+                stamp_s = self._control.clock()
                 await self._websocket.send_text(Stamp(stamp_s=stamp_s).model_dump_json())
-                holder = control.held_with(self._cell, self._asking.who, self._fence)
+                holder = self._control.held_with(self._cell, self._caller.who, self._fence)
                 if holder is not None:
                     holder.link.sent(stamp_s)
                 await asyncio.sleep(STAMP_PERIOD_S)
@@ -180,9 +189,9 @@ class _Keeper:
         while True:
             await asyncio.sleep(CHECK_S)
             try:
-                await asyncio.to_thread(let_in, self._websocket, self._here)
+                await asyncio.to_thread(self._door.let_in, self._websocket)
             except (NotAllowed, NotSignedIn) as refusal:
-                self._here.control.let_go(self._cell, self._asking.who, self._fence)
+                self._control.let_go(self._cell, self._caller.who, self._fence)
                 with suppress(RuntimeError):
                     await self._websocket.close(POLICY_VIOLATION, str(refusal)[:120])
                 return
@@ -190,22 +199,22 @@ class _Keeper:
                 continue  # the database is away; it is asked again
 
 
-def _settings(here: Service, name: str) -> CellControl:
+def _settings(cells: CellFolder, name: str) -> CellControl:
     """How a cell's robot depends on whoever is in control; the usual where its file cannot be read: a robot in it may have to be cleared.
 
     Raises:
         NotFound: there is no such cell.
     """
-    here.cells.check_known(name)
+    cells.check_known(name)
     try:
-        return here.cells.read(name).cell.control
+        return cells.read(name).cell.control
     except HeftError:
         return CellControl()
 
 
-def _answer(here: Service, cell: str, settings: CellControl) -> ControlAnswer:
-    holder = here.control.holder(cell)
-    found = None if holder is None else holder.link.figures(holder.lease_s, here.control.clock())
+def _answer(control: Control, cell: str, settings: CellControl) -> ControlAnswer:
+    holder = control.holder(cell)
+    found = None if holder is None else holder.link.figures(holder.lease_s, control.clock())
     return ControlAnswer(
         cell=cell,
         holder=None if holder is None else holder.who,

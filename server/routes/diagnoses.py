@@ -13,16 +13,20 @@ from starlette.status import HTTP_202_ACCEPTED
 
 from core.gap.answer import Diagnosis, Verdict
 from server import audit, downloads, jobs, run_ledger
-from server.dependencies import Asking, Here, Now, Stored
+from server.auth import CallerDep
+from server.cell_folder import CellsDep
+from server.conductor import ConductorDep
 from server.errors import Conflict
-from server.job_answer import JobAnswer, Limit, accepted
+from server.http.dependencies import NowDep, SettingsDep, StoreDep
+from server.job_answer import JobAnswer
 from server.job_kinds import DIAGNOSIS, DiagnosisOrder, overlay_of, report_of
+from server.jobs import DiagnosesDep, Worker
 from server.overlay_schemas import OverlayAnswer
 from server.recording_archive import unpack
 from server.run_tables import JobRow
 from server.runner.run_folder import RECORDING
-from server.schemas import Body, Name
-from server.service import Service
+from server.schemas import Body, Limit, Name, accepted
+from server.store import Store
 from server.zip_body import ZIP, check_is_zip, write_body
 
 router = APIRouter(prefix="/api/diagnoses", tags=["diagnoses"])
@@ -56,10 +60,10 @@ class DiagnosisAnswer(JobAnswer):
     result: Diagnosis | None
 
 
-async def _uploaded(request: Request, here: Here, now: Now) -> AsyncIterator[Path]:
+async def _uploaded(request: Request, settings: SettingsDep, now: NowDep) -> AsyncIterator[Path]:
     """The folder of an uploaded recording, unpacked; kept, as a run's is."""
     check_is_zip(request, "recording")
-    place = here.settings.recordings_folder / f"upload-{run_ledger.new_id(now)}"
+    place = settings.recordings_folder / f"upload-{run_ledger.new_id(now)}"
     archive = place.with_suffix(".zip.part")
     try:
         await write_body(request, archive)
@@ -70,85 +74,101 @@ async def _uploaded(request: Request, here: Here, now: Now) -> AsyncIterator[Pat
 
 
 @router.post("", status_code=HTTP_202_ACCEPTED)
-def diagnose_run(body: DiagnosisBody, response: Response, here: Here, asking: Asking, now: Now) -> DiagnosisAnswer:
+def diagnose_run(
+    body: DiagnosisBody,
+    response: Response,
+    store: StoreDep,
+    conductor: ConductorDep,
+    settings: SettingsDep,
+    diagnoses: DiagnosesDep,
+    caller: CallerDep,
+    now: NowDep,
+) -> DiagnosisAnswer:
     """Asks what parts simulation and recording of a run, and how far it goes away once it is known."""
-    folder = here.settings.recordings_folder / body.run / RECORDING
-    row = here.conductor.row_of(body.run)
+    folder = settings.recordings_folder / body.run / RECORDING
+    row = conductor.row_of(body.run)
     if not folder.is_dir():
         raise Conflict(f"run {body.run}: has no recording, it is in {row.state}; wait for its end")
-    return _queued(here, DiagnosisOrder(recording=folder.absolute(), run=body.run, cell=row.cell), asking.who, now, response)
+    return _queued(store, diagnoses, DiagnosisOrder(recording=folder.absolute(), run=body.run, cell=row.cell), caller.who, now, response)
 
 
 @router.post("/uploads", status_code=HTTP_202_ACCEPTED, openapi_extra=ZIP)
 def diagnose_upload(
-    folder: Annotated[Path, Depends(_uploaded)], response: Response, here: Here, asking: Asking, now: Now, cell: Name | None = None
+    folder: Annotated[Path, Depends(_uploaded)],
+    response: Response,
+    store: StoreDep,
+    cells: CellsDep,
+    diagnoses: DiagnosesDep,
+    caller: CallerDep,
+    now: NowDep,
+    cell: Name | None = None,
 ) -> DiagnosisAnswer:
     """The same of a recording folder as a zip; with the cell it was made in, where that is one of ours."""
     if cell is not None:
-        here.cells.load(cell)
-    return _queued(here, DiagnosisOrder(recording=folder.absolute(), cell=cell), asking.who, now, response)
+        cells.load(cell)
+    return _queued(store, diagnoses, DiagnosisOrder(recording=folder.absolute(), cell=cell), caller.who, now, response)
 
 
 @router.get("")
-def list_diagnoses(here: Here, limit: Limit = 50) -> list[DiagnosisAnswer]:
+def list_diagnoses(store: StoreDep, diagnoses: DiagnosesDep, limit: Limit = 50) -> list[DiagnosisAnswer]:
     """Newest first, each with its summary alone."""
-    with here.store.read() as db:
-        return [_answer(here, row, whole=False) for row in jobs.listed(db, DIAGNOSIS, limit)]
+    with store.read() as db:
+        return [_answer(diagnoses, row, whole=False) for row in jobs.listed(db, DIAGNOSIS, limit)]
 
 
 @router.get("/{diagnosis}")
-def read_diagnosis(diagnosis: str, here: Here, store: Stored) -> DiagnosisAnswer:
+def read_diagnosis(diagnosis: str, diagnoses: DiagnosesDep, store: StoreDep) -> DiagnosisAnswer:
     """One diagnosis."""
     with store.read() as db:
-        return _answer(here, jobs.load(db, DIAGNOSIS, diagnosis))
+        return _answer(diagnoses, jobs.load(db, DIAGNOSIS, diagnosis))
 
 
 @router.delete("/{diagnosis}")
-def cancel_diagnosis(diagnosis: str, here: Here, asking: Asking, now: Now) -> DiagnosisAnswer:
+def cancel_diagnosis(diagnosis: str, store: StoreDep, diagnoses: DiagnosesDep, caller: CallerDep, now: NowDep) -> DiagnosisAnswer:
     """Ends a diagnosis that waits or runs; the recording stays."""
-    with here.store.write() as db:
-        row = jobs.cancel(db, DIAGNOSIS, diagnosis, asking.who, now)
-        audit.record(db, asking.who, "diagnosis.cancel", {"diagnosis": diagnosis}, now=now)
-        found = _answer(here, row)
-    here.diagnoses.drop(diagnosis)
+    with store.write() as db:
+        row = jobs.cancel(db, DIAGNOSIS, diagnosis, caller.who, now)
+        audit.record(db, caller.who, "diagnosis.cancel", {"diagnosis": diagnosis}, now=now)
+        found = _answer(diagnoses, row)
+    diagnoses.drop(diagnosis)
     return found
 
 
 @router.get("/{diagnosis}/overlay")
-def read_overlay(diagnosis: str, here: Here) -> OverlayAnswer:
+def read_overlay(diagnosis: str, store: StoreDep, settings: SettingsDep) -> OverlayAnswer:
     """Measured and simulated before and after, for plots; none where there was too little to compare."""
-    with here.store.read() as db:
+    with store.read() as db:
         row = jobs.load(db, DIAGNOSIS, diagnosis)
-    file = overlay_of(here.settings, diagnosis)
+    file = overlay_of(settings, diagnosis)
     if not file.is_file():
         raise Conflict(f"diagnosis {diagnosis}: has nothing to overlay, it is {row.state}; a done one has, if there was enough to compare")
     return OverlayAnswer.model_validate_json(file.read_bytes())
 
 
 @router.get("/{diagnosis}/report", response_class=Response, responses=downloads.PAGE)
-def download_diagnosis_report(diagnosis: str, here: Here) -> Response:
+def download_diagnosis_report(diagnosis: str, store: StoreDep, settings: SettingsDep) -> Response:
     """The diagnosis as a page."""
-    with here.store.read() as db:
+    with store.read() as db:
         row = jobs.load(db, DIAGNOSIS, diagnosis)
     missing = f"diagnosis {diagnosis}: has no report, it is {row.state}; a report comes with a diagnosis that is done"
-    return downloads.page(report_of(here.settings, diagnosis), f"diagnosis-{diagnosis}", missing)
+    return downloads.page(report_of(settings, diagnosis), f"diagnosis-{diagnosis}", missing)
 
 
-def _queued(here: Service, order: DiagnosisOrder, who: str, now: datetime, response: Response) -> DiagnosisAnswer:
-    with here.store.write() as db:
+def _queued(store: Store, diagnoses: Worker, order: DiagnosisOrder, who: str, now: datetime, response: Response) -> DiagnosisAnswer:
+    with store.write() as db:
         row = jobs.queue(db, DIAGNOSIS, order, order.run, who, now)
         audit.record(db, who, "diagnosis.queue", {"diagnosis": row.id, "run": order.run}, now=now)
-        found = _answer(here, row)
-    here.diagnoses.wake()
+        found = _answer(diagnoses, row)
+    diagnoses.wake()
     accepted(response, f"/api/diagnoses/{found.diagnosis}", TYPICAL_S)
     return found
 
 
-def _answer(here: Service, row: JobRow, *, whole: bool = True) -> DiagnosisAnswer:
+def _answer(diagnoses: Worker, row: JobRow, *, whole: bool = True) -> DiagnosisAnswer:
     result = None if row.result is None else Diagnosis.model_validate_json(row.result)
     return DiagnosisAnswer.of(
         row,
-        here.diagnoses,
+        diagnoses,
         diagnosis=row.id,
         run=row.about,
         cell=DiagnosisOrder.model_validate_json(row.order).cell,

@@ -12,9 +12,9 @@ from core.export.exports import TARGETS, frame_of, payload_of, target_of
 from core.export.target import Target
 from core.payload.uncertain_parameters import UncertainParameters
 from server import downloads, run_ledger
-from server.dependencies import Here
+from server.cell_folder import CellFolder, CellsDep
+from server.conductor import Conductor, ConductorDep
 from server.schemas import Answer
-from server.service import Service
 
 router = APIRouter(prefix="/api/runs/{run}/exports", tags=["results"])
 
@@ -57,23 +57,23 @@ class ExportsAnswer(Answer):
 
 
 @router.get("")
-def list_exports(run: str, here: Here) -> ExportsAnswer:
+def list_exports(run: str, cells: CellsDep, conductor: ConductorDep) -> ExportsAnswer:
     """How the result can be written, and what each way cannot hold."""
-    payload, cell = _payload(here, run)
+    payload, cell = _payload(cells, conductor, run)
     return ExportsAnswer(frame=frame_of(cell), targets=[_listed(target, payload) for target in TARGETS])
 
 
 @router.get("/{target}", response_class=Response, responses=downloads.TEXT)
-def download_export(run: str, target: TargetName, here: Here) -> Response:
+def download_export(run: str, target: TargetName, cells: CellsDep, conductor: ConductorDep) -> Response:
     """The result as a file that a controller or a simulator takes."""
     chosen = target_of(target)
-    payload, _ = _payload(here, run)
+    payload, _ = _payload(cells, conductor, run)
     return downloads.text(chosen.written(payload), chosen.file)
 
 
-def _payload(here: Service, run: str) -> tuple[UncertainParameters, Cell]:
-    row = here.conductor.row_of(run)
-    cell = here.cells.read(row.cell).cell
+def _payload(cells: CellFolder, conductor: Conductor, run: str) -> tuple[UncertainParameters, Cell]:
+    row = conductor.row_of(run)
+    cell = cells.read(row.cell).cell
     return payload_of(run_ledger.result_of(row), cell), cell
 
 

@@ -11,7 +11,8 @@ from sqlalchemy import select
 
 from server import accounts, audit
 from server.accounts import ApiKey
-from server.dependencies import Asking, Here, Now, Stored
+from server.auth import CallerDep, RecentCallersDep
+from server.http.dependencies import NowDep, StoreDep
 from server.roles import MACHINE_ROLES, Role
 from server.schemas import Answer, Body, Name
 
@@ -45,7 +46,7 @@ class KeyMade(KeyShown):
 
 
 @router.get("")
-def list_keys(store: Stored) -> list[KeyShown]:
+def list_keys(store: StoreDep) -> list[KeyShown]:
     """All keys."""
     with store.read() as db:
         return [KeyShown.model_validate(key) for key in db.scalars(select(ApiKey).order_by(ApiKey.name))]
@@ -56,19 +57,19 @@ def list_keys(store: Stored) -> list[KeyShown]:
     status_code=201,
     responses={201: {"links": {"revoke": {"operationId": "revoke_key", "parameters": {"key": "$response.body#/name"}}}}},
 )
-def create_key(new: NewKey, response: Response, asking: Asking, store: Stored, now: Now) -> KeyMade:
+def create_key(new: NewKey, response: Response, caller: CallerDep, store: StoreDep, now: NowDep) -> KeyMade:
     """Makes a key and shows it once."""
     with store.write() as db:
-        key, row = accounts.add_key(db, new.name, new.role, asking.who, now, new.valid_days)
-        audit.record(db, asking.who, "key.create", {"key": new.name, "role": new.role.value, "prefix": row.prefix}, now=now)
+        key, row = accounts.add_key(db, new.name, new.role, caller.who, now, new.valid_days)
+        audit.record(db, caller.who, "key.create", {"key": new.name, "role": new.role.value, "prefix": row.prefix}, now=now)
     response.headers["Location"] = f"/api/keys/{new.name}"
     return KeyMade(**KeyShown.model_validate(row).model_dump(), key=key)
 
 
 @router.delete("/{key}", status_code=204)
-def revoke_key(key: Annotated[Name, Path()], asking: Asking, here: Here, now: Now) -> None:
+def revoke_key(key: Annotated[Name, Path()], caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep) -> None:
     """Makes a key worthless, at once."""
-    with here.store.write() as db:
+    with store.write() as db:
         accounts.revoke_key(db, key)
-        audit.record(db, asking.who, "key.revoke", {"key": key}, now=now)
-    here.recent_callers.forget(f"key:{key}")
+        audit.record(db, caller.who, "key.revoke", {"key": key}, now=now)
+    recent_callers.forget(f"key:{key}")

@@ -11,11 +11,12 @@ from starlette.websockets import WebSocketDisconnect
 
 from server import run_ledger
 from server.broadcast import PATIENCE_S, TooSlowError, drain
-from server.dependencies import Here
+from server.conductor import Conductor, ConductorDep
 from server.errors import NotFound
 from server.event_schemas import EventMessage, LiveMessage
+from server.http.dependencies import StoreDep
 from server.packml import FINAL, State
-from server.service import Service
+from server.store import Store
 
 router = APIRouter(tags=["runs"])
 
@@ -26,11 +27,11 @@ After = Annotated[int, Query(ge=0, le=2**53)]
 
 
 @router.websocket("/api/runs/{run}/live")
-async def watch_run(websocket: WebSocket, run: str, here: Here, after: After = 0) -> None:
+async def watch_run(websocket: WebSocket, run: str, store: StoreDep, conductor: ConductorDep, after: After = 0) -> None:
     """Events behind `after`, then everything as it happens; closed with 1013 when it is not read, with 1000 at the end."""
     await websocket.accept()
     try:
-        sending = asyncio.create_task(_send(websocket, run, here, after))
+        sending = asyncio.create_task(_send(websocket, run, store, conductor, after))
         gone = asyncio.create_task(_until_gone(websocket))
         await asyncio.wait((sending, gone), return_when=asyncio.FIRST_COMPLETED)
         gone.cancel()
@@ -49,27 +50,29 @@ async def watch_run(websocket: WebSocket, run: str, here: Here, after: After = 0
 
 
 @router.get("/api/runs/{run}/events")
-def read_events(run: str, here: Here, after: After = 0, kind: Literal["event", "samples"] | None = None) -> list[LiveMessage]:
+def read_events(
+    run: str, store: StoreDep, conductor: ConductorDep, after: After = 0, kind: Literal["event", "samples"] | None = None
+) -> list[LiveMessage]:
     """What has happened behind a sequence number, and the newest samples: the same messages as on the websocket `live`."""
-    _, told = _told(here, run, after)
+    _, told = _told(store, conductor, run, after)
     messages: list[LiveMessage] = [EventMessage.model_validate_json(text) for _, text in told]
-    active = here.conductor.of_run(run)
+    active = conductor.of_run(run)
     if active is not None and active.newest is not None:
         messages.append(active.newest.batch)
     return [message for message in messages if kind in (None, message.kind)]
 
 
-async def _send(websocket: WebSocket, run: str, here: Service, after: int) -> None:
+async def _send(websocket: WebSocket, run: str, store: Store, conductor: Conductor, after: int) -> None:
     """What the store knows, then what comes; an event that is in both is sent once."""
-    broadcast = here.conductor.broadcast(run)
+    broadcast = conductor.broadcast(run)
     subscription = broadcast.subscribe()
     try:
-        over, told = await asyncio.to_thread(_told, here, run, after)
+        over, told = await asyncio.to_thread(_told, store, conductor, run, after)
         for sequence, text in told:
             async with asyncio.timeout(PATIENCE_S):
                 await websocket.send_text(text)
             after = sequence
-        active = here.conductor.of_run(run)
+        active = conductor.of_run(run)
         if active is not None and active.newest is not None:  # of a robot on hold nothing newer comes
             await websocket.send_text(active.newest.batch.model_dump_json())
         if not over:
@@ -80,14 +83,14 @@ async def _send(websocket: WebSocket, run: str, here: Service, after: int) -> No
         broadcast.unsubscribe(subscription)
 
 
-def _told(here: Service, run: str, after: int) -> tuple[bool, list[tuple[int, str]]]:
+def _told(store: Store, conductor: Conductor, run: str, after: int) -> tuple[bool, list[tuple[int, str]]]:
     """Whether nothing more can come, and what has come, with sequence numbers: from memory where the run has its cell."""
-    active = here.conductor.of_run(run)
+    active = conductor.of_run(run)
     if active is not None:
         return False, [(sequence, text) for sequence, text in list(active.events) if sequence > after]
-    with here.store.read() as db:
+    with store.read() as db:
         row = run_ledger.load(db, run)
-        over = here.conductor.of_run(run) is None and State(row.state) in (*FINAL, State.ABORTED)
+        over = conductor.of_run(run) is None and State(row.state) in (*FINAL, State.ABORTED)
         return over, run_ledger.told(db, run, after)
 
 

@@ -6,8 +6,11 @@ from fastapi import APIRouter, Response
 from starlette.status import HTTP_202_ACCEPTED
 
 from server import jobs, run_ledger
-from server.dependencies import Asking, Here, Now
+from server.auth import CallerDep
+from server.cell_folder import CellsDep
+from server.conductor import ConductorDep
 from server.errors import Conflict
+from server.http.dependencies import NowDep, StoreDep
 from server.job_kinds import DIAGNOSIS, DiagnosisOrder
 from server.proposed_motion import MotionBody, motion_of, order_of
 from server.run_queue import IdempotencyKey, Request, queued
@@ -18,16 +21,24 @@ router = APIRouter(prefix="/api/diagnoses", tags=["diagnoses"])
 
 @router.post("/{diagnosis}/motion", status_code=HTTP_202_ACCEPTED)
 def queue_motion(
-    diagnosis: str, body: MotionBody, response: Response, here: Here, asking: Asking, now: Now, idempotency_key: IdempotencyKey = None
+    diagnosis: str,
+    body: MotionBody,
+    response: Response,
+    store: StoreDep,
+    cells: CellsDep,
+    conductor: ConductorDep,
+    caller: CallerDep,
+    now: NowDep,
+    idempotency_key: IdempotencyKey = None,
 ) -> RunAnswer:
     """Queues the motion that a diagnosis proposes as a run, to be released like any other; its recording continues the diagnosed one."""
-    with here.store.read() as db:
+    with store.read() as db:
         diagnosed = jobs.load(db, DIAGNOSIS, diagnosis)
         motion = motion_of(diagnosed)
         continued = None if motion.continues is None else run_ledger.load(db, motion.continues)
     cell = DiagnosisOrder.model_validate_json(diagnosed.order).cell
     if cell is None:
         raise Conflict(f"diagnosis {diagnosis}: its recording was made in no cell of this service; upload it again with ?cell=")
-    order = order_of(motion, continued, here.cells.read(cell).cell, body)
+    order = order_of(motion, continued, cells.read(cell).cell, body)
     same = f"{diagnosis} {body.model_dump_json()}".encode()
-    return queued(here, response, Request(asking.who, now, idempotency_key, same), order, motion)
+    return queued(store, conductor, response, Request(caller.who, now, idempotency_key, same), order, motion)

@@ -12,12 +12,12 @@ from fastapi import APIRouter
 from fastapi import Path as InPath
 
 from server import audit
-from server.dependencies import Address, Here, Now
+from server.conductor import Conductor, ConductorDep
 from server.errors import Conflict
+from server.http.dependencies import AddressDep, NowDep
 from server.packml import MOVING, Command, State
 from server.reason import asked
 from server.schemas import Answer, Name
-from server.service import Service
 
 router = APIRouter(prefix="/api/now", tags=["now"])
 PathName = Annotated[Name, InPath()]
@@ -45,26 +45,26 @@ class CellNow(Answer):
 
 
 @router.get("")
-async def read_now(here: Here) -> list[CellNow]:
+async def read_now(conductor: ConductorDep) -> list[CellNow]:
     """Every cell with a robot that a run has; told from memory."""
-    return [cell_now(here, name) for name in sorted(here.conductor.active)]
+    return [cell_now(conductor, name) for name in sorted(conductor.active)]
 
 
 @router.post("/{cell}/stop")
-async def stop_now(cell: PathName, here: Here, address: Address, now: Now) -> CellNow:
+async def stop_now(cell: PathName, conductor: ConductorDep, address: AddressDep, now: NowDep) -> CellNow:
     """Stops the cell's robot. Anybody may, and it is recorded from where. It is no emergency stop."""
-    active = here.conductor.active.get(cell)
+    active = conductor.active.get(cell)
     if active is None:
         raise Conflict(f"cell {cell!r}: no run has its robot, so there is nothing to stop")
     who = f"nobody@{address}"
     done = audit.deed(who, "run.stop", {"run": active.id, "address": address}, now=now)
-    await here.conductor.command(active.id, Command.STOP, asked("stop", who), done)
-    return cell_now(here, cell)
+    await conductor.command(active.id, Command.STOP, asked("stop", who), done)
+    return cell_now(conductor, cell)
 
 
-def cell_now(here: Service, name: str) -> CellNow:
+def cell_now(conductor: Conductor, name: str) -> CellNow:
     """What the cell's robot does."""
-    active = here.conductor.active.get(name)
+    active = conductor.active.get(name)
     if active is None:
         return CellNow(cell=name, run=None, state=None, moving=False, since=None, reason_kind=None)
     moving = active.state in MOVING - COMES_TO_REST

@@ -11,14 +11,17 @@ from core.cell.cell import Cell
 from core.export.exports import payload_of
 from core.payload.comparison import Comparison, compared
 from server import audit, run_ledger
-from server.dependencies import Asking, Here, Now
+from server.auth import CallerDep
+from server.cell_folder import CellFolder, CellsDep
+from server.conductor import ConductorDep
+from server.control_lease import ControlDep
 from server.errors import Conflict, StoreUnavailable
+from server.http.dependencies import NowDep, StoreDep
 from server.payload_answer import PayloadAnswer, payload_answer
 from server.run_answer import answered
 from server.run_schemas import RunAnswer
 from server.run_tables import RunRow
 from server.schemas import Answer
-from server.service import Service
 
 router = APIRouter(prefix="/api/runs/{run}", tags=["results"])
 
@@ -35,42 +38,42 @@ class ComparisonAnswer(Answer):
 
 
 @router.get("/result")
-def read_result(run: str, here: Here) -> PayloadAnswer:
+def read_result(run: str, conductor: ConductorDep) -> PayloadAnswer:
     """What the robot carries, with uncertainties."""
-    return payload_answer(run, run_ledger.result_of(here.conductor.row_of(run)))
+    return payload_answer(run, run_ledger.result_of(conductor.row_of(run)))
 
 
 @router.post("/acceptance")
-def accept_result(run: str, here: Here, asking: Asking, now: Now) -> RunAnswer:
+def accept_result(run: str, store: StoreDep, conductor: ConductorDep, control: ControlDep, caller: CallerDep, now: NowDep) -> RunAnswer:
     """An operator takes the result for good; once, and by name."""
-    run_ledger.result_of(here.conductor.row_of(run))
-    if not here.conductor.wait_until_kept(run):
+    run_ledger.result_of(conductor.row_of(run))
+    if not conductor.wait_until_kept(run):
         raise StoreUnavailable(f"run {run}: the database does not have its result yet; accept it again in some seconds")
-    with here.store.write() as db:
+    with store.write() as db:
         row = run_ledger.load(db, run)
         verdict = run_ledger.result_of(row).verdict
         if row.accepted_by is not None:
             raise Conflict(f"run {run}: was accepted already, by {row.accepted_by}; a result is accepted once")
-        row.accepted_by, row.accepted_at = asking.who, now
-        audit.record(db, asking.who, "run.accept", {"run": run, "verdict": verdict}, now=now)
-    return answered(here, run)
+        row.accepted_by, row.accepted_at = caller.who, now
+        audit.record(db, caller.who, "run.accept", {"run": run, "verdict": verdict}, now=now)
+    return answered(conductor, control, now, run)
 
 
 @router.get("/comparison/{other}")
-def compare_runs(run: str, other: str, here: Here) -> ComparisonAnswer:
+def compare_runs(run: str, other: str, cells: CellsDep, conductor: ConductorDep) -> ComparisonAnswer:
     """What differs between two runs, and whether that is more than chance."""
-    rows = here.conductor.row_of(run), here.conductor.row_of(other)
+    rows = conductor.row_of(run), conductor.row_of(other)
     results = [run_ledger.result_of(row) for row in rows]
     frame: Frame = "sensor" if rows[0].cell == rows[1].cell else "flange"
-    cells = [None if frame == "sensor" else _mounted(here, row) for row in rows]
-    first, second = (payload_of(result, cell) for result, cell in zip(results, cells, strict=True))
+    mounted = [None if frame == "sensor" else _mounted(cells, row) for row in rows]
+    first, second = (payload_of(result, cell) for result, cell in zip(results, mounted, strict=True))
     offsets = [(np.array(part.offset, float), np.array(part.offset_std, float)) for part in (each.estimate for each in results) if part]
     return ComparisonAnswer(run=run, other=other, frame=frame, comparison=compared(first, second, offsets[0], offsets[1]))
 
 
-def _mounted(here: Service, row: RunRow) -> Cell:
+def _mounted(cells: CellFolder, row: RunRow) -> Cell:
     """The cell of a run, which says how its sensor is mounted."""
-    cell = here.cells.read(row.cell).cell
+    cell = cells.read(row.cell).cell
     if cell.sensor.mount is None:
         raise Conflict(
             f"cell {row.cell!r}: does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common"

@@ -10,11 +10,15 @@ from pydantic import Field
 
 from core.sessions.leased import Renewal
 from server import audit, run_ledger
-from server.dependencies import Asking, Here, Now
+from server.auth import CallerDep
+from server.conductor import ConductorDep
+from server.control_lease import ControlDep
 from server.errors import Conflict
+from server.http.dependencies import NowDep
 from server.packml import State
 from server.plan_schemas import RunPlan
 from server.reason import asked
+from server.releases import OffersDep, ReleasesDep
 from server.run_answer import answered
 from server.run_schemas import RunAnswer
 from server.schemas import Answer, Body
@@ -78,39 +82,43 @@ class PlanAnswer(Answer):
 
 
 @router.get("/plan")
-def read_plan(run: str, here: Here) -> PlanAnswer:
+def read_plan(run: str, conductor: ConductorDep, offers: OffersDep) -> PlanAnswer:
     """What is going to happen: to be looked at before it is released."""
-    row = here.conductor.row_of(run)
+    row = conductor.row_of(run)
     if row.plan is None:
         raise Conflict(
             f"run {run}: there is no plan yet, it is in {row.state}; wait until it is Idle", run_ledger.offered(State(row.state))
         )
     plan = RunPlan.model_validate_json(row.plan)
-    return PlanAnswer(run=run, plan=plan, offer=here.offers.make(run, plan.sha256), expires_s=here.offers.length_s)
+    return PlanAnswer(run=run, plan=plan, offer=offers.make(run, plan.sha256), expires_s=offers.length_s)
 
 
 @router.post("/release")
-async def release_run(run: str, body: ReleaseBody, here: Here, asking: Asking) -> RunAnswer:
+async def release_run(
+    run: str, body: ReleaseBody, conductor: ConductorDep, control: ControlDep, releases: ReleasesDep, now: NowDep, caller: CallerDep
+) -> RunAnswer:
     """An operator at the cell lets the shown plan begin; void (409) when anything has changed or the offer is older than 60 s."""
-    await here.releases.release(run, asking.who, body.plan_sha256, body.offer, renewal(body.sent))
-    return await asyncio.to_thread(answered, here, run)
+    await releases.release(run, caller.who, body.plan_sha256, body.offer, renewal(body.sent))
+    return await asyncio.to_thread(answered, conductor, control, now, run)
 
 
 @router.post("/commands")
-async def command_run(run: str, body: CommandBody, here: Here, asking: Asking, now: Now) -> RunAnswer:
+async def command_run(
+    run: str, body: CommandBody, conductor: ConductorDep, control: ControlDep, caller: CallerDep, now: NowDep
+) -> RunAnswer:
     """Holds, resumes, stops, aborts or clears. All but stop and abort need control of the cell."""
-    cell = (await asyncio.to_thread(here.conductor.row_of, run)).cell
+    cell = (await asyncio.to_thread(conductor.row_of, run)).cell
     if body.command not in WITHOUT_CONTROL:
         if body.sent is None:
             raise Conflict(f"command {body.command}: needs control of cell {cell!r}; send `sent` with your fence, number and stamp")
-        here.control.command(cell, asking.who, renewal(body.sent))
-    await here.conductor.command(
+        control.command(cell, caller.who, renewal(body.sent))
+    await conductor.command(
         run,
         COMMANDS[body.command],
-        asked(body.command, asking.who),
-        audit.deed(asking.who, f"run.{body.command}", {"run": run}, now=now),
+        asked(body.command, caller.who),
+        audit.deed(caller.who, f"run.{body.command}", {"run": run}, now=now),
     )
-    return await asyncio.to_thread(answered, here, run)
+    return await asyncio.to_thread(answered, conductor, control, now, run)
 
 
 def renewal(sent: Sent) -> Renewal:

@@ -12,7 +12,11 @@ from starlette.status import HTTP_202_ACCEPTED
 from core.cell.cell import Cell
 from core.errors import BadPayload
 from server import audit, run_ledger
-from server.dependencies import Asking, Here, Now
+from server.auth import CallerDep
+from server.cell_folder import CellsDep
+from server.conductor import ConductorDep
+from server.control_lease import ControlDep
+from server.http.dependencies import NowDep, SettingsDep, StoreDep
 from server.packml import Command, State
 from server.reason import cancelled
 from server.rest_of_run import rest_of
@@ -27,19 +31,29 @@ router = APIRouter(prefix="/api/runs", tags=["runs"])
 
 @router.post("", status_code=HTTP_202_ACCEPTED)
 def queue_run(
-    order: RunOrder, response: Response, here: Here, asking: Asking, now: Now, idempotency_key: IdempotencyKey = None
+    order: RunOrder,
+    response: Response,
+    store: StoreDep,
+    cells: CellsDep,
+    conductor: ConductorDep,
+    caller: CallerDep,
+    now: NowDep,
+    idempotency_key: IdempotencyKey = None,
 ) -> RunAnswer:
     """Queues a run; nothing moves before an operator at the cell has released its plan. The same `Idempotency-Key` makes one run."""
     body = order.model_dump_json().encode()
-    cell = here.cells.read(order.cell).cell
+    cell = cells.read(order.cell).cell
     check_order(order, cell)
     order = with_payload(order, cell)
-    return queued(here, response, Request(asking.who, now, idempotency_key, body), order)
+    return queued(store, conductor, response, Request(caller.who, now, idempotency_key, body), order)
 
 
 @router.get("")
 def list_runs(
-    here: Here,
+    store: StoreDep,
+    conductor: ConductorDep,
+    control: ControlDep,
+    now: NowDep,
     cell: str | None = None,
     payload: str | None = None,
     state: State | None = None,
@@ -51,39 +65,48 @@ def list_runs(
     for column, wanted in ((RunRow.cell, cell), (RunRow.payload, payload), (RunRow.state, state)):
         query = query if wanted is None else query.where(column == wanted)
     query = query if before is None else query.where(RunRow.id < before)
-    with here.store.read() as db:
+    with store.read() as db:
         found = list(db.scalars(query))
-    return [answer_now(here, row) for row in found]
+    return [answer_now(conductor, control, now, row) for row in found]
 
 
 @router.get("/{run}")
-def read_run(run: str, here: Here) -> RunAnswer:
+def read_run(run: str, conductor: ConductorDep, control: ControlDep, now: NowDep) -> RunAnswer:
     """One run as it stands now."""
-    return answered(here, run)
+    return answered(conductor, control, now, run)
 
 
 @router.delete("/{run}")
-async def cancel_run(run: str, here: Here, asking: Asking, now: Now) -> RunAnswer:
+async def cancel_run(run: str, conductor: ConductorDep, control: ControlDep, caller: CallerDep, now: NowDep) -> RunAnswer:
     """Takes back a run that has not been released; one that moves is stopped at the cell instead."""
-    row = await asyncio.to_thread(here.conductor.row_of, run)
+    row = await asyncio.to_thread(conductor.row_of, run)
     if row.state not in (State.RESETTING, State.IDLE):
         raise run_ledger.refusal(row, "cancel")
-    await here.conductor.command(
+    await conductor.command(
         run,
         Command.STOP,
-        cancelled(asking.who),
-        audit.deed(asking.who, "run.cancel", {"run": run}, now=now),
+        cancelled(caller.who),
+        audit.deed(caller.who, "run.cancel", {"run": run}, now=now),
     )
-    return await asyncio.to_thread(answered, here, run)
+    return await asyncio.to_thread(answered, conductor, control, now, run)
 
 
 @router.post("/{run}/continuation", status_code=HTTP_202_ACCEPTED)
-def continue_run(run: str, response: Response, here: Here, asking: Asking, now: Now, idempotency_key: IdempotencyKey = None) -> RunAnswer:
+def continue_run(
+    run: str,
+    response: Response,
+    store: StoreDep,
+    conductor: ConductorDep,
+    settings: SettingsDep,
+    caller: CallerDep,
+    now: NowDep,
+    idempotency_key: IdempotencyKey = None,
+) -> RunAnswer:
     """Queues the rest of a run that ended before it was through, as a new run: its finished holds and rotations count."""
-    ended = here.conductor.row_of(run)
-    rest = rest_of(ended, here.settings.recordings_folder / run)
+    ended = conductor.row_of(run)
+    rest = rest_of(ended, settings.recordings_folder / run)
     order = RunOrder.model_validate_json(ended.order)
-    return queued(here, response, Request(asking.who, now, idempotency_key, f"continuation of {run}".encode()), order, rest)
+    return queued(store, conductor, response, Request(caller.who, now, idempotency_key, f"continuation of {run}".encode()), order, rest)
 
 
 def with_payload(order: RunOrder, cell: Cell) -> RunOrder:

@@ -7,12 +7,13 @@ from pydantic import Field
 from starlette.status import HTTP_202_ACCEPTED
 
 from server import audit, jobs
-from server.dependencies import Asking, Here, Now, Stored
-from server.job_answer import JobAnswer, Limit, accepted
+from server.auth import CallerDep
+from server.http.dependencies import NowDep, StoreDep
+from server.job_answer import JobAnswer
 from server.job_kinds import TRIALS, TrialsOrder
+from server.jobs import TrialsDep, Worker
 from server.run_tables import JobRow
-from server.schemas import Body
-from server.service import Service
+from server.schemas import Body, Limit, accepted
 from server.trial_schemas import SEALS, OpenedTrial, Seal, TrialsResult
 
 router = APIRouter(prefix="/api/trials", tags=["trials"])
@@ -44,48 +45,48 @@ class TrialsAnswer(JobAnswer):
 
 
 @router.post("", status_code=HTTP_202_ACCEPTED)
-def queue_trials(body: TrialsBody, response: Response, here: Here, asking: Asking, now: Now) -> TrialsAnswer:
+def queue_trials(body: TrialsBody, response: Response, store: StoreDep, worker: TrialsDep, caller: CallerDep, now: NowDep) -> TrialsAnswer:
     """Queues blind trials; they run one after the other on one core, and give way to robots."""
-    with here.store.write() as db:
-        row = jobs.queue(db, TRIALS, TrialsOrder(count=body.count, seed=body.seed), None, asking.who, now)
-        audit.record(db, asking.who, "trials.queue", {"trials": row.id, "count": body.count, "seed": body.seed}, now=now)
-        found = _answer(here, row)
-    here.trials.wake()
+    with store.write() as db:
+        row = jobs.queue(db, TRIALS, TrialsOrder(count=body.count, seed=body.seed), None, caller.who, now)
+        audit.record(db, caller.who, "trials.queue", {"trials": row.id, "count": body.count, "seed": body.seed}, now=now)
+        found = _answer(worker, row)
+    worker.wake()
     accepted(response, f"/api/trials/{found.trials}", TYPICAL_S)
     return found
 
 
 @router.get("")
-def list_trials(here: Here, limit: Limit = 50) -> list[TrialsAnswer]:
+def list_trials(store: StoreDep, worker: TrialsDep, limit: Limit = 50) -> list[TrialsAnswer]:
     """Newest first, without their answers."""
-    with here.store.read() as db:
-        return [_answer(here, row, whole=False) for row in jobs.listed(db, TRIALS, limit)]
+    with store.read() as db:
+        return [_answer(worker, row, whole=False) for row in jobs.listed(db, TRIALS, limit)]
 
 
 @router.get("/{trials}")
-def read_trials(trials: str, here: Here, store: Stored) -> TrialsAnswer:
+def read_trials(trials: str, store: StoreDep, worker: TrialsDep) -> TrialsAnswer:
     """Some trials: their seals, and in the end their answers."""
     with store.read() as db:
-        return _answer(here, jobs.load(db, TRIALS, trials))
+        return _answer(worker, jobs.load(db, TRIALS, trials))
 
 
 @router.delete("/{trials}")
-def cancel_trials(trials: str, here: Here, asking: Asking, now: Now) -> TrialsAnswer:
+def cancel_trials(trials: str, store: StoreDep, worker: TrialsDep, caller: CallerDep, now: NowDep) -> TrialsAnswer:
     """Ends trials that wait or run; what they have planted stays sealed."""
-    with here.store.write() as db:
-        row = jobs.cancel(db, TRIALS, trials, asking.who, now)
-        audit.record(db, asking.who, "trials.cancel", {"trials": trials}, now=now)
-        found = _answer(here, row)
-    here.trials.drop(trials)
+    with store.write() as db:
+        row = jobs.cancel(db, TRIALS, trials, caller.who, now)
+        audit.record(db, caller.who, "trials.cancel", {"trials": trials}, now=now)
+        found = _answer(worker, row)
+    worker.drop(trials)
     return found
 
 
-def _answer(here: Service, row: JobRow, *, whole: bool = True) -> TrialsAnswer:
+def _answer(worker: Worker, row: JobRow, *, whole: bool = True) -> TrialsAnswer:
     order = TrialsOrder.model_validate_json(row.order)
     result = TrialsResult.model_validate_json(row.result) if whole and row.result is not None else None
     return TrialsAnswer.of(
         row,
-        here.trials,
+        worker,
         trials=row.id,
         count=order.count,
         seed=order.seed,

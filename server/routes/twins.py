@@ -2,69 +2,35 @@
 
 from __future__ import annotations
 
-from datetime import datetime
 from typing import Annotated
 
 from fastapi import APIRouter, Response
 from fastapi import Path as InPath
-from pydantic import Field, ValidationError
+from pydantic import Field
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 from starlette.status import HTTP_202_ACCEPTED
 
-from core.cell.cell import TWIN_FILE, Cell
-from core.errors import BadTwin
-from core.files.jail import read_inside
-from core.files.schema_flaw import schema_flaw
+from core.cell.cell import Cell
 from core.gap.answer import Diagnosis
 from server import audit, jobs
-from server.dependencies import Asking, Cells, Here, Now, Stored
+from server.auth import CallerDep
+from server.cell_folder import CellsDep
 from server.errors import Conflict, NotFound, Unprocessable
-from server.job_answer import JobAnswer, accepted
+from server.http.dependencies import NowDep, StoreDep
+from server.job_answer import JobAnswer
 from server.job_kinds import ADDITION, DIAGNOSIS, AdditionOrder, DiagnosisOrder, sha256_of
-from server.jobs import UNDER_WAY
+from server.jobs import UNDER_WAY, AdditionsDep, Worker
 from server.run_tables import JobRow
 from server.runner.messages import Answered, Failed
 from server.runner.work import said
-from server.schemas import Answer, Body, Name
-from server.service import Service
+from server.schemas import Body, Name, accepted
+from server.twin_answer import TwinAnswer, twin_of
 
 router = APIRouter(prefix="/api/cells/{cell}/twin", tags=["cells"])
 
 PathName = Annotated[Name, InPath()]
 TYPICAL_S = 30
-MAX_BYTES = 1_000_000
-
-
-class TwinParameter(Answer):
-    """A parameter of an effect with its standard uncertainty, in `unit`."""
-
-    value: float
-    std: float
-    unit: str
-
-
-class TwinEffect(Answer):
-    """An effect of a twin and where it comes from.
-
-    Args:
-        recording: name of the recording that it was fitted to; `sha256` of that recording's files.
-        gap_before, gap_after: root mean square of measured minus simulated, in multiples of the noise, on motions that the fit did not see.
-    """
-
-    effect: str
-    parameters: dict[str, TwinParameter]
-    recording: str
-    sha256: str
-    added: datetime
-    gap_before: float
-    gap_after: float
-
-
-class TwinAnswer(Answer):
-    """What a cell's simulation has beyond the nominal one; nothing where `effects` is empty."""
-
-    effects: tuple[TwinEffect, ...] = ()
 
 
 class AdditionBody(Body):
@@ -85,74 +51,71 @@ class AdditionAnswer(JobAnswer):
 
 
 @router.get("")
-def read_twin(cell: PathName, cells: Cells) -> TwinAnswer:
+def read_twin(cell: PathName, cells: CellsDep) -> TwinAnswer:
     """The effects that simulated runs, identification and diagnosis of the cell count with."""
     return twin_of(cells.read(cell).cell)
 
 
 @router.post("", status_code=HTTP_202_ACCEPTED)
-def add_effect(cell: PathName, body: AdditionBody, response: Response, here: Here, asking: Asking, now: Now) -> AdditionAnswer:
+def add_effect(
+    cell: PathName,
+    body: AdditionBody,
+    response: Response,
+    store: StoreDep,
+    cells: CellsDep,
+    additions: AdditionsDep,
+    caller: CallerDep,
+    now: NowDep,
+) -> AdditionAnswer:
     """Fits an effect anew to the recording of a diagnosis that names it, and adds it to the cell's twin."""
-    here.cells.load(cell)
-    with here.store.write() as db:
+    cells.load(cell)
+    with store.write() as db:
         diagnosed = jobs.load(db, DIAGNOSIS, body.diagnosis)
         _check_named(diagnosed, body.effect)
         recording = DiagnosisOrder.model_validate_json(diagnosed.order).recording
         order = AdditionOrder(cell=cell, effect=body.effect, diagnosis=body.diagnosis, recording=recording)
-        row = jobs.queue(db, ADDITION, order, cell, asking.who, now)
-        audit.record(db, asking.who, "twin.queue", {"addition": row.id, "cell": cell, "effect": body.effect}, now=now)
-        found = _answer(here, row)
-    here.additions.wake()
+        row = jobs.queue(db, ADDITION, order, cell, caller.who, now)
+        audit.record(db, caller.who, "twin.queue", {"addition": row.id, "cell": cell, "effect": body.effect}, now=now)
+        found = _answer(additions, row)
+    additions.wake()
     accepted(response, f"/api/cells/{cell}/twin/additions/{found.addition}", TYPICAL_S)
     return found
 
 
 @router.get("/additions/{addition}")
-def read_addition(cell: PathName, addition: str, here: Here, store: Stored) -> AdditionAnswer:
+def read_addition(cell: PathName, addition: str, additions: AdditionsDep, store: StoreDep) -> AdditionAnswer:
     """How far an addition is, and why it was refused."""
     with store.read() as db:
         row = _load(db, cell, addition)
-    return _answer(here, row)
+    return _answer(additions, row)
 
 
 @router.delete("/additions/{addition}")
-def cancel_addition(cell: PathName, addition: str, here: Here, asking: Asking, now: Now) -> AdditionAnswer:
+def cancel_addition(
+    cell: PathName, addition: str, store: StoreDep, additions: AdditionsDep, caller: CallerDep, now: NowDep
+) -> AdditionAnswer:
     """Ends an addition that waits or runs; the twin stays as it is."""
-    with here.store.write() as db:
+    with store.write() as db:
         _load(db, cell, addition)
-        row = jobs.cancel(db, ADDITION, addition, asking.who, now)
-        audit.record(db, asking.who, "twin.cancel", {"addition": addition, "cell": cell}, now=now)
-        found = _answer(here, row)
-    here.additions.drop(addition)
+        row = jobs.cancel(db, ADDITION, addition, caller.who, now)
+        audit.record(db, caller.who, "twin.cancel", {"addition": addition, "cell": cell}, now=now)
+        found = _answer(additions, row)
+    additions.drop(addition)
     return found
 
 
 @router.delete("/{effect}")
-def remove_effect(cell: PathName, effect: PathName, here: Here, asking: Asking, now: Now) -> TwinAnswer:
+def remove_effect(cell: PathName, effect: PathName, store: StoreDep, cells: CellsDep, caller: CallerDep, now: NowDep) -> TwinAnswer:
     """Takes an effect out of the cell's twin."""
-    loaded = here.cells.load(cell)
+    loaded = cells.load(cell)
     if effect not in [entry.effect for entry in twin_of(loaded).effects]:
         raise NotFound("effect in the twin", effect)
-    with here.store.write() as db:
+    with store.write() as db:
         _check_nothing_under_way(db, cell)
         left = _removed(loaded, effect)
-        audit.record(db, asking.who, "twin.remove", {"cell": cell, "effect": effect, "sha256": sha256_of(left)}, now=now)
-        here.cells.put_twin(cell, left)  # last, as in `server.job_kinds`
+        audit.record(db, caller.who, "twin.remove", {"cell": cell, "effect": effect, "sha256": sha256_of(left)}, now=now)
+        cells.put_twin(cell, left)  # last, as in `server.job_kinds`
     return TwinAnswer.model_validate_json(left)
-
-
-def twin_of(cell: Cell) -> TwinAnswer:
-    """What stands in the cell's `twin.json`.
-
-    Raises:
-        BadTwin: it is not one that an addition has written.
-    """
-    if not (cell.folder / TWIN_FILE).exists():
-        return TwinAnswer()
-    try:
-        return TwinAnswer.model_validate_json(read_inside(cell.folder, TWIN_FILE, BadTwin, max_bytes=MAX_BYTES))
-    except ValidationError as error:
-        raise BadTwin(*schema_flaw(error.errors()[0]).at(f"{cell.name}/{TWIN_FILE}")) from error
 
 
 def _load(db: Session, cell: str, addition: str) -> JobRow:
@@ -194,11 +157,11 @@ def _check_nothing_under_way(db: Session, cell: str) -> None:
         raise Conflict(f"twin of {cell}: addition {addition} is under way; wait for its end")
 
 
-def _answer(here: Service, row: JobRow) -> AdditionAnswer:
+def _answer(additions: Worker, row: JobRow) -> AdditionAnswer:
     order = AdditionOrder.model_validate_json(row.order)
     return AdditionAnswer.of(
         row,
-        here.additions,
+        additions,
         addition=row.id,
         cell=order.cell,
         effect=order.effect,

@@ -13,7 +13,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.typing import Subprotocol
 
 from core.errors import HeftError
-from server.dependencies import Here
+from server.viewer.gallery import GalleryDep
 
 router = APIRouter(prefix="/viewer", tags=["viewer"], include_in_schema=False)
 
@@ -28,11 +28,11 @@ async def to_viewer(cell: str) -> RedirectResponse:
 
 
 @router.get("/{cell}/{path:path}")
-async def viewer_page(cell: str, path: str, request: Request, here: Here) -> Response:
+async def viewer_page(cell: str, path: str, request: Request, gallery: GalleryDep) -> Response:
     """The viewer's page and what belongs to it."""
     import httpx2  # noqa: PLC0415  the service starts sooner without it
 
-    port = await here.gallery.port(cell)
+    port = await gallery.port(cell)
     wanted = {name: request.headers[name] for name in ("accept-encoding", "if-none-match") if name in request.headers}
     async with (
         httpx2.AsyncClient(trust_env=False) as client,
@@ -43,10 +43,10 @@ async def viewer_page(cell: str, path: str, request: Request, here: Here) -> Res
 
 
 @router.websocket("/{cell}")
-async def viewer_socket(websocket: WebSocket, cell: str, here: Here) -> None:
+async def viewer_socket(websocket: WebSocket, cell: str, gallery: GalleryDep) -> None:
     """What the viewer draws, passed on as it is. What the page sends cannot reach the robot: the viewer has no way to it."""
     try:
-        port = await here.gallery.port(cell)
+        port = await gallery.port(cell)
     except HeftError as error:
         await websocket.close(POLICY_VIOLATION, str(error)[:120])
         return

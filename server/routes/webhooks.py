@@ -11,8 +11,9 @@ from pydantic import AnyHttpUrl, SecretStr, StringConstraints
 from sqlalchemy import select
 
 from server import audit, run_ledger
-from server.dependencies import Asking, Now, Stored
+from server.auth import CallerDep
 from server.errors import NotFound
+from server.http.dependencies import NowDep, StoreDep
 from server.run_tables import Delivery, Webhook
 from server.schemas import Answer, Body
 
@@ -55,18 +56,18 @@ LINKS = {
 
 
 @router.post("", status_code=201, responses={201: {"links": LINKS}})
-def add_webhook(body: WebhookBody, store: Stored, asking: Asking, now: Now) -> WebhookAnswer:
+def add_webhook(body: WebhookBody, store: StoreDep, caller: CallerDep, now: NowDep) -> WebhookAnswer:
     """Every run's end is sent there from now on, signed: `Heft-Signature: sha256=HMAC(secret, timestamp + "." + body)`."""
     secret = secrets.token_urlsafe(32) if body.secret is None else body.secret.get_secret_value()
-    row = Webhook(id=run_ledger.new_id(now), url=str(body.url), secret=secret, made_by=asking.who, made_at=now)
+    row = Webhook(id=run_ledger.new_id(now), url=str(body.url), secret=secret, made_by=caller.who, made_at=now)
     with store.write() as db:
         db.add(row)
-        audit.record(db, asking.who, "webhook.create", {"webhook": row.id, "url": row.url}, now=now)
+        audit.record(db, caller.who, "webhook.create", {"webhook": row.id, "url": row.url}, now=now)
     return WebhookAnswer(id=row.id, url=row.url, made_by=row.made_by, made_at=row.made_at, secret=secret)
 
 
 @router.get("")
-def list_webhooks(store: Stored) -> list[WebhookAnswer]:
+def list_webhooks(store: StoreDep) -> list[WebhookAnswer]:
     """All, without their secrets."""
     with store.read() as db:
         rows = db.scalars(select(Webhook).order_by(Webhook.id))
@@ -74,7 +75,7 @@ def list_webhooks(store: Stored) -> list[WebhookAnswer]:
 
 
 @router.delete("/{webhook}", status_code=204)
-def remove_webhook(webhook: str, store: Stored, asking: Asking, now: Now) -> None:
+def remove_webhook(webhook: str, store: StoreDep, caller: CallerDep, now: NowDep) -> None:
     """Nothing is sent there any more, also not what is still due."""
     with store.write() as db:
         row = _found(db.get(Webhook, webhook), webhook)
@@ -82,11 +83,11 @@ def remove_webhook(webhook: str, store: Stored, asking: Asking, now: Now) -> Non
             db.delete(delivery)
         db.flush()
         db.delete(row)
-        audit.record(db, asking.who, "webhook.remove", {"webhook": webhook}, now=now)
+        audit.record(db, caller.who, "webhook.remove", {"webhook": webhook}, now=now)
 
 
 @router.get("/{webhook}/deliveries")
-def list_deliveries(webhook: str, store: Stored) -> list[DeliveryAnswer]:
+def list_deliveries(webhook: str, store: StoreDep) -> list[DeliveryAnswer]:
     """The newest hundred."""
     with store.read() as db:
         _found(db.get(Webhook, webhook), webhook)

@@ -11,12 +11,14 @@ from sqlalchemy.orm import Session
 
 from core.payload.shapes import Pose
 from server import audit, zones
+from server.auth import CallerDep
+from server.cell_folder import CellFolder, CellsDep
 from server.cell_now import read_now
-from server.dependencies import Asking, Here, Now
+from server.conductor import ConductorDep
 from server.errors import Conflict
+from server.http.dependencies import NowDep, StoreDep
 from server.problems import Flaw, flaws_of
 from server.schemas import Answer, Body, Moment, Name
-from server.service import Service
 from server.zone_check import flaws_of_bodies
 from server.zones import ZonePosition
 
@@ -80,53 +82,71 @@ class ZoneChecked(Answer):
 
 
 @router.put("/{zone}")
-def move_zone(cell: PathName, zone: PathName, moved: ZoneMove, asking: Asking, here: Here, now: Now) -> ZoneShown:
+def move_zone(
+    cell: PathName,
+    zone: PathName,
+    moved: ZoneMove,
+    caller: CallerDep,
+    store: StoreDep,
+    cells: CellsDep,
+    conductor: ConductorDep,
+    now: NowDep,
+) -> ZoneShown:
     """Keeps a zone's new place. A place that makes planning impossible is kept too: people are where they are."""
     if moved.measured_at > now + AHEAD:
         raise Conflict(
             f"measured_at: {moved.measured_at.isoformat()} is ahead of the service's clock, {now.isoformat()}; set the measuring clock"
         )
-    loaded = here.cells.read(cell).cell
-    with here.store.write() as db:
-        row = zones.move(db, loaded, zone, moved.pose, moved.measured_at, asking.who, now)
+    loaded = cells.read(cell).cell
+    with store.write() as db:
+        row = zones.move(db, loaded, zone, moved.pose, moved.measured_at, caller.who, now)
         said = {"cell": cell, "zone": zone, "pose": row.pose, "measured_at": moved.measured_at.isoformat()}
-        audit.record(db, asking.who, "zone.move", said, now=now)
-        shown = _shown(here, db, row)
-    here.conductor.zone_moved(cell, zone, moved.pose)
+        audit.record(db, caller.who, "zone.move", said, now=now)
+        shown = _shown(cells, db, row)
+    conductor.zone_moved(cell, zone, moved.pose)
     return shown
 
 
 @router.post("/{zone}/check")
-def check_zone(cell: PathName, zone: PathName, tried: ZoneTry, here: Here) -> ZoneChecked:
+def check_zone(cell: PathName, zone: PathName, tried: ZoneTry, store: StoreDep, cells: CellsDep) -> ZoneChecked:
     """What a zone would contradict at a place, the whole arm at home included, before anybody moves it there."""
-    with here.store.read() as db:
-        found = read_now(here.cells, db, cell)
+    with store.read() as db:
+        found = read_now(cells, db, cell)
     zones.place_in_file(found.cell, zone)
     there = zones.with_zones_at(found.cell, {zone: tried.pose})
-    flaws = here.cells.flaws(found._replace(cell=there)) or flaws_of_bodies(there)
+    flaws = cells.flaws(found._replace(cell=there)) or flaws_of_bodies(there)
     return ZoneChecked(cell=cell, zone=zone, pose=tried.pose, flaws=flaws_of(flaws))
 
 
 @router.post("/{zone}/undo")
-def put_zone_back(cell: PathName, zone: PathName, asking: Asking, here: Here, now: Now, back: ZoneBack | None = None) -> ZoneShown:
+def put_zone_back(
+    cell: PathName,
+    zone: PathName,
+    caller: CallerDep,
+    store: StoreDep,
+    cells: CellsDep,
+    conductor: ConductorDep,
+    now: NowDep,
+    back: ZoneBack | None = None,
+) -> ZoneShown:
     """Puts a zone back to where it was before, or to where the cell's file has it; a later measurement moves it as ever."""
     asked = back or ZoneBack()
-    loaded = here.cells.read(cell).cell
-    with here.store.write() as db:
-        row = zones.put_back(db, loaded, zone, asked.to, asked.moves, asking.who, now)
-        audit.record(db, asking.who, "zone.undo", {"cell": cell, "zone": zone, "to": asked.to, "pose": row.pose}, now=now)
-        shown = _shown(here, db, row)
-    here.conductor.zone_moved(cell, zone, shown.pose)
+    loaded = cells.read(cell).cell
+    with store.write() as db:
+        row = zones.put_back(db, loaded, zone, asked.to, asked.moves, caller.who, now)
+        audit.record(db, caller.who, "zone.undo", {"cell": cell, "zone": zone, "to": asked.to, "pose": row.pose}, now=now)
+        shown = _shown(cells, db, row)
+    conductor.zone_moved(cell, zone, shown.pose)
     return shown
 
 
-def _shown(here: Service, db: Session, row: ZonePosition) -> ZoneShown:
-    flaws = here.cells.flaws(read_now(here.cells, db, row.cell))
+def _shown(cells: CellFolder, db: Session, row: ZonePosition) -> ZoneShown:
+    flaws = cells.flaws(read_now(cells, db, row.cell))
     return ZoneShown(
         cell=row.cell,
         zone=row.zone,
         pose=Pose.model_validate_json(row.pose),
-        previous=zones.before(row, zones.place_in_file(here.cells.read(row.cell).cell, row.zone)),
+        previous=zones.before(row, zones.place_in_file(cells.read(row.cell).cell, row.zone)),
         moves=row.moves,
         measured_at=row.measured_at,
         received_at=row.received_at,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from core.cell.cell import Box, Cell, Pose
 from core.errors import Lateness
@@ -12,9 +13,10 @@ from core.events import Event
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.planning.stop import Stop
 from core.sessions.leased import Renewal
-from server.event_schemas import LiveBatch
 from server.plan_schemas import RunPlan
-from server.run_schemas import Pace
+from server.runner.live_schemas import LiveBatch
+
+Pace = Literal["real_time", "as_fast_as_possible"]
 
 
 @dataclass(frozen=True)

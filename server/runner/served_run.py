@@ -17,7 +17,7 @@ from core.planning.plan import Plan
 from core.procedure.identify import Run
 from core.sessions.leased import LeasedSession
 from core.sessions.sample_log import SampleLog
-from server.event_schemas import LiveBatch, NearestPart, WaitingForZone
+from server.runner.live_schemas import LiveBatch, NearestPart, WaitingForZone
 from server.runner.messages import FromChild, Order, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from typing import Annotated
 
 from sqlalchemy.exc import SQLAlchemyError
 
@@ -11,6 +12,7 @@ from core.errors import HeftError
 from core.payload.shapes import Pose
 from server import run_ledger
 from server.conductor import Conductor
+from server.http.dependencies import part
 from server.viewer.process import InTheWay, Moved, Planned, ViewerProcess, Zones
 
 PERIOD_S = 1.0 / 30.0
@@ -118,3 +120,6 @@ def _never_redrawn(cell: Cell) -> tuple[object, ...]:
         cell.urdf,
         [(zone.name, zone.shape.model_copy(update={"pose": Pose()})) for zone in cell.zones],
     )
+
+
+GalleryDep = Annotated[Gallery, part("gallery")]

@@ -12,7 +12,7 @@ import viser
 from numpy.typing import NDArray
 from viser import uplot
 
-from server.event_schemas import LiveBatch
+from server.runner.live_schemas import LiveBatch
 
 Array = NDArray[np.float64]
 

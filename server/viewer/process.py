@@ -11,9 +11,9 @@ from multiprocessing.connection import Connection
 import numpy as np
 
 from core.cell.cell import Box, Cell
-from server.event_schemas import LiveBatch
 from server.plan_schemas import RunPlan
 from server.runner.context import CONTEXT
+from server.runner.live_schemas import LiveBatch
 from server.runner.pipe import Speaker
 from server.runner.priority import Priority, take
 

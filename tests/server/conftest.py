@@ -13,7 +13,7 @@ from fastapi.testclient import TestClient
 from server import accounts
 from server.accounts import Account
 from server.app import create_app
-from server.auth import COOKIE, CSRF_HEADER
+from server.openapi import COOKIE, CSRF_HEADER
 from server.cell_uploads import CellChecker
 from server.roles import Role
 from server.service import Service

@@ -17,9 +17,9 @@ from core.planning.summary import PlanSummary
 from core.sessions.leased import LEASE_S, Renewal
 from server import run_journal, run_ledger
 from server.control_lease import next_fence
-from server.event_schemas import LiveBatch
 from server.plan_schemas import RunPlan
 from server.roles import Role
+from server.runner.live_schemas import LiveBatch
 from server.runner.messages import End, Failed, Happened, Hold, Ready, Release, Resume, Sampled
 from server.runner.release_hash import release_sha256
 from server.service import Service

@@ -12,7 +12,7 @@ from starlette.testclient import WebSocketDenialResponse
 from starlette.websockets import WebSocketDisconnect
 
 from server.accounts import sha256
-from server.auth import CSRF_HEADER
+from server.openapi import CSRF_HEADER
 from server.authority import ANYBODY, AUTHORITY
 from server.errors import NotAllowed
 from server.openapi import operations

@@ -7,7 +7,7 @@ from fastapi.testclient import TestClient
 from sqlalchemy import select
 
 from server.accounts import Account, ApiKey, SignIn
-from server.auth import COOKIE
+from server.openapi import COOKIE
 from server.login_limit import LIMITS
 from server.roles import Role
 from server.service import Service

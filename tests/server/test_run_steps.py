@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from core.events import Event, PhaseStarted, RobotStopped
-from server.event_schemas import WaitingForZone
 from server.run_steps import in_the_way
+from server.runner.live_schemas import WaitingForZone
 
 WAITING = WaitingForZone(message="no way", in_the_way="operator")
 GOING_ON = PhaseStarted(phase="transfer", toward="x+", step=2, steps=9)

@@ -15,7 +15,7 @@ from hypothesis.stateful import run_state_machine_as_test
 from schemathesis import Case, GenerationMode, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from server.auth import COOKIE, CSRF_HEADER
+from server.openapi import COOKIE, CSRF_HEADER
 from server.authority import AUTHORITY
 from server.roles import Role
 from tests.server.people import As

@@ -19,7 +19,7 @@ from websockets.sync.client import connect
 
 from core.cell.cell import Pose, load_cell
 from core.report.faces import box_faces
-from server.event_schemas import LiveBatch
+from server.runner.live_schemas import LiveBatch
 from server.viewer import scene
 from server.viewer.in_the_way import Mark, edges
 from server.viewer.plots import SHOWN_S, Plots
