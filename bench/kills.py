@@ -18,7 +18,7 @@ import httpx2
 import numpy as np
 from websockets.exceptions import WebSocketException
 
-from server.packml import State
+from server.runs.packml import State
 from tests.server.real_service import Console, real_service
 
 SOON_S = 2.0

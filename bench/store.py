@@ -25,8 +25,9 @@ from sqlalchemy import create_engine
 from sqlalchemy.pool import NullPool
 
 from bench.stops import PHASES, STANDING, Watcher, recover
-from server import audit, run_ledger
-from server.store import Store, Table
+from server.people import audit
+from server.runs import ledger as run_ledger
+from server.store.store import Store, Table
 from tests.server.postgresql import Cluster, binaries, cluster
 from tests.server.real_service import Console, RealService, real_service, wait_for
 

@@ -18,15 +18,16 @@ from sqlalchemy import func, select
 from core.errors import BadInput
 from core.files.schema_flaw import schema_flaw
 from core.files.whole_file import write_whole
-from server import __version__, accounts, audit
-from server.accounts import Account
+from server import __version__
 from server.app import create_app
-from server.logs import log_as_json
-from server.roles import Role
+from server.people import accounts, audit
+from server.people.accounts import Account
+from server.people.roles import Role
 from server.runner.priority import Priority, take
 from server.service import utc_now
 from server.settings import Settings
-from server.store import Store
+from server.store.store import Store
+from server.telemetry.logs import log_as_json
 
 FIRST = "operator"
 FIRST_ROLES = frozenset({Role.operator, Role.engineer, Role.admin})

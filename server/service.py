@@ -8,22 +8,22 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import cached_property
 
-from server import job_kinds
-from server.auth import RecentCallers
-from server.cell_folder import CellFolder
-from server.cell_uploads import CellChecker
-from server.conductor import Conductor
-from server.console import Console
-from server.control_lease import Control
-from server.jobs import Worker
-from server.metrics import Metrics
+from server.cells.folder import CellFolder
+from server.cells.uploads import CellChecker
+from server.http.console import Console
+from server.jobs import kinds as job_kinds
+from server.jobs.jobs import Worker
+from server.people.auth import RecentCallers
 from server.people.door import Door
-from server.releases import Offers, Releases
-from server.run_metrics import RunMetrics
+from server.runs.conductor import Conductor
+from server.runs.lease import Control
+from server.runs.metrics import RunMetrics
+from server.runs.releases import Offers, Releases
+from server.runs.webhooks import Deliverer
 from server.settings import Settings
-from server.store import Store
+from server.store.store import Store
+from server.telemetry.metrics import Metrics
 from server.viewer.gallery import Gallery
-from server.webhooks import Deliverer
 
 
 def utc_now() -> datetime:

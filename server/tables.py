@@ -1,11 +1,11 @@
 """Every table of the store, known to its metadata once this is imported."""
 
-from server.accounts import Account, ApiKey, SignIn
-from server.audit import AuditEntry
-from server.login_limit import LoginFailures
-from server.run_tables import ControlFence, Delivery, IdempotencyKey, JobRow, RunEventRow, RunRow, Webhook
-from server.store import Table
-from server.zones import ZonePosition
+from server.cells.zones import ZonePosition
+from server.people.accounts import Account, ApiKey, SignIn
+from server.people.audit import AuditEntry
+from server.people.login_limit import LoginFailures
+from server.runs.tables import ControlFence, Delivery, IdempotencyKey, JobRow, RunEventRow, RunRow, Webhook
+from server.store.store import Table
 
 __all__ = [
     "Account",

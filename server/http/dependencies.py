@@ -8,12 +8,12 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Annotated, Any
 
-from fastapi import Depends
+from fastapi import Depends, Query, Response
 from starlette.requests import HTTPConnection
 
-from server.metrics import Metrics
 from server.settings import Settings
-from server.store import Store
+from server.store.store import Store
+from server.telemetry.metrics import Metrics
 
 
 def part(name: str) -> Any:
@@ -41,3 +41,11 @@ SettingsDep = Annotated[Settings, part("settings")]
 MetricsDep = Annotated[Metrics, part("metrics")]
 NowDep = Annotated[datetime, Depends(read_clock)]
 AddressDep = Annotated[str, Depends(client_address)]
+Limit = Annotated[int, Query(ge=1, le=200)]
+"""How many of a list are answered."""
+
+
+def accepted(response: Response, location: str, ask_again_s: int) -> None:
+    """The headers of a 202: where what was asked for is, and when it is worth a look."""
+    response.headers["Location"] = location
+    response.headers["Retry-After"] = str(ask_again_s)

@@ -13,14 +13,14 @@ from sqlalchemy import update
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.requests import HTTPConnection
 
-from server import audit
-from server.accounts import SignIn
-from server.auth import NOBODY, Caller, RecentCallers, check_authority, check_origin, identify
-from server.authority import ANYBODY, AUTHORITY, SIGNED_IN
-from server.errors import NotAllowed
 from server.http.dependencies import part
+from server.http.errors import NotAllowed
+from server.people import audit
+from server.people.accounts import SignIn
+from server.people.auth import NOBODY, Caller, RecentCallers, check_authority, check_origin, identify
+from server.people.authority import ANYBODY, AUTHORITY, SIGNED_IN
 from server.settings import Settings
-from server.store import Store
+from server.store.store import Store
 
 log = logging.getLogger("heft.auth")
 

@@ -6,7 +6,7 @@ from typing import Literal
 
 from core.estimation.result import Numbers
 from core.events import Event
-from server.schemas import Answer
+from server.http.schemas import Answer
 
 
 class NearestPart(Answer):

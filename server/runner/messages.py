@@ -13,8 +13,8 @@ from core.events import Event
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.planning.stop import Stop
 from core.sessions.leased import Renewal
-from server.plan_schemas import RunPlan
 from server.runner.live_schemas import LiveBatch
+from server.runner.plan_schemas import RunPlan
 
 Pace = Literal["real_time", "as_fast_as_possible"]
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.report.diagnosis_page import Overlay
-from server.overlay_schemas import CHANNELS, ChannelOverlay, OverlayAnswer
+from server.runner.overlay_schemas import CHANNELS, ChannelOverlay, OverlayAnswer
 
 POINTS = 1000
 """At most; a screen has hardly more columns."""

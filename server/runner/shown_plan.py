@@ -9,7 +9,7 @@ import numpy as np
 from core.cell.cell import Box, Cell
 from core.planning.plan import Plan, plan_summary
 from core.robot.trajectory import JointTrajectory
-from server.plan_schemas import PathPart, RunPlan
+from server.runner.plan_schemas import PathPart, RunPlan
 from server.runner.release_hash import release_sha256
 from server.runner.shown_throws import throws_of
 

@@ -12,7 +12,7 @@ from core.cell.cell import Box, Cell
 from core.planning.plan import Leg, Plan
 from core.planning.throw import Throw
 from core.robot.model import RobotModel
-from server.plan_schemas import ThrowPart
+from server.runner.plan_schemas import ThrowPart
 
 Array = NDArray[np.float64]
 

@@ -17,8 +17,8 @@ from core.trial.judgement import mark
 from core.trial.outcome import Outcome
 from core.trial.sheet import score_sheet
 from server.runner.messages import Advanced, Answered, Failed
+from server.runner.trial_schemas import SEALS, NamedEffect, OpenedTrial, Seal, TrialsResult
 from server.runner.work import give_way
-from server.trial_schemas import SEALS, NamedEffect, OpenedTrial, Seal, TrialsResult
 
 
 def main(folder: Path, count: int, seed: int, connection: Connection) -> None:

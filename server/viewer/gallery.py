@@ -10,9 +10,9 @@ from sqlalchemy.exc import SQLAlchemyError
 from core.cell.cell import Cell
 from core.errors import HeftError
 from core.payload.shapes import Pose
-from server import run_ledger
-from server.conductor import Conductor
 from server.http.dependencies import part
+from server.runs import ledger as run_ledger
+from server.runs.conductor import Conductor
 from server.viewer.process import InTheWay, Moved, Planned, ViewerProcess, Zones
 
 PERIOD_S = 1.0 / 30.0

@@ -11,10 +11,10 @@ from multiprocessing.connection import Connection
 import numpy as np
 
 from core.cell.cell import Box, Cell
-from server.plan_schemas import RunPlan
 from server.runner.context import CONTEXT
 from server.runner.live_schemas import LiveBatch
 from server.runner.pipe import Speaker
+from server.runner.plan_schemas import RunPlan
 from server.runner.priority import Priority, take
 
 

@@ -14,8 +14,8 @@ from core.cell.cell import Box, Cell
 from core.cell.tools import tool_boxes
 from core.report.faces import Faces, arm_parts, joint_poses, shape_faces
 from core.robot.model import RobotModel
-from server.plan_schemas import RunPlan, ThrowPart
 from server.runner.live_schemas import NearestPart
+from server.runner.plan_schemas import RunPlan, ThrowPart
 from server.viewer.first_look import first_look
 
 Array = NDArray[np.float64]

@@ -10,15 +10,15 @@ import pytest
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
 
-from server import accounts
-from server.accounts import Account
 from server.app import create_app
-from server.openapi import COOKIE, CSRF_HEADER
-from server.cell_uploads import CellChecker
-from server.roles import Role
+from server.cells.uploads import CellChecker
+from server.http.openapi import COOKIE, CSRF_HEADER
+from server.people import accounts
+from server.people.accounts import Account
+from server.people.roles import Role
 from server.service import Service
 from server.settings import Settings
-from tests.server.people import HASH, As, Clock
+from tests.server.made_people import HASH, As, Clock
 from tests.server.postgresql import Cluster, cluster
 from tests.server.real_service import Console, RealService, real_service
 from tests.server.scripted_process import ObedientProcess
@@ -83,8 +83,8 @@ def settings(tmp_path: Path, database_url: str | None) -> Settings:
 @pytest.fixture
 def nothing_planned(monkeypatch: pytest.MonkeyPatch) -> None:
     """Runs have their cell and do nothing; to be asked for before the app."""
-    monkeypatch.setattr("server.active_run.ControlProcess", ObedientProcess)
-    monkeypatch.setattr("server.conductor.warm_up", lambda: None)
+    monkeypatch.setattr("server.runs.active_run.ControlProcess", ObedientProcess)
+    monkeypatch.setattr("server.runs.conductor.warm_up", lambda: None)
 
 
 @pytest.fixture

@@ -12,11 +12,11 @@ from core.recording.folder import write_recording
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
-from server import jobs
-from server.job_kinds import DIAGNOSIS, DiagnosisOrder
-from server.jobs import State
+from server.jobs import jobs
+from server.jobs.jobs import State
+from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder
 from server.service import utc_now
-from server.store import Store
+from server.store.store import Store
 from tests.server.real_service import Console, RealService
 
 NOTHING_FOUND: dict[str, Any] = {

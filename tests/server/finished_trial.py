@@ -5,10 +5,10 @@ from __future__ import annotations
 from datetime import UTC, datetime
 
 from core.trial.draw import draw
-from server import jobs
-from server.job_kinds import TRIALS, TrialsOrder
-from server.store import Store
-from server.trial_schemas import SEALS, NamedEffect, OpenedTrial, Seal, TrialsResult
+from server.jobs import jobs
+from server.jobs.kinds import TRIALS, TrialsOrder
+from server.runner.trial_schemas import SEALS, NamedEffect, OpenedTrial, Seal, TrialsResult
+from server.store.store import Store
 from tests.server.real_service import RealService
 
 SEED = 8

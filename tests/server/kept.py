@@ -7,8 +7,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 from server.settings import Settings
-from server.store import Store
-from tests.server.people import Clock
+from server.store.store import Store
+from tests.server.made_people import Clock
 
 
 @dataclass

@@ -16,7 +16,7 @@ import pytest
 from sqlalchemy import create_engine, text
 from sqlalchemy.pool import NullPool
 
-from server.store import Store
+from server.store.store import Store
 
 FAST = "-c fsync=off -c synchronous_commit=off -c full_page_writes=off"  # what is lost with the machine is only a test
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from fastapi.testclient import TestClient
 
-from server.roles import Role
-from tests.server.people import PASSWORD, As
+from server.people.roles import Role
+from tests.server.made_people import PASSWORD, As
 
 
 def test_an_empty_folder_is_enough_to_start(nobody: TestClient) -> None:

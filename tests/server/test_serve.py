@@ -19,7 +19,7 @@ import pytest
 
 from core.errors import BadInput
 from server.serve import FIRST_ROLES, first_account, only_one, write_openapi
-from server.store import Store
+from server.store.store import Store
 
 ROOT = Path(__file__).parents[2]
 

@@ -10,11 +10,11 @@ from itertools import product
 from pathlib import Path
 
 import core.errors
-import server.errors
+import server.http.errors
 from core.errors import BadInput, HeftError
 from tests.server.real_service import ROOT
 
-ERRORS = {name: error for module in (core.errors, server.errors) for name, error in vars(module).items() if isinstance(error, type)}
+ERRORS = {name: error for module in (core.errors, server.http.errors) for name, error in vars(module).items() if isinstance(error, type)}
 FLAWS = {name: slice(1, 3) for name, error in ERRORS.items() if issubclass(error, BadInput)}
 FLAWS |= {"Contradiction": slice(1, 3), "refusal": slice(1, 3), "kind": slice(1, 3), "_refusal": slice(0, 2), "SchemaFlaw": slice(1, 3)}
 FLAWS |= {"_replace": slice(1, 3), "opened_zip": slice(2, 3)}

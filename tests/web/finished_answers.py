@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from server.job_kinds import DiagnosisOrder
+from server.jobs.kinds import DiagnosisOrder
 from server.service import utc_now
-from server.store import Store
+from server.store.store import Store
 from tests.server.finished_diagnosis import SWINGS, explanation, finished_diagnosis
 from tests.server.real_service import RealService
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from playwright.sync_api import Page
 
-from server.packml import State
+from server.runs.packml import State
 from tests.server.real_service import ROOT
 
 MARK = "ë"

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, expect
 
-from server.job_kinds import DiagnosisOrder
+from server.jobs.kinds import DiagnosisOrder
 from server.service import utc_now
-from server.store import Store
+from server.store.store import Store
 from tests.server.finished_diagnosis import explanation, finished_diagnosis
 from tests.server.real_service import RealService
 from tests.web.judgement import check_looks

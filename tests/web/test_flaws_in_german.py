@@ -21,9 +21,9 @@ from core.errors import BadInput
 from core.files.schema_flaw import schema_flaw
 from core.recording.manifest import Manifest, manifest_of
 from core.twin.twin import Twin
-from server.cell_archive import UPLOAD
-from server.cell_uploads import CellChecker
-from server.problems import problem_of
+from server.cells.archive import UPLOAD
+from server.cells.uploads import CellChecker
+from server.http.problems import problem_of
 from tests.core.recording.small_recording import recording
 from tests.server.hostile_uploads import CELL, HOSTILE, sound, zipped
 from tests.server.real_service import RealService

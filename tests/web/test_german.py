@@ -13,8 +13,8 @@ from core.effects.library import library, symptoms
 from core.export.exports import TARGETS
 from core.gap.answer import Diagnosis
 from core.planning.stop import candidates, second_payload
-from server.problems import kinds_by_name
-from server.reason import OWN
+from server.http.problems import kinds_by_name
+from server.runs.reason import OWN
 from tests.server.real_service import ROOT, Console, RealService
 from tests.synthetic import payload, record, run_of
 from tests.web.finished_answers import ANSWERS, ENGLISH, diagnosed

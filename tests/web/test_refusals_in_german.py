@@ -22,10 +22,10 @@ from core.second_opinion.opinion import Approach, FastestPoint, Opinion
 from core.second_opinion.pairs import OVERLAP, Kind, accounted_pairs
 from core.second_opinion.refusal import refuse_disputed
 from core.sessions.leased import _LATE, _sentence
-from server.errors import Conflict, NotFound
-from server.job_kinds import ADDITION, DIAGNOSIS, TRIALS
-from server.jobs import State
-from server.problem_answers import NEXT_STEPS
+from server.http.errors import Conflict, NotFound
+from server.http.problem_answers import NEXT_STEPS
+from server.jobs.jobs import State
+from server.jobs.kinds import ADDITION, DIAGNOSIS, TRIALS
 from tests.server.hostile_uploads import CELL
 from tests.server.real_service import Console, RealService
 from tests.web.engine_phrases import HOLE, of_refusals

@@ -1,6 +1,6 @@
 """A plan that is refused: why stands on the screen in words, and what is in the way by its name beside the cell.
 
-That it stands out in the cell itself is drawn on the graphics card: `tests/server/test_viewer.py` asks the scene.
+That it stands out in the cell itself is drawn on the graphics card: `tests/server/viewer/test_routes.py` asks the scene.
 """
 
 from __future__ import annotations

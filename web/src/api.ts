@@ -1066,7 +1066,7 @@ export interface components {
          * @description An addition; `twin` is the cell's twin with the effect, null until it is done.
          */
         AdditionAnswer: {
-            state: components["schemas"]["server__jobs__State"];
+            state: components["schemas"]["server__jobs__jobs__State"];
             /** Progress */
             progress: number;
             /** Reason */
@@ -1265,7 +1265,7 @@ export interface components {
             cell: string;
             /** Run */
             run: string | null;
-            state: components["schemas"]["server__packml__State"] | null;
+            state: components["schemas"]["server__runs__packml__State"] | null;
             /** Moving */
             moving: boolean;
             /** Since */
@@ -1292,7 +1292,7 @@ export interface components {
          *         read_at: the service's clock, for who measures zones and has none of their own that agrees.
          */
         CellShown: {
-            cell: components["schemas"]["core__cell__Cell"] | null;
+            cell: components["schemas"]["core__cell__cell__Cell"] | null;
             /** Flaws */
             flaws: components["schemas"]["Flaw"][];
             /** In The Way */
@@ -1610,7 +1610,7 @@ export interface components {
          *         summary: the same in sentences; `result` is what `heft diagnose --json` writes. Null until it is done.
          */
         DiagnosisAnswer: {
-            state: components["schemas"]["server__jobs__State"];
+            state: components["schemas"]["server__jobs__jobs__State"];
             /** Progress */
             progress: number;
             /** Reason */
@@ -2835,7 +2835,7 @@ export interface components {
             /** Payload */
             payload: string | null;
             order: components["schemas"]["RunOrder"];
-            state: components["schemas"]["server__packml__State"];
+            state: components["schemas"]["server__runs__packml__State"];
             job_state: components["schemas"]["JobState"];
             /** Commands */
             commands: string[];
@@ -3191,7 +3191,7 @@ export interface components {
              * @enum {string}
              */
             kind: "state_changed";
-            state: components["schemas"]["server__packml__State"];
+            state: components["schemas"]["server__runs__packml__State"];
             job_state: components["schemas"]["JobState"];
             /** Commands */
             commands: string[];
@@ -3384,7 +3384,7 @@ export interface components {
          *         opened, sheet: what was planted and what the diagnosis said of it, and the score sheet (Markdown); null until all are done.
          */
         TrialsAnswer: {
-            state: components["schemas"]["server__jobs__State"];
+            state: components["schemas"]["server__jobs__jobs__State"];
             /** Progress */
             progress: number;
             /** Reason */
@@ -3784,7 +3784,7 @@ export interface components {
          *
          *     Every value is right by itself; whether they go together says `contradictions_of`.
          */
-        core__cell__Cell: {
+        core__cell__cell__Cell: {
             /** Name */
             name: string;
             /** Title */
@@ -3837,7 +3837,7 @@ export interface components {
             zones?: components["schemas"]["Zone"][];
             /** Payloads */
             payloads?: {
-                [key: string]: components["schemas"]["core__cell__Payload"];
+                [key: string]: components["schemas"]["core__cell__cell__Payload"];
             };
             /** Tools */
             tools?: {
@@ -3848,7 +3848,7 @@ export interface components {
          * Payload
          * @description A payload that the cell knows: what the simulated robot carries, and the reference to compare with.
          */
-        core__cell__Payload: {
+        core__cell__cell__Payload: {
             /** Title */
             title: string;
             /** Mass Kg */
@@ -3909,13 +3909,13 @@ export interface components {
          * @description How far a job is.
          * @enum {string}
          */
-        server__jobs__State: "waiting" | "running" | "done" | "failed" | "cancelled";
+        server__jobs__jobs__State: "waiting" | "running" | "done" | "failed" | "cancelled";
         /**
          * State
          * @description The seventeen states.
          * @enum {string}
          */
-        server__packml__State: "Stopped" | "Resetting" | "Idle" | "Starting" | "Execute" | "Completing" | "Complete" | "Aborting" | "Aborted" | "Clearing" | "Stopping" | "Suspending" | "Suspended" | "Unsuspending" | "Holding" | "Held" | "Unholding";
+        server__runs__packml__State: "Stopped" | "Resetting" | "Idle" | "Starting" | "Execute" | "Completing" | "Complete" | "Aborting" | "Aborted" | "Clearing" | "Stopping" | "Suspending" | "Suspended" | "Unsuspending" | "Holding" | "Held" | "Unholding";
         /**
          * Problem
          * @description What went wrong; `type` names the kind, `detail` is a sentence for a person.
@@ -4103,12 +4103,12 @@ export type ZoneMove = components['schemas']['ZoneMove'];
 export type ZonePlace = components['schemas']['ZonePlace'];
 export type ZoneShown = components['schemas']['ZoneShown'];
 export type ZoneTry = components['schemas']['ZoneTry'];
-export type CoreCellCell = components['schemas']['core__cell__Cell'];
-export type CoreCellPayload = components['schemas']['core__cell__Payload'];
+export type CoreCellCellCell = components['schemas']['core__cell__cell__Cell'];
+export type CoreCellCellPayload = components['schemas']['core__cell__cell__Payload'];
 export type CoreGapAnswerCell = components['schemas']['core__gap__answer__Cell'];
 export type CoreGapAnswerPayload = components['schemas']['core__gap__answer__Payload'];
-export type ServerJobsState = components['schemas']['server__jobs__State'];
-export type ServerPackmlState = components['schemas']['server__packml__State'];
+export type ServerJobsJobsState = components['schemas']['server__jobs__jobs__State'];
+export type ServerRunsPackmlState = components['schemas']['server__runs__packml__State'];
 export type Problem = components['schemas']['Problem'];
 export type $defs = Record<string, never>;
 export interface operations {

@@ -1,0 +1,90 @@
+"""An uploaded cell is a zip from outside: unpacked entry by entry, each looked at first, so that nothing lands outside its folder."""
+
+from __future__ import annotations
+
+import re
+import stat
+import zipfile
+from collections import Counter
+from pathlib import Path, PurePosixPath
+
+from core.cell.cell import CELL_FILE
+from core.errors import BadCell
+from server.http.zip_file import opened_zip, write_entry
+
+MAX_FILES = 200
+MAX_BYTES = 60_000_000  # of all files together, unpacked
+MAX_DEPTH = 4
+KINDS = (".toml", ".urdf", ".stl", ".obj", ".dae", ".json", ".md", ".txt")
+"""What a cell is made of."""
+
+UPLOAD, CELL = "upload.zip", "cell"
+"""In the folder of one upload: the archive, and what it is unpacked to."""
+
+_PART = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}", re.ASCII)
+
+
+def unpack(archive: Path, folder: Path) -> None:
+    """Unpacks a zip of a cell: its files at the top, or all in one folder, which is left out.
+
+    Args:
+        folder: made here.
+
+    Raises:
+        BadCell: no zip, or an entry that no honest cell has.
+    """
+    with opened_zip(archive, BadCell, "a plain zip of a cell's folder") as opened:
+        files = [entry for entry in opened.infolist() if not entry.is_dir()]
+        _check_amount(files)
+        names = [_checked_name(entry) for entry in files]
+        _check_unique(names)
+        shared = _shared_folder(names)
+        folder.mkdir()
+        for entry, name in zip(files, names, strict=True):
+            _write(opened, entry, folder / name.relative_to(shared))
+
+
+def _check_amount(files: list[zipfile.ZipInfo]) -> None:
+    if len(files) > MAX_FILES:
+        raise BadCell("upload", f"{len(files)} files", f"at most {MAX_FILES}")
+    total = sum(entry.file_size for entry in files)
+    if total > MAX_BYTES:
+        raise BadCell("upload", f"{total} bytes when unpacked", f"at most {MAX_BYTES}")
+
+
+def _checked_name(entry: zipfile.ZipInfo) -> PurePosixPath:
+    where, name = f"upload: {entry.filename[:80]!r}", PurePosixPath(entry.filename)
+    kind = stat.S_IFMT(entry.external_attr >> 16)
+    if kind not in (0, stat.S_IFREG):
+        raise BadCell(where, "a symbolic link" if kind == stat.S_IFLNK else "a special file", "plain files")
+    if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise BadCell(where, f"the compression method {entry.compress_type}", "stored or deflated files")
+    if entry.flag_bits & 1:
+        raise BadCell(where, "an encrypted file", "plain files")
+    if set("\\\0") & set(entry.orig_filename) or name.is_absolute() or ".." in name.parts:
+        raise BadCell(where, "a name that leads outside", "a relative path without `..`, with forward slashes")
+    if len(name.parts) > MAX_DEPTH or not all(_PART.fullmatch(part) for part in name.parts):
+        raise BadCell(where, "that name", f"letters, digits, `_`, `-` and `.`, in at most {MAX_DEPTH} levels")
+    if name.suffix not in KINDS:
+        raise BadCell(where, f"a file of the kind {name.suffix!r}", f"one of {', '.join(KINDS)}")
+    return name
+
+
+def _check_unique(names: list[PurePosixPath]) -> None:
+    counts = Counter(str(name).lower() for name in names)  # some file systems know no case
+    for name, count in counts.items():
+        if count > 1:
+            raise BadCell(f"upload: {name!r}", f"{count} files of that name, letter case aside", "one")
+
+
+def _shared_folder(names: list[PurePosixPath]) -> PurePosixPath:
+    for place in (PurePosixPath(), *{PurePosixPath(name.parts[0]) for name in names if len(name.parts) > 1}):
+        if place / CELL_FILE in names and all(name.is_relative_to(place) for name in names):
+            return place
+    raise BadCell("upload", f"no {CELL_FILE} at the top or in the one folder", f"{CELL_FILE} and the files that it names")
+
+
+def _write(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, target: Path) -> None:
+    target.parent.mkdir(parents=True, exist_ok=True)
+    lie = BadCell(f"upload: {entry.filename[:80]!r}", "more bytes than the zip says", f"{entry.file_size}")
+    write_entry(opened, entry, target, most=entry.file_size, too_much=lie)

@@ -1,0 +1,166 @@
+"""The cells of this service: a folder each in one folder; read anew when a file changed, replaced as a whole or not at all."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+from pathlib import Path
+from threading import Lock
+from typing import Annotated
+
+from core.cell.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cells, read_cell
+from core.errors import BadCell, BadInput, BadTwin, refuse, together
+from core.files.whole_file import write_whole
+from server.http.dependencies import part
+from server.http.errors import Conflict, NotFound
+
+OLD, NEW = ".old-", ".new-"
+"""What stands before the name of a folder while it is being replaced; no cell's name begins so."""
+
+Stamp = tuple[tuple[str, int, int], ...]
+
+
+class CellFolder:
+    """The folder that holds the cells.
+
+    Args:
+        folder: made, with copies of the cells at hand, where it does not exist.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._read: dict[str, tuple[Stamp, CellRead]] = {}
+        self._replacing = Lock()
+
+    def prepare(self) -> None:
+        """Makes the folder where there is none; ends a replacement that a crash cut off."""
+        if not self.folder.exists():
+            self.folder.mkdir(parents=True)
+            for cell in list_cells():
+                shutil.copytree(cell, self.folder / cell.name)
+        for old in self.folder.glob(f"{OLD}*"):
+            place = self.folder / old.name.removeprefix(OLD)
+            if place.exists():
+                shutil.rmtree(old)
+            else:
+                old.replace(place)
+        for new in self.folder.glob(f"{NEW}*"):
+            shutil.rmtree(new)
+
+    def names(self) -> list[str]:
+        """Of all cells, readable or not."""
+        return sorted(file.parent.name for file in self.folder.glob(f"[!.]*/{CELL_FILE}"))
+
+    def check_known(self, name: str) -> None:
+        """There is such a cell, whether or not it can be read.
+
+        Raises:
+            NotFound: there is none of that name.
+        """
+        if name not in self.names():
+            raise NotFound("cell", name)
+
+    def load(self, name: str) -> Cell:
+        """A cell, checked.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell, BadRobot: it cannot be used.
+        """
+        found = self.read(name)
+        refuse(self.flaws(found))
+        return found.cell
+
+    def read(self, name: str) -> CellRead:
+        """A cell as its files have it; `flaws` says what speaks against using it.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell: its cell.toml cannot be read as a cell.
+        """
+        self.check_known(name)
+        stamp = _stamp(self.folder / name)
+        known = self._read.get(name)
+        if known is None or known[0] != stamp:
+            self._read[name] = known = (stamp, self._read_anew(name))
+        return known[1]
+
+    def _read_anew(self, name: str) -> CellRead:
+        try:
+            cell, robot_flaws = read_cell(self.folder / name)
+        except BadInput as error:
+            raise together([self._told(each) for each in (error, *error.others)]) from error
+        if cell.name == name:
+            return CellRead(cell, robot_flaws)
+        misnamed = BadCell(f"{name}/{CELL_FILE}: name", repr(cell.name), f"the name of its folder, {name!r}")
+        return CellRead(cell.model_copy(update={"name": name}), (misnamed, *robot_flaws))
+
+    def flaws(self, found: CellRead) -> list[BadInput]:
+        """What speaks against using a cell, with its zones where `found` has them."""
+        return [self._told(each) for each in found.flaws]
+
+    def _told(self, flaw: BadInput) -> BadInput:
+        """A flaw whose files are named from the folder of the cells on: no screen needs to say where that is."""
+        where, found, expected = (text.replace(f"{self.folder}/", "") for text in (flaw.where, flaw.found, flaw.expected))
+        told = type(flaw)(where, found, expected)
+        told.in_the_way = flaw.in_the_way
+        return told
+
+    def digest(self, name: str) -> str:
+        """SHA-256 over the names and contents of a cell's files, hex."""
+        self.check_known(name)
+        whole = hashlib.sha256()
+        folder = self.folder / name
+        for file in _files(folder):
+            content = hashlib.sha256(file.read_bytes()).hexdigest()
+            whole.update(f"{file.relative_to(folder).as_posix()}\0{content}\n".encode())
+        return whole.hexdigest()
+
+    def put_twin(self, name: str, text: str) -> None:
+        """Puts a checked `twin.json` into a cell's folder; one without effects is no file.
+
+        Raises:
+            BadTwin: it cannot be written; the older one stays.
+        """
+        file = self.folder / name / TWIN_FILE
+        try:
+            if json.loads(text)["effects"]:
+                write_whole(file, text)
+            else:
+                file.unlink(missing_ok=True)
+        except OSError as error:
+            where = f"{name}/{TWIN_FILE}"
+            raise BadTwin(where, f"a folder that cannot be written ({error.strerror})", "one that the service may change") from error
+
+    def install(self, unpacked: Path, name: str, *, replace: bool) -> None:
+        """Puts a checked folder into its place: all of it or nothing.
+
+        Args:
+            unpacked: on the same file system; it is moved.
+
+        Raises:
+            Conflict: there is such a cell and it is not to be replaced.
+        """
+        place, old = self.folder / name, self.folder / f"{OLD}{name}"
+        with self._replacing:
+            if place.exists() and not replace:
+                raise Conflict(f"cell {name!r} exists already; PUT /api/cells/{name} replaces it")
+            if place.exists():
+                place.replace(old)
+            unpacked.replace(place)
+            if old.exists():
+                shutil.rmtree(old)
+
+
+def _stamp(folder: Path) -> Stamp:
+    """Names, sizes and times of a cell's files."""
+    return tuple((str(each), (stat := each.stat()).st_size, stat.st_mtime_ns) for each in _files(folder))
+
+
+def _files(folder: Path) -> list[Path]:
+    """All of a cell, but for what is just being written."""
+    return sorted(each for each in folder.rglob("*") if each.suffix != ".part" and each.is_file())
+
+
+CellsDep = Annotated[CellFolder, part("cells")]

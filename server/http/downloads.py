@@ -1,0 +1,60 @@
+"""What is kept as files, on its way out: a recording as a zip, a report as a page that may do nothing but be looked at."""
+
+from __future__ import annotations
+
+import tempfile
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from fastapi.responses import FileResponse, Response, StreamingResponse
+
+from server.http.errors import Conflict
+
+CHUNK = 1 << 18
+ZIPPED: dict[int | str, dict[str, Any]] = {200: {"content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}}}}
+TEXT: dict[int | str, dict[str, Any]] = {200: {"content": {"application/octet-stream": {"schema": {"type": "string"}}}}}
+PAGE: dict[int | str, dict[str, Any]] = {200: {"content": {"text/html": {"schema": {"type": "string"}}}}}
+HARMLESS = {"Content-Security-Policy": "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:"}
+"""Names in a report come from cells and recordings that somebody sent in."""
+
+
+def zipped(folder: Path, name: str, missing: str) -> StreamingResponse:
+    """A folder of plain files as `name`.zip, which unpacks into a folder of that name.
+
+    Raises:
+        Conflict: there is no such folder; `missing` says why and what to do.
+    """
+    if not folder.is_dir():
+        raise Conflict(missing)
+    headers = {"Content-Disposition": f'attachment; filename="{name}.zip"'}
+    return StreamingResponse(_chunks(folder, name), media_type="application/zip", headers=headers)
+
+
+def page(file: Path, name: str, missing: str) -> FileResponse:
+    """A report as `name`.html.
+
+    Raises:
+        Conflict: there is no such file; `missing` says why and what to do.
+    """
+    if not file.is_file():
+        raise Conflict(missing)
+    return FileResponse(file, media_type="text/html", filename=f"{name}.html", headers=HARMLESS)
+
+
+def text(content: str, name: str) -> Response:
+    """Some lines as a file that is saved, whatever they look like."""
+    headers = {"Content-Disposition": f'attachment; filename="{name}"'}
+    return Response(content, media_type="application/octet-stream", headers=headers)
+
+
+def _chunks(folder: Path, name: str) -> Iterator[bytes]:
+    """The zip is made beside the folder, in a file without a name that is gone when it is closed; samples hardly shrink further."""
+    with tempfile.TemporaryFile(dir=folder.parent) as archive:
+        with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as opened:
+            for file in sorted(folder.iterdir()):
+                opened.write(file, f"{name}/{file.name}")
+        archive.seek(0)
+        while chunk := archive.read(CHUNK):
+            yield chunk

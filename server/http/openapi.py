@@ -1,0 +1,61 @@
+"""The OpenAPI 3.1 description: FastAPI's, with our problems in place of its errors, and who may call what."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from fastapi import FastAPI
+from fastapi.openapi.utils import get_openapi
+
+from server.http.problems import MEDIA_TYPE, Problem
+
+Json = dict[str, Any]
+Authority = Mapping[str, frozenset[Any] | None]
+
+COOKIE = "heft_session"
+CSRF_HEADER = "X-CSRF-Token"
+REF = "#/components/schemas/"
+PROBLEM: Json = {
+    "description": "A problem (RFC 9457): what, where, the value against the limit, the next step.",
+    "content": {MEDIA_TYPE: {"schema": {"$ref": f"{REF}Problem"}}},
+}
+SECURITY: Json = {
+    "browser": {"type": "apiKey", "in": "cookie", "name": COOKIE, "description": f"With {CSRF_HEADER} where something changes."},
+    "machine": {"type": "http", "scheme": "bearer", "description": "A key from POST /api/keys."},
+}
+
+
+def describe(app: FastAPI, authority: Authority) -> Json:
+    """The description of all routes; made once.
+
+    Args:
+        authority: who may call what, see `server.people.authority`.
+    """
+    if app.openapi_schema is None:
+        app.openapi_schema = _described(app, authority)
+    return app.openapi_schema
+
+
+def _described(app: FastAPI, authority: Authority) -> Json:
+    found: Json = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
+    for endpoint, operation in operations(found):
+        operation["responses"].pop("422", None)
+        operation["responses"]["default"] = PROBLEM
+        allowed = authority.get(endpoint, frozenset())
+        operation["security"] = [] if allowed is None else [{"browser": []}, {"machine": []}]
+        operation["x-roles"] = ["anybody"] if allowed is None else sorted(allowed)
+    schemas = found.setdefault("components", {}).setdefault("schemas", {})
+    schemas.pop("HTTPValidationError", None)
+    schemas.pop("ValidationError", None)
+    problem = Problem.model_json_schema(ref_template=f"{REF}{{model}}")
+    schemas |= problem.pop("$defs") | {"Problem": problem}
+    found["components"]["securitySchemes"] = SECURITY
+    return found
+
+
+def operations(described: Json) -> Iterator[tuple[str, Json]]:
+    """Each operation under its name in the table of authority, "GET /api/cells/{cell}"."""
+    for path, methods in described["paths"].items():
+        for method, operation in methods.items():
+            yield f"{method.upper()} {path}", operation

@@ -1,0 +1,34 @@
+"""A request whose body is a zip: cells and recordings are taken in so."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import anyio
+from fastapi import Request
+
+from server.http.errors import Unprocessable
+
+ZIP: dict[str, Any] = {
+    "requestBody": {"required": True, "content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}}}
+}
+"""How OpenAPI describes it."""
+
+
+def check_is_zip(request: Request, what: str) -> None:
+    """The request says that it brings a zip of the folder of `what`.
+
+    Raises:
+        Unprocessable: it says something else.
+    """
+    kind = request.headers.get("content-type", "")
+    if kind.partition(";")[0] != "application/zip":
+        raise Unprocessable(f"Content-Type: found {kind[:60]!r}, expected application/zip; send a zip of the {what}'s folder")
+
+
+async def write_body(request: Request, archive: Path) -> None:
+    """The request's body as a file, written as it comes."""
+    async with await anyio.open_file(archive, "wb") as file:
+        async for chunk in request.stream():
+            await file.write(chunk)

@@ -1,0 +1,1 @@
+"""Work that takes a while and moves no robot: diagnoses, twins' additions, blind trials, proposed motions; their routes."""

@@ -1,0 +1,100 @@
+"""The kinds of jobs: what each is told, and what of it is written into the audit log."""
+
+from __future__ import annotations
+
+import json
+from hashlib import sha256
+from pathlib import Path
+
+from sqlalchemy.orm import Session
+
+from server.cells.folder import CellFolder
+from server.http.schemas import Body
+from server.jobs.jobs import Kind, State
+from server.people import audit
+from server.runs.tables import JobRow
+from server.settings import Settings
+
+DIAGNOSIS, ADDITION, TRIALS = "diagnosis", "addition", "trials"
+
+
+class DiagnosisOrder(Body):
+    """A recording to be diagnosed; that of a run, or an uploaded one. `cell` is the one it was made in, where that is known."""
+
+    recording: Path
+    run: str | None = None
+    cell: str | None = None
+
+
+class AdditionOrder(Body):
+    """An effect to be added to a cell's twin, as a diagnosis found it in a recording."""
+
+    cell: str
+    effect: str
+    diagnosis: str
+    recording: Path
+
+
+class TrialsOrder(Body):
+    """So many blind trials, from a seed on."""
+
+    count: int
+    seed: int
+
+
+def report_of(settings: Settings, diagnosis: str) -> Path:
+    """Where a diagnosis leaves its page."""
+    return settings.reports_folder / f"{diagnosis}.html"
+
+
+def overlay_of(settings: Settings, diagnosis: str) -> Path:
+    """Where a diagnosis leaves what it compared."""
+    return settings.reports_folder / f"{diagnosis}.overlay.json"
+
+
+def diagnoses(settings: Settings, cells: CellFolder) -> Kind:
+    """What parts simulation and recording."""
+
+    def arguments(row: JobRow) -> tuple[object, ...]:
+        order = DiagnosisOrder.model_validate_json(row.order)
+        cell = None if order.cell is None else cells.load(order.cell)
+        return order.recording, cell, report_of(settings, row.id).absolute(), overlay_of(settings, row.id).absolute()
+
+    return Kind(DIAGNOSIS, "server.runner.diagnosing", arguments)
+
+
+def additions(cells: CellFolder) -> Kind:
+    """Effects for the twins of cells."""
+
+    def arguments(row: JobRow) -> tuple[object, ...]:
+        order = AdditionOrder.model_validate_json(row.order)
+        return cells.load(order.cell), order.recording, order.effect
+
+    def also(db: Session, row: JobRow) -> None:
+        if row.state == State.done and row.result is not None:
+            order = AdditionOrder.model_validate_json(row.order)
+            said: audit.Detail = {"cell": order.cell, "effect": order.effect, "diagnosis": order.diagnosis, "sha256": sha256_of(row.result)}
+            audit.record(db, row.requested_by, "twin.add", said)
+            cells.put_twin(order.cell, row.result)  # last in the transaction: a store that refuses it leaves the twin as it was
+
+    return Kind(ADDITION, "server.runner.twin_adding", arguments, also)
+
+
+def trials(settings: Settings) -> Kind:
+    """Blind trials. Their seals go into the audit log before the first of them begins: nobody can change what was planted afterwards."""
+
+    def arguments(row: JobRow) -> tuple[object, ...]:
+        order = TrialsOrder.model_validate_json(row.order)
+        return (settings.trials_folder / row.id).absolute(), order.count, order.seed
+
+    def also(db: Session, row: JobRow) -> None:
+        if row.state == State.running and row.told is not None:
+            said: audit.Detail = {"trials": row.id, "count": len(json.loads(row.told)), "sha256": sha256_of(row.told)}
+            audit.record(db, row.requested_by, "trials.seal", said)
+
+    return Kind(TRIALS, "server.runner.trialling", arguments, also)
+
+
+def sha256_of(text: str | None) -> str:
+    """Of what a job told or found, hexadecimal."""
+    return sha256((text or "").encode()).hexdigest()

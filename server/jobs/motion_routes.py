@@ -1,0 +1,45 @@
+"""What a diagnosis proposes to measure next, made as a run."""
+
+from __future__ import annotations
+
+from fastapi import APIRouter, Response
+from starlette.status import HTTP_202_ACCEPTED
+
+from server.cells.folder import CellsDep
+from server.http.dependencies import NowDep, StoreDep
+from server.http.errors import Conflict
+from server.jobs import jobs
+from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder
+from server.jobs.proposed_motion import MotionBody, motion_of, order_of
+from server.people.auth import CallerDep
+from server.runs import ledger as run_ledger
+from server.runs.conductor import ConductorDep
+from server.runs.queue import IdempotencyKey, Request, queued
+from server.runs.schemas import RunAnswer
+
+router = APIRouter(prefix="/api/diagnoses", tags=["diagnoses"])
+
+
+@router.post("/{diagnosis}/motion", status_code=HTTP_202_ACCEPTED)
+def queue_motion(
+    diagnosis: str,
+    body: MotionBody,
+    response: Response,
+    store: StoreDep,
+    cells: CellsDep,
+    conductor: ConductorDep,
+    caller: CallerDep,
+    now: NowDep,
+    idempotency_key: IdempotencyKey = None,
+) -> RunAnswer:
+    """Queues the motion that a diagnosis proposes as a run, to be released like any other; its recording continues the diagnosed one."""
+    with store.read() as db:
+        diagnosed = jobs.load(db, DIAGNOSIS, diagnosis)
+        motion = motion_of(diagnosed)
+        continued = None if motion.continues is None else run_ledger.load(db, motion.continues)
+    cell = DiagnosisOrder.model_validate_json(diagnosed.order).cell
+    if cell is None:
+        raise Conflict(f"diagnosis {diagnosis}: its recording was made in no cell of this service; upload it again with ?cell=")
+    order = order_of(motion, continued, cells.read(cell).cell, body)
+    same = f"{diagnosis} {body.model_dump_json()}".encode()
+    return queued(store, conductor, response, Request(caller.who, now, idempotency_key, same), order, motion)

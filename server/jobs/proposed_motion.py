@@ -1,0 +1,108 @@
+"""The motion that a diagnosis proposes, as an order: for the robot that was diagnosed, with the payload that it carried then."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from pydantic import Field
+
+from core.cell.cell import Cell
+from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
+from core.errors import BadRecording
+from core.files.jail import read_inside
+from core.gap.answer import Diagnosis
+from core.planning.settings import Planner
+from core.planning.stop import Stop
+from core.recording.manifest import Manifest, RobotPart, read_manifest
+from server.http.errors import Conflict
+from server.http.schemas import Body, Name
+from server.jobs.kinds import DiagnosisOrder
+from server.runner.messages import Pace
+from server.runs.schemas import ProposedMotion, RunOrder
+from server.runs.tables import JobRow, RunRow
+
+
+class MotionBody(Body):
+    """How the proposed motion is to be made.
+
+    Args:
+        payload: what the robot carries now; another one than the diagnosed one is refused. The diagnosed one where absent.
+        planner, pace: as for any run.
+        seed: one more than that of the run that is continued where absent, so that the simulated noise is another one.
+    """
+
+    payload: Name | None = None
+    planner: Planner = "rrt_connect"
+    seed: int | None = Field(None, ge=0, lt=2**31)
+    pace: Pace = "real_time"
+
+
+def motion_of(diagnosed: JobRow) -> ProposedMotion:
+    """What the diagnosis proposes.
+
+    Raises:
+        Conflict: it is not done, or proposes no motion, or none that the cell has room for.
+    """
+    order = DiagnosisOrder.model_validate_json(diagnosed.order)
+    return ProposedMotion(diagnosis=diagnosed.id, continues=order.run, recording=order.recording, stops=_stops(diagnosed))
+
+
+def order_of(motion: ProposedMotion, continued: RunRow | None, cell: Cell, body: MotionBody) -> RunOrder:
+    """What the run of a motion is told.
+
+    Args:
+        continued: the run that `motion` continues; its payload box stays in force.
+        cell: in which the recording was made.
+
+    Raises:
+        Conflict: the recording is gone, the cell has another robot by now, or the payload is not the diagnosed one.
+    """
+    known = f"diagnosis {motion.diagnosis}"
+    if not motion.recording.is_dir():
+        raise Conflict(f"{known}: its recording is gone; diagnose another run")
+    manifest = read_manifest(motion.recording)
+    _check_same_robot(motion, manifest, cell)
+    payload = manifest.payload if continued is None else continued.payload
+    if payload not in cell.payloads:
+        raise Conflict(
+            f"{known}: payload {payload or 'without a name'!r} is none that cell {cell.name!r} knows; make a run with one it knows"
+        )
+    if body.payload not in (None, payload):
+        raise Conflict(f"{known}: was made with payload {payload!r}, not with {body.payload!r}; put {payload!r} back on")
+    before = RunOrder.model_validate({"cell": cell.name}) if continued is None else RunOrder.model_validate_json(continued.order)
+    seed = (before.seed + 1) % 2**31 if body.seed is None else body.seed
+    return before.model_copy(update={"payload": payload, "planner": body.planner, "seed": seed, "pace": body.pace})
+
+
+def _stops(diagnosed: JobRow) -> tuple[Stop, ...]:
+    known = f"diagnosis {diagnosed.id}"
+    if diagnosed.result is None:
+        raise Conflict(f"{known}: is {diagnosed.state}; only one that is done proposes a motion")
+    proposed = Diagnosis.model_validate_json(diagnosed.result).next_experiment
+    if proposed is None:
+        raise Conflict(f"{known}: proposes no motion; it leaves nothing open that one could settle")
+    if not proposed.stops:
+        raise Conflict(f"{known}: asks for no motion but for {proposed.motion}")
+    if not proposed.planned:
+        raise Conflict(
+            f"{known}: its motion was not planned ({proposed.refused}); diagnose the recording again, in a cell that leaves room"
+        )
+    return tuple(proposed.stops)
+
+
+def _check_same_robot(motion: ProposedMotion, manifest: Manifest, cell: Cell) -> None:
+    """As `core.recording.recording.check_same_robot`, without reading the samples."""
+    changed = f"diagnosis {motion.diagnosis}: cell {cell.name!r} has changed since the recording"
+    if manifest.robot is None or _described(motion.recording, manifest.robot) != (
+        cell.urdf, cell.robot.base_frame, cell.robot.sensor_frame,
+    ):  # fmt: skip
+        raise Conflict(f"{changed}: it has another robot; make a new run there")
+    now = cell.gravity_in_base
+    if not np.allclose(manifest.gravity, now, atol=1e-6):
+        raise Conflict(f"{changed}: gravity at the base is {now.tolist()} m/s2, it was {list(manifest.gravity)}; make a new run there")
+
+
+def _described(recording: Path, robot: RobotPart) -> tuple[str, str, str]:
+    text = read_inside(recording, robot.urdf, BadRecording, max_bytes=MAX_URDF_BYTES)
+    return text, robot.base_frame, robot.sensor_frame

@@ -1,0 +1,97 @@
+"""Blind trials of the diagnosis, as jobs: what was planted is sealed before they begin and opened when all are done."""
+
+from __future__ import annotations
+
+from fastapi import APIRouter, Response
+from pydantic import Field
+from starlette.status import HTTP_202_ACCEPTED
+
+from server.http.dependencies import Limit, NowDep, StoreDep, accepted
+from server.http.schemas import Body
+from server.jobs import jobs
+from server.jobs.answer import JobAnswer
+from server.jobs.jobs import TrialsDep, Worker
+from server.jobs.kinds import TRIALS, TrialsOrder
+from server.people import audit
+from server.people.auth import CallerDep
+from server.runner.trial_schemas import SEALS, OpenedTrial, Seal, TrialsResult
+from server.runs.tables import JobRow
+
+router = APIRouter(prefix="/api/trials", tags=["trials"])
+
+TYPICAL_S = 60
+
+
+class TrialsBody(Body):
+    """So many trials, with the seeds from `seed` on."""
+
+    count: int = Field(1, ge=1, le=1000)
+    seed: int = Field(0, ge=0, lt=2**31)
+
+
+class TrialsAnswer(JobAnswer):
+    """Some trials.
+
+    Args:
+        seals: SHA-256 of what is planted in each, from the moment it is drawn; null before. The audit log has the SHA-256 of them all.
+        opened, sheet: what was planted and what the diagnosis said of it, and the score sheet (Markdown); null until all are done.
+    """
+
+    trials: str
+    count: int
+    seed: int
+    seals: list[Seal] | None
+    opened: list[OpenedTrial] | None
+    sheet: str | None
+
+
+@router.post("", status_code=HTTP_202_ACCEPTED)
+def queue_trials(body: TrialsBody, response: Response, store: StoreDep, worker: TrialsDep, caller: CallerDep, now: NowDep) -> TrialsAnswer:
+    """Queues blind trials; they run one after the other on one core, and give way to robots."""
+    with store.write() as db:
+        row = jobs.queue(db, TRIALS, TrialsOrder(count=body.count, seed=body.seed), None, caller.who, now)
+        audit.record(db, caller.who, "trials.queue", {"trials": row.id, "count": body.count, "seed": body.seed}, now=now)
+        found = _answer(worker, row)
+    worker.wake()
+    accepted(response, f"/api/trials/{found.trials}", TYPICAL_S)
+    return found
+
+
+@router.get("")
+def list_trials(store: StoreDep, worker: TrialsDep, limit: Limit = 50) -> list[TrialsAnswer]:
+    """Newest first, without their answers."""
+    with store.read() as db:
+        return [_answer(worker, row, whole=False) for row in jobs.listed(db, TRIALS, limit)]
+
+
+@router.get("/{trials}")
+def read_trials(trials: str, store: StoreDep, worker: TrialsDep) -> TrialsAnswer:
+    """Some trials: their seals, and in the end their answers."""
+    with store.read() as db:
+        return _answer(worker, jobs.load(db, TRIALS, trials))
+
+
+@router.delete("/{trials}")
+def cancel_trials(trials: str, store: StoreDep, worker: TrialsDep, caller: CallerDep, now: NowDep) -> TrialsAnswer:
+    """Ends trials that wait or run; what they have planted stays sealed."""
+    with store.write() as db:
+        row = jobs.cancel(db, TRIALS, trials, caller.who, now)
+        audit.record(db, caller.who, "trials.cancel", {"trials": trials}, now=now)
+        found = _answer(worker, row)
+    worker.drop(trials)
+    return found
+
+
+def _answer(worker: Worker, row: JobRow, *, whole: bool = True) -> TrialsAnswer:
+    order = TrialsOrder.model_validate_json(row.order)
+    result = TrialsResult.model_validate_json(row.result) if whole and row.result is not None else None
+    return TrialsAnswer.of(
+        row,
+        worker,
+        trials=row.id,
+        count=order.count,
+        seed=order.seed,
+        seals=SEALS.validate_json(row.told) if whole and row.told is not None else None,
+        opened=None if result is None else result.opened,
+        sheet=None if result is None else result.sheet,
+    )

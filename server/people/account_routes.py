@@ -1,0 +1,97 @@
+"""Who may sign in."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Annotated
+
+from fastapi import APIRouter, Path, Response
+from pydantic import Field
+from sqlalchemy import select
+
+from server.http.dependencies import NowDep, StoreDep
+from server.http.schemas import Answer, Body, Name, NewPassword
+from server.people import accounts, audit
+from server.people.accounts import Account
+from server.people.audit import Detail
+from server.people.auth import CallerDep, RecentCallersDep
+from server.people.roles import Role
+
+router = APIRouter(prefix="/api/accounts", tags=["accounts"])
+
+Roles = Annotated[frozenset[Role], Field(min_length=1)]
+
+
+class NewAccount(Body):
+    """Somebody who is to sign in."""
+
+    name: Name
+    password: NewPassword
+    roles: Roles
+
+
+class AccountChange(Body):
+    """What is to change; the rest stays."""
+
+    password: NewPassword | None = None
+    roles: Roles | None = None
+    disabled: bool | None = None
+
+
+class AccountShown(Answer):
+    """Somebody who signs in."""
+
+    name: str
+    roles: list[Role]
+    disabled: bool
+    created_at: datetime
+
+
+def _shown(account: Account) -> AccountShown:
+    return AccountShown(name=account.name, roles=sorted(account.roles), disabled=account.disabled, created_at=account.created_at)
+
+
+@router.get("")
+def list_accounts(store: StoreDep) -> list[AccountShown]:
+    """All accounts."""
+    with store.read() as db:
+        return [_shown(account) for account in db.scalars(select(Account).order_by(Account.name))]
+
+
+@router.post(
+    "",
+    status_code=201,
+    responses={201: {"links": {"change": {"operationId": "change_account", "parameters": {"account": "$response.body#/name"}}}}},
+)
+def create_account(new: NewAccount, response: Response, caller: CallerDep, store: StoreDep, now: NowDep) -> AccountShown:
+    """Adds an account."""
+    password_hash = accounts.hashed(new.password.get_secret_value())
+    with store.write() as db:
+        account = accounts.add_account(db, new.name, password_hash, new.roles, now)
+        audit.record(db, caller.who, "account.create", {"account": new.name, "roles": account.roles_text}, now=now)
+    response.headers["Location"] = f"/api/accounts/{new.name}"
+    return _shown(account)
+
+
+@router.patch("/{account}")
+def change_account(
+    account: Annotated[Name, Path()],
+    change: AccountChange,
+    caller: CallerDep,
+    store: StoreDep,
+    recent_callers: RecentCallersDep,
+    now: NowDep,
+) -> AccountShown:
+    """Changes an account and signs it out everywhere."""
+    password_hash = None if change.password is None else accounts.hashed(change.password.get_secret_value())
+    with store.write() as db:
+        changed = accounts.change_account(db, account, password_hash=password_hash, roles=change.roles, disabled=change.disabled)
+        said: Detail = {
+            "account": account,
+            "roles": changed.roles_text,
+            "disabled": changed.disabled,
+            "password": password_hash is not None,
+        }
+        audit.record(db, caller.who, "account.change", said, now=now)
+    recent_callers.forget(f"account:{account}")
+    return _shown(changed)

@@ -1,0 +1,111 @@
+"""Signing in and out in a browser."""
+
+from __future__ import annotations
+
+from datetime import timedelta
+
+from fastapi import APIRouter, Response
+from sqlalchemy import delete
+
+from server.http.dependencies import AddressDep, MetricsDep, NowDep, SettingsDep, StoreDep
+from server.http.errors import NotAllowed, NotSignedIn
+from server.http.openapi import COOKIE
+from server.http.schemas import Answer, Body, Name, NewPassword, Password
+from server.people import accounts, audit, login_limit
+from server.people.accounts import Account, SignIn
+from server.people.auth import CallerDep, RecentCallersDep
+from server.people.roles import Role
+
+router = APIRouter(prefix="/api/session", tags=["session"])
+
+
+class Credentials(Body):
+    """Who signs in."""
+
+    name: Name
+    password: Password
+
+
+class PasswordChange(Body):
+    """The password until now, and from now on."""
+
+    password: Password
+    new_password: NewPassword
+
+
+class Session(Answer):
+    """Who is asking; a browser sends the CSRF token back with every request that changes something."""
+
+    name: str
+    roles: list[Role]
+    csrf_token: str | None
+
+
+@router.post("")
+def sign_in(
+    credentials: Credentials,
+    response: Response,
+    store: StoreDep,
+    settings: SettingsDep,
+    metrics: MetricsDep,
+    address: AddressDep,
+    now: NowDep,
+) -> Session:
+    """Signs a browser in; the answer sets its cookie. Failures make the next try wait."""
+    name = credentials.name
+    with store.read() as db:
+        login_limit.check(db, name, address, now)
+        account = db.get(Account, name)
+    if not accounts.password_is_right(account, credentials.password.get_secret_value()) or account is None:
+        with store.write() as db:
+            login_limit.failed(db, name, address, now)
+            audit.record(db, "nobody", "session.refuse", {"account": name, "address": address}, now=now)
+        metrics.sign_ins.labels("refused").inc()
+        raise NotSignedIn("name or password: not right; try again or ask whoever keeps the accounts")
+    hours = timedelta(hours=settings.session_hours)
+    with store.write() as db:
+        accounts.sweep_sessions(db, now - hours, now - timedelta(minutes=settings.idle_minutes))
+        login_limit.succeeded(db, name, address)
+        token, session = accounts.open_session(db, account, address, now)
+        audit.record(db, f"account:{name}", "session.open", {"address": address}, now=now)
+    metrics.sign_ins.labels("accepted").inc()
+    secure = settings.secure_cookies
+    response.set_cookie(COOKIE, token, max_age=round(hours.total_seconds()), httponly=True, samesite="strict", secure=secure)
+    return Session(name=name, roles=sorted(account.roles), csrf_token=session.csrf_token)
+
+
+@router.get("")
+def read_session(caller: CallerDep) -> Session:
+    """Who is asking, with what authority."""
+    return Session(name=caller.name, roles=sorted(caller.roles), csrf_token=caller.csrf_token)
+
+
+@router.delete("", status_code=204)
+def sign_out(response: Response, caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep) -> None:
+    """Ends this browser's session."""
+    with store.write() as db:
+        db.execute(delete(SignIn).where(SignIn.token_hash == caller.session))
+        audit.record(db, caller.who, "session.close", now=now)
+    recent_callers.forget(caller.who)
+    response.delete_cookie(COOKIE)
+
+
+@router.put("/password", status_code=204)
+def change_password(
+    change: PasswordChange, caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep, address: AddressDep
+) -> None:
+    """Changes one's own password and signs out everywhere."""
+    if caller.session is None:
+        raise NotAllowed("password: a key has none; only an account changes its password")
+    with store.read() as db:
+        login_limit.check(db, caller.name, address, now)
+        account = db.get(Account, caller.name)
+    if not accounts.password_is_right(account, change.password.get_secret_value()):
+        with store.write() as db:
+            login_limit.failed(db, caller.name, address, now)
+        raise NotAllowed("password: not the one until now")
+    new_hash = accounts.hashed(change.new_password.get_secret_value())
+    with store.write() as db:
+        accounts.change_account(db, caller.name, password_hash=new_hash)
+        audit.record(db, caller.who, "account.password", {"account": caller.name}, now=now)
+    recent_callers.forget(caller.who)

@@ -1,0 +1,272 @@
+"""Which run has which cell: one after the other in each, and what is asked of a run goes to whoever has it."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import threading
+import time
+from collections.abc import Callable, Coroutine
+from contextlib import suppress
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+from sqlalchemy.exc import SQLAlchemyError
+from sqlalchemy.orm import Session
+
+from core.cell.cell import Cell
+from core.errors import HeftError, refuse
+from core.payload.shapes import Pose
+from core.sessions.leased import Renewal
+from server.cells.folder import CellFolder
+from server.cells.now import read_now
+from server.http.dependencies import part
+from server.http.errors import Conflict
+from server.people import audit
+from server.people.audit import Deed
+from server.runner.context import warm_up
+from server.runner.messages import ZoneMoved
+from server.runner.run_folder import free
+from server.runs import ledger as run_ledger
+from server.runs.active_run import ActiveRun
+from server.runs.broadcast import Broadcast
+from server.runs.crashed_runs import Left, close_crashed, forget_journals, recover, take_from_journals, unrecovered
+from server.runs.idle import IdleRuns
+from server.runs.metrics import RunMetrics
+from server.runs.packml import Command, IllegalCommandError, State
+from server.runs.reason import SHUT_DOWN, Reason, of_error
+from server.runs.tables import RunRow
+from server.store.store import Store
+from server.telemetry.request_context import run_id
+
+log = logging.getLogger("heft.runs")
+
+RETRY_S = 1.0
+KEPT_S = 3.0
+BEAT_S = 0.05
+"""Of the signs of life that the robots' control processes get."""
+SHUT_DOWN_NOW = Reason(SHUT_DOWN, "the service was shut down; the robot was stopped.")
+
+
+class Conductor:
+    """All runs of the service.
+
+    Args:
+        folder: of the runs' recordings.
+        metrics: that count what happens to them.
+    """
+
+    def __init__(self, store: Store, cells: CellFolder, folder: Path, now: Callable[[], datetime], metrics: RunMetrics) -> None:
+        self.store, self.cells, self.folder, self.now, self._metrics = store, cells, folder, now, metrics
+        self.active: dict[str, ActiveRun] = {}
+        """By cell."""
+        self._idle = IdleRuns(store, now, metrics)
+        self._broadcasts: dict[str, Broadcast] = {}
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._wake = asyncio.Event()
+        self._taking = asyncio.Lock()  # a run that is changed in the store alone is not given its cell meanwhile
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._closing = False
+        self._closed = threading.Event()
+
+    async def start(self) -> None:
+        """Takes from the journals what the database lacks, closes what a crash left open, then carries the runs that wait."""
+        self._loop = asyncio.get_running_loop()
+        warm_up()
+        threading.Thread(target=self._beat, name="beat", daemon=True).start()
+        await asyncio.to_thread(self._catch_up)
+        for run in await asyncio.to_thread(unrecovered, self.folder):
+            self._spawn(asyncio.to_thread(recover, self.folder / run, partial(self._left_of, run)))
+        self._spawn(self._queue())
+
+    def _catch_up(self) -> None:
+        """What an earlier service left behind, in the database."""
+        with self.store.write() as db:
+            take_from_journals(db, self.folder)
+            close_crashed(db, self.now())
+        forget_journals(self.folder)
+
+    def _beat(self) -> None:
+        """A sign of life for every robot, from a thread of its own: an event loop that is busy is no reason to brake, a lease that is not
+        renewed is."""
+        while not self._closed.wait(BEAT_S):
+            for active in list(self.active.values()):
+                active.beat(time.monotonic())
+
+    async def close(self) -> None:
+        """Stops every robot and waits until it stands."""
+        self._closing = True
+        self._wake.set()
+        for active in list(self.active.values()):
+            with suppress(IllegalCommandError):
+                await active.command(Command.ABORT, SHUT_DOWN_NOW, audit.deed("service", "run.abort", {"run": active.id}, now=self.now()))
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+        self._closed.set()
+
+    def wake(self) -> None:
+        """There may be a run to begin. From any thread."""
+        if self._loop is not None:
+            self._loop.call_soon_threadsafe(self._wake.set)
+
+    def zone_moved(self, cell: str, zone: str, pose: Pose) -> None:
+        """Tells the cell's run. From any thread."""
+
+        def tell() -> None:
+            if cell in self.active:
+                self.active[cell].zone_moved(ZoneMoved(zone, pose))
+
+        if self._loop is not None:
+            self._loop.call_soon_threadsafe(tell)
+
+    def renew(self, cell: str, renewal: Renewal) -> None:
+        """A sign of life of who is in control of a cell."""
+        if cell in self.active:
+            self.active[cell].renew(renewal)
+
+    def note_late_page(self, cell: str, late_s: float) -> None:
+        """The page of who is in control of a cell does not respond."""
+        if cell in self.active:
+            self.active[cell].note_late_page(late_s)
+
+    def broadcast(self, run: str) -> Broadcast:
+        """To who watches a run that is not over."""
+        return self._broadcasts.setdefault(run, Broadcast())
+
+    def _over(self, run: str) -> None:
+        self._broadcasts.pop(run, Broadcast()).end()
+        self._wake.set()
+
+    def of_run(self, run: str) -> ActiveRun | None:
+        """The run, if it has its cell."""
+        return next((active for active in self.active.values() if active.id == run), None)
+
+    def cell_now(self, db: Session, name: str) -> Cell:
+        """A cell with its zones where they are, whatever they contradict there.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell, BadRobot: it cannot be read, or its robot cannot be used.
+        """
+        found = read_now(self.cells, db, name)
+        if found.robot_flaws:
+            refuse(self.cells.flaws(found))
+        return found.cell
+
+    def plannable(self, db: Session, name: str) -> Cell:
+        """The same where something can be planned in it.
+
+        Raises:
+            NotFound: there is none of that name.
+            BadCell, BadRobot: nothing can, and why.
+        """
+        found = read_now(self.cells, db, name)
+        refuse(self.cells.flaws(found))
+        return found.cell
+
+    def cell_as_it_is(self, name: str) -> Cell:
+        """The same for whoever has no session of the database at hand."""
+        with self.store.read() as db:
+            return self.cell_now(db, name)
+
+    def _left_of(self, run: str) -> Left:
+        with self.store.read() as db:
+            row = run_ledger.load(db, run)
+            motion = run_ledger.motion_of(row)
+            return Left(self.cell_now(db, row.cell), None if motion is None else motion.recording)
+
+    def row_of(self, run: str) -> RunRow:
+        """A run as it is now: from memory where it has its cell, else from the database.
+
+        Raises:
+            NotFound: there is no such run.
+        """
+        active = self.of_run(run)
+        if active is not None:
+            return active.row
+        with self.store.read() as db:
+            return run_ledger.load(db, run)
+
+    def wait_until_kept(self, run: str) -> bool:
+        """Waits a moment until a run that is over is in the database alone; whether it is. Not from the event loop."""
+        until = time.monotonic() + KEPT_S
+        while self.of_run(run) is not None and time.monotonic() < until:
+            time.sleep(0.02)
+        return self.of_run(run) is None
+
+    async def command(self, run: str, command: Command, reason: Reason, done: Deed) -> None:
+        """Passes a command on; a run that has no process is changed in the store alone.
+
+        Raises:
+            NotFound: there is no such run.
+            Conflict: not in its state, or its robot has not been let go of yet.
+        """
+        active = self.of_run(run)
+        if command is Command.CLEAR and ((active is not None and active.state is State.ABORTED) or not free(self.folder / run)):
+            raise Conflict(f"run {run}: its control process still closes the recording; ask again in some seconds", ["clear"])
+        try:
+            if active is None:
+                active = await self._changed(run, command, reason, done)
+            if active is not None:
+                await active.command(command, reason, done)
+        except IllegalCommandError:
+            raise run_ledger.refusal(await asyncio.to_thread(self.row_of, run), run_ledger.OFFERED.get(command, command)) from None
+
+    async def _changed(self, run: str, command: Command, reason: Reason, done: Deed) -> ActiveRun | None:
+        """Changes a run in the store, unless it has just got its cell: then it is returned."""
+        async with self._taking:
+            active = self.of_run(run)
+            if active is None:
+                await asyncio.to_thread(self._idle.command, run, command, reason, done)
+                self._over(run)
+            return active
+
+    async def _queue(self) -> None:
+        while not self._closing:
+            self._wake.clear()
+            try:
+                await self._begin_waiting()
+            except SQLAlchemyError:
+                log.exception("the runs that wait could not be read")
+                asyncio.get_running_loop().call_later(RETRY_S, self._wake.set)
+            await self._wake.wait()
+
+    async def _begin_waiting(self) -> None:
+        async with self._taking:
+            for row in await asyncio.to_thread(self._idle.first):
+                if row.state == State.RESETTING and row.cell not in self.active and not self._closing:
+                    await self._begin(row)
+
+    async def _begin(self, row: RunRow) -> None:
+        try:
+            cell, told = await asyncio.to_thread(self._known, row)
+            active = ActiveRun(self.store, row, told, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
+        except (HeftError, OSError) as error:
+            await asyncio.to_thread(self._idle.end, row.id, of_error(error))
+            self._over(row.id)
+            return
+        self.active[row.cell] = active
+        self._spawn(self._carry(active))
+
+    def _known(self, row: RunRow) -> tuple[Cell, list[tuple[int, str]]]:
+        """The run's cell, and what has happened to it."""
+        with self.store.read() as db:
+            return self.plannable(db, row.cell), run_ledger.told(db, row.id, 0)
+
+    async def _carry(self, active: ActiveRun) -> None:
+        run_id.set(active.id)
+        try:
+            await active.carry()
+            await active.keep(lambda: self._closing)
+        finally:
+            del self.active[active.cell]
+            self._over(active.id)
+
+    def _spawn(self, work: Coroutine[None, None, None]) -> None:
+        task = asyncio.create_task(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+
+ConductorDep = Annotated[Conductor, part("conductor")]

@@ -1,0 +1,101 @@
+"""A run as it goes on: events and samples over a websocket, resumed by sequence number."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import suppress
+from typing import Annotated, Literal
+
+from fastapi import APIRouter, Query, WebSocket
+from starlette.websockets import WebSocketDisconnect
+
+from server.http.dependencies import StoreDep
+from server.http.errors import NotFound
+from server.runs import ledger as run_ledger
+from server.runs.broadcast import PATIENCE_S, TooSlowError, drain
+from server.runs.conductor import Conductor, ConductorDep
+from server.runs.event_schemas import EventMessage, LiveMessage
+from server.runs.packml import FINAL, State
+from server.store.store import Store
+
+router = APIRouter(tags=["runs"])
+
+NORMAL, POLICY_VIOLATION, TRY_AGAIN = 1000, 1008, 1013
+
+After = Annotated[int, Query(ge=0, le=2**53)]
+"""Sequence number of the last message that is known already."""
+
+
+@router.websocket("/api/runs/{run}/live")
+async def watch_run(websocket: WebSocket, run: str, store: StoreDep, conductor: ConductorDep, after: After = 0) -> None:
+    """Events behind `after`, then everything as it happens; closed with 1013 when it is not read, with 1000 at the end."""
+    await websocket.accept()
+    try:
+        sending = asyncio.create_task(_send(websocket, run, store, conductor, after))
+        gone = asyncio.create_task(_until_gone(websocket))
+        await asyncio.wait((sending, gone), return_when=asyncio.FIRST_COMPLETED)
+        gone.cancel()
+        if not sending.done():
+            sending.cancel()
+            return
+        await sending
+        await websocket.close(NORMAL)
+    except NotFound as error:
+        await websocket.close(POLICY_VIOLATION, str(error)[:120])
+    except TooSlowError as error:
+        with suppress(RuntimeError):
+            await asyncio.wait_for(websocket.close(TRY_AGAIN, str(error)[:120]), 1.0)
+    except (WebSocketDisconnect, TimeoutError):
+        return
+
+
+@router.get("/api/runs/{run}/events")
+def read_events(
+    run: str, store: StoreDep, conductor: ConductorDep, after: After = 0, kind: Literal["event", "samples"] | None = None
+) -> list[LiveMessage]:
+    """What has happened behind a sequence number, and the newest samples: the same messages as on the websocket `live`."""
+    _, told = _told(store, conductor, run, after)
+    messages: list[LiveMessage] = [EventMessage.model_validate_json(text) for _, text in told]
+    active = conductor.of_run(run)
+    if active is not None and active.newest is not None:
+        messages.append(active.newest.batch)
+    return [message for message in messages if kind in (None, message.kind)]
+
+
+async def _send(websocket: WebSocket, run: str, store: Store, conductor: Conductor, after: int) -> None:
+    """What the store knows, then what comes; an event that is in both is sent once."""
+    broadcast = conductor.broadcast(run)
+    subscription = broadcast.subscribe()
+    try:
+        over, told = await asyncio.to_thread(_told, store, conductor, run, after)
+        for sequence, text in told:
+            async with asyncio.timeout(PATIENCE_S):
+                await websocket.send_text(text)
+            after = sequence
+        active = conductor.of_run(run)
+        if active is not None and active.newest is not None:  # of a robot on hold nothing newer comes
+            await websocket.send_text(active.newest.batch.model_dump_json())
+        if not over:
+            await drain(subscription, websocket.send_text, after=after)
+    except TimeoutError:
+        raise TooSlowError(f"a message did not leave within {PATIENCE_S:g} s") from None
+    finally:
+        broadcast.unsubscribe(subscription)
+
+
+def _told(store: Store, conductor: Conductor, run: str, after: int) -> tuple[bool, list[tuple[int, str]]]:
+    """Whether nothing more can come, and what has come, with sequence numbers: from memory where the run has its cell."""
+    active = conductor.of_run(run)
+    if active is not None:
+        return False, [(sequence, text) for sequence, text in list(active.events) if sequence > after]
+    with store.read() as db:
+        row = run_ledger.load(db, run)
+        over = conductor.of_run(run) is None and State(row.state) in (*FINAL, State.ABORTED)
+        return over, run_ledger.told(db, run, after)
+
+
+async def _until_gone(websocket: WebSocket) -> None:
+    """Nobody commands here; what comes is not looked at."""
+    with suppress(WebSocketDisconnect):
+        while True:
+            await websocket.receive_text()

@@ -1,0 +1,71 @@
+"""What every robot does at this moment, and how to stop it: for whoever is in front of it, signed in or not.
+
+Nothing here waits for the database. To stop a robot nobody has to be somebody; who did it is recorded as far as it is known.
+"""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Annotated, Literal
+
+from fastapi import APIRouter
+from fastapi import Path as InPath
+
+from server.http.dependencies import AddressDep, NowDep
+from server.http.errors import Conflict
+from server.http.schemas import Answer, Name
+from server.people import audit
+from server.runs.conductor import Conductor, ConductorDep
+from server.runs.packml import MOVING, Command, State
+from server.runs.reason import asked
+
+router = APIRouter(prefix="/api/now", tags=["now"])
+PathName = Annotated[Name, InPath()]
+
+COMES_TO_REST = frozenset({State.HELD, State.SUSPENDED})
+"""The robot is not commanded in these states, although its run may go on."""
+
+
+class CellNow(Answer):
+    """A cell as it is now.
+
+    Args:
+        run: that has the cell; null where none is under way.
+        moving: whether the robot may move at this moment.
+        since: when the run went into its state.
+    """
+
+    cell: str
+    run: str | None
+    state: State | None
+    moving: bool
+    since: datetime | None
+    reason_kind: str | None
+    safety_rated: Literal[False] = False
+
+
+@router.get("")
+async def read_now(conductor: ConductorDep) -> list[CellNow]:
+    """Every cell with a robot that a run has; told from memory."""
+    return [cell_now(conductor, name) for name in sorted(conductor.active)]
+
+
+@router.post("/{cell}/stop")
+async def stop_now(cell: PathName, conductor: ConductorDep, address: AddressDep, now: NowDep) -> CellNow:
+    """Stops the cell's robot. Anybody may, and it is recorded from where. It is no emergency stop."""
+    active = conductor.active.get(cell)
+    if active is None:
+        raise Conflict(f"cell {cell!r}: no run has its robot, so there is nothing to stop")
+    who = f"nobody@{address}"
+    done = audit.deed(who, "run.stop", {"run": active.id, "address": address}, now=now)
+    await conductor.command(active.id, Command.STOP, asked("stop", who), done)
+    return cell_now(conductor, cell)
+
+
+def cell_now(conductor: Conductor, name: str) -> CellNow:
+    """What the cell's robot does."""
+    active = conductor.active.get(name)
+    if active is None:
+        return CellNow(cell=name, run=None, state=None, moving=False, since=None, reason_kind=None)
+    moving = active.state in MOVING - COMES_TO_REST
+    return CellNow(cell=name, run=active.id, state=active.state, moving=moving, since=active.changed_at, reason_kind=active.row.reason_kind)

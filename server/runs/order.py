@@ -1,0 +1,58 @@
+"""What was asked for, completed by what the cell knows: all that a control process has to be told."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from core.cell.cell import Cell
+from core.planning.settings import Timing
+from core.planning.slow_run import allowed_speeds, slowed
+from server.http.errors import Conflict
+from server.runner.messages import Continuation, Order
+from server.runs.ledger import motion_of
+from server.runs.schemas import Motion, RestOfRun, RunOrder
+from server.runs.tables import RunRow
+
+
+def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
+    """What the control process is told."""
+    asked = RunOrder.model_validate_json(row.order)
+    motion = motion_of(row)
+    payload = asked.payload or next(iter(cell.payloads))  # orders of older services may name none
+    limit = cell.limits.cartesian_speed_m_s  # may have become lower since it was asked for
+    return Order(
+        run=row.id,
+        cell=slowed(cell, min(asked.speed_m_s or limit, limit), "speed_m_s"),
+        payload=payload,
+        payload_box=asked.payload_box or cell.payloads[payload].box,
+        timing=Timing(hold_s=asked.hold_s, settle_s=asked.settle_s, robot_s=asked.robot_s, inertia_std=asked.inertia_std),
+        planner=asked.planner,
+        seed=asked.seed,
+        mass_guess_kg=asked.mass_guess_kg,
+        pace=asked.pace,
+        folder=folder,
+        continues=None if motion is None else _continuation(motion),
+        scope=asked.scope,
+        effort=asked.effort,
+        start_rad=asked.start_rad,
+    )
+
+
+def check_order(order: RunOrder, cell: Cell) -> None:
+    """What is asked for goes with the cell; whether the robot may be where it is said to stand is for planning to say.
+
+    Raises:
+        Conflict: a speed that the cell does not allow, or not one joint position for each joint.
+    """
+    slowest, limit = allowed_speeds(cell)
+    if order.speed_m_s is not None and not slowest <= order.speed_m_s <= limit:
+        raise Conflict(f"speed_m_s is {order.speed_m_s:g} m/s; this cell allows {slowest:g} to {limit:g} m/s")
+    count = len(cell.robot.home_rad)
+    if order.start_rad is not None and len(order.start_rad) != count:
+        raise Conflict(f"start_rad has {len(order.start_rad)} joint positions; this robot has {count} joints")
+
+
+def _continuation(motion: Motion) -> Continuation:
+    if isinstance(motion, RestOfRun):
+        return Continuation(motion.recording, motion.stops, motion.done)
+    return Continuation(motion.recording, motion.stops)

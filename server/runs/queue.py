@@ -1,0 +1,71 @@
+"""Runs as they are asked for: each is queued once, however often the request comes."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Annotated, NamedTuple
+
+from fastapi import Header, Response
+from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
+
+from server.http.dependencies import accepted
+from server.http.errors import Conflict
+from server.people import audit
+from server.runs import idempotency
+from server.runs import ledger as run_ledger
+from server.runs.conductor import Conductor
+from server.runs.schemas import Motion, RestOfRun, RunAnswer, RunOrder
+from server.runs.tables import RunRow
+from server.store.store import Store
+
+IdempotencyKey = Annotated[str | None, Header(alias="Idempotency-Key", min_length=1, max_length=128)]
+PLANNING_S = 5
+"""When to ask again after queueing."""
+
+
+class Request(NamedTuple):
+    """Who asks for a run, and what makes two requests the same."""
+
+    who: str
+    now: datetime
+    key: str | None
+    body: bytes
+
+
+def queued(
+    store: Store, conductor: Conductor, response: Response, asked: Request, order: RunOrder, motion: Motion | None = None
+) -> RunAnswer:
+    """The run that the request makes, or has made already.
+
+    Raises:
+        Unprocessable: the key came with another body.
+        BadCell, BadRobot: nothing can be planned in the cell as it is now.
+        Conflict: the same request is just being answered.
+    """
+    try:
+        with store.write() as db:
+            made = None if asked.key is None else idempotency.made_before(db, asked.who, asked.key, asked.body)
+            row = _made(conductor, db, asked, order, motion) if made is None else run_ledger.load(db, made)
+            found = run_ledger.answer(row)
+    except IntegrityError as error:
+        raise Conflict(f"Idempotency-Key {asked.key!r}: the first request is still under way; ask again") from error
+    conductor.wake()
+    accepted(response, f"/api/runs/{found.run}", PLANNING_S)
+    return found
+
+
+def _made(conductor: Conductor, db: Session, asked: Request, order: RunOrder, motion: Motion | None) -> RunRow:
+    conductor.plannable(db, order.cell)
+    row = run_ledger.queue(db, order, asked.who, asked.now, motion)
+    if asked.key is not None:
+        idempotency.once(db, asked.who, asked.key, asked.body, row.id, asked.now)
+    audit.record(db, asked.who, "run.queue", {"run": row.id, "cell": order.cell, **_origin(motion)}, now=asked.now)
+    return row
+
+
+def _origin(motion: Motion | None) -> dict[str, str | None]:
+    """What the run goes back to."""
+    if motion is None:
+        return {}
+    return {"continues": motion.continues} if isinstance(motion, RestOfRun) else {"diagnosis": motion.diagnosis}

@@ -1,0 +1,63 @@
+"""Why a run did not come through, or why it stands: a kind that every language has words for, and the sentence that says it exactly."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from core.errors import Cause, ControlLost, HeftError, Lateness, slug
+from server.runner.messages import Failed
+from server.runs.tables import JobRow, RunRow
+
+
+class Reason(NamedTuple):
+    """One of them.
+
+    Args:
+        kind: of a problem (`server.http.problems`), or one of `OWN`.
+        sentence: in English, with what was measured against what limit.
+    """
+
+    kind: str
+    sentence: str
+
+
+SHUT_DOWN, SERVICE_ENDED, NO_ROOM, NOT_KEPT = "shut-down", "service-ended", "no-room", "release-not-kept"
+LATE: dict[Cause, str] = {cause: f"{cause.replace('_', '-')}-late" for cause in Cause if cause not in (Cause.SENSOR, Cause.ROBOT)}
+"""What put a run on hold, by what was late; sensor and robot have errors of their own."""
+OWN = frozenset({
+    "stop-asked", "abort-asked", "hold-asked", "clear-asked", "cancelled", SHUT_DOWN, SERVICE_ENDED, NO_ROOM,
+    "control-process-lost", "planner-lost", "work-lost", NOT_KEPT, *LATE.values(),
+})  # fmt: skip
+"""Kinds that are no problem of a request."""
+
+
+def asked(command: str, who: str) -> Reason:
+    """Somebody commanded it, by the command's name in the API."""
+    return Reason(f"{command}-asked", f"{command} was asked for by {who}.")
+
+
+def cancelled(who: str) -> Reason:
+    """Nobody wants it any more."""
+    return Reason("cancelled", f"cancelled by {who}.")
+
+
+def failed(told: Failed) -> Reason:
+    """What a process says."""
+    return Reason(kind_of(told.error, told.lateness), told.message)
+
+
+def kind_of(error: str, lateness: Lateness | None) -> str:
+    """The kind of an error of the engine, by its name; where control was lost, by what was late."""
+    if error == ControlLost.__name__ and lateness is not None:
+        return LATE[lateness.cause]
+    return slug(error)
+
+
+def of_error(error: HeftError | OSError) -> Reason:
+    """What was refused here, or a folder that could not be written."""
+    return Reason("no-room" if isinstance(error, OSError) else slug(type(error).__name__), str(error))
+
+
+def because(row: RunRow | JobRow, reason: Reason | None) -> None:
+    """Notes it; None where it holds no longer."""
+    row.reason_kind, row.reason = (None, None) if reason is None else reason

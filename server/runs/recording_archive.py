@@ -1,0 +1,59 @@
+"""An uploaded recording is a zip from outside: of its entries only the files that a recording has are unpacked, each up to its size."""
+
+from __future__ import annotations
+
+import shutil
+import zipfile
+from pathlib import Path, PurePosixPath
+
+from core.errors import BadRecording
+from core.recording.manifest import FILE as MANIFEST
+from server.http.zip_file import opened_zip, write_entry
+
+MAX_BYTES = 400_000_000  # of all files together, unpacked
+MAX_FILES = 20
+
+
+def unpack(archive: Path, folder: Path) -> None:
+    """Unpacks a zip of a recording folder; what is in the files is `core.recording.folder.read_recording`'s to judge.
+
+    Args:
+        folder: made here, whole or not at all.
+
+    Raises:
+        BadRecording: no zip, no recording in it, or one that unpacks to too much.
+    """
+    part = folder.with_name(folder.name + ".part")
+    part.mkdir()
+    try:
+        with opened_zip(archive, BadRecording, "a plain zip of a recording folder") as opened:
+            _write_all(opened, _wanted(opened), part)
+        part.replace(folder)
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+
+
+def _wanted(opened: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
+    """The recording's files by their bare names: where they lie in the zip does not matter, so no name leads anywhere."""
+    from core.recording.samples import FILES as SAMPLES  # noqa: PLC0415  the service starts sooner without Arrow
+
+    entries = [entry for entry in opened.infolist() if not entry.is_dir()]
+    if len(entries) > MAX_FILES:
+        raise BadRecording("upload", f"{len(entries)} files", f"at most {MAX_FILES}")
+    wanted: dict[str, zipfile.ZipInfo] = {}
+    for entry in entries:
+        name = PurePosixPath(entry.filename.replace("\\", "/")).name
+        if name == MANIFEST or name in SAMPLES or name.endswith(".urdf"):
+            if name in wanted:
+                raise BadRecording(f"upload: {name!r}", "two files of that name", "one recording")
+            wanted[name] = entry
+    if MANIFEST not in wanted:
+        raise BadRecording("upload", f"no {MANIFEST}", "a recording folder")
+    return wanted
+
+
+def _write_all(opened: zipfile.ZipFile, wanted: dict[str, zipfile.ZipInfo], folder: Path) -> None:
+    left = MAX_BYTES
+    too_much = BadRecording("upload", f"more than {MAX_BYTES} bytes when unpacked", "a recording of a plausible size")
+    for name, entry in wanted.items():
+        left -= write_entry(opened, entry, folder / name, most=left, too_much=too_much)

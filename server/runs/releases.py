@@ -1,0 +1,118 @@
+"""The release: an operator at the cell lets exactly that plan begin that they were shown."""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import secrets
+import shutil
+import time
+from collections.abc import Callable
+from datetime import datetime
+from hashlib import sha256
+from pathlib import Path
+from typing import Annotated
+
+from core.sessions.leased import Renewal
+from server.http.dependencies import part
+from server.http.errors import Conflict, NoRoom
+from server.people import audit
+from server.people.audit import Detail
+from server.runner.plan_schemas import RunPlan
+from server.runner.release_hash import release_sha256
+from server.runs import ledger as run_ledger
+from server.runs.conductor import Conductor
+from server.runs.lease import Control
+from server.runs.packml import Command, IllegalCommandError, State
+
+OFFER_S = 60.0
+SPARE_BYTES, BYTES_A_SECOND = 50_000_000, 1_000_000
+"""What has to be free on the disk before a release; measured: a run of 60 s leaves 28 MB."""
+
+
+class Offers:
+    """Says when a plan was shown, so that a release is never older than what its giver saw. A new service knows none of the old ones.
+
+    Args:
+        length_s: how long an offer is good.
+        clock: monotonic, s.
+    """
+
+    def __init__(self, length_s: float = OFFER_S, clock: Callable[[], float] = time.monotonic) -> None:
+        self.length_s = length_s
+        self._clock = clock
+        self._secret = secrets.token_bytes(32)
+
+    def make(self, run: str, plan_sha256: str) -> str:
+        """For a plan that is shown now."""
+        shown_s = f"{self._clock():.3f}"
+        return f"{shown_s}.{self._signed(run, plan_sha256, shown_s)}"
+
+    def check(self, run: str, plan_sha256: str, offer: str) -> None:
+        """It was made for this plan, and not too long ago.
+
+        Raises:
+            Conflict: look at the plan again.
+        """
+        shown_s, _, signature = offer.rpartition(".")
+        if not hmac.compare_digest(signature.encode(), self._signed(run, plan_sha256, shown_s).encode()):
+            raise Conflict("offer: not made for this plan by this service; look at the plan again (GET plan) and release what it shows")
+        age = self._clock() - float(shown_s)
+        if age > self.length_s:
+            raise Conflict(f"offer: {age:.0f} s old (limit {self.length_s:.0f} s); look at the plan again and release what it shows")
+
+    def _signed(self, run: str, plan_sha256: str, shown_s: str) -> str:
+        return hmac.new(self._secret, f"{run} {plan_sha256} {shown_s}".encode(), sha256).hexdigest()
+
+
+class Releases:
+    """Checks everything that a release is bound to, then lets the run begin."""
+
+    def __init__(self, conductor: Conductor, control: Control, offers: Offers, now: Callable[[], datetime]) -> None:
+        self._conductor, self._control, self._offers, self._now = conductor, control, offers, now
+
+    async def release(self, run: str, who: str, plan_sha256: str, offer: str, sent: Renewal) -> None:
+        """Lets the plan begin.
+
+        Raises:
+            NotFound: no such run.
+            Conflict: the run is in no state to begin; the plan is not the one that waits; the cell, a zone or a limit has changed since;
+                the offer is too old; whoever asks is not in control.
+            NoRoom: the disk is too full.
+            StoreUnavailable: the database cannot be written.
+        """
+        active = self._conductor.of_run(run)
+        row = await asyncio.to_thread(self._conductor.row_of, run)
+        if active is None or row.plan is None or row.state != State.IDLE:
+            raise run_ledger.refusal(row, "release")
+        cell = await asyncio.to_thread(self._conductor.cell_as_it_is, row.cell)
+        waiting = RunPlan.model_validate_json(row.plan)
+        now_sha256 = release_sha256(waiting.plan_digest, cell, active.payload_box)
+        if plan_sha256 != waiting.sha256 or now_sha256 != waiting.sha256:
+            raise Conflict(f"plan {plan_sha256[:12]}: void, the plan or the cell has changed since; look at the plan again (GET plan)")
+        self._offers.check(run, plan_sha256, offer)
+        check_room(active.folder, waiting.summary.robot_s)
+        self._control.command(row.cell, who, sent)
+        detail: Detail = {"run": run, "plan_sha256": plan_sha256, "fence": sent.fence}
+        try:
+            await active.release(plan_sha256, who, audit.deed(who, "run.release", detail, now=self._now()))
+        except IllegalCommandError:
+            raise run_ledger.refusal(row, Command.START) from None
+
+
+def check_room(folder: Path, robot_s: float) -> None:
+    """A run leaves samples, a recording and a report behind, some 0.5 MB for each second that the robot moves.
+
+    Raises:
+        NoRoom: the disk has too little room for that.
+    """
+    free, needed = shutil.disk_usage(folder).free, SPARE_BYTES + robot_s * BYTES_A_SECOND
+    if free < needed:
+        raise NoRoom(
+            f"disk: {free / 1e6:.0f} MB are free where runs are recorded, this one needs up to {needed / 1e6:.0f} MB; make room, then "
+            "release it again"
+        )
+
+
+ReleasesDep = Annotated[Releases, part("releases")]
+OffersDep = Annotated[Offers, part("offers")]

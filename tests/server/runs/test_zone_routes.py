@@ -1,0 +1,224 @@
+"""Zones over HTTP: where the people are, what that contradicts, and the way back."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from typing import Any
+
+import pytest
+from fastapi.testclient import TestClient
+
+from server.cells.zones import positions, with_zones_where_they_are
+from server.people.roles import Role
+from server.runner.messages import Failed, ZoneMoved
+from server.runs.active_run import ActiveRun
+from server.service import Service
+from tests.server.made_people import BOTH_STORES, As, Clock
+from tests.server.real_service import wait_for
+from tests.server.scripted_process import ScriptedProcess
+
+CELL = "/api/cells/lwr4_bench"
+ZONE = f"{CELL}/zones/operator"
+IN_FILE = [1.35, 0.0, 0.625]
+ON_THE_BASE = [0.0, 0.0, 0.0]
+OVER_THE_ARM = [0.95, 0.0, 0.625]
+"""Beside the base, but where the arm is at home."""
+
+
+def moved(client: TestClient, x: float, at: str) -> int:
+    return client.put(ZONE, json={"pose": {"xyz_m": [x, 0.0, 0.625]}, "measured_at": at}).status_code
+
+
+@BOTH_STORES
+def test_a_zone_stands_where_it_was_last_seen(signed_in: As, service: Service) -> None:
+    operator = signed_in(Role.operator)
+    assert moved(operator, 1.5, "2026-03-01T08:00:00Z") == 200
+    assert moved(operator, 1.6, "2026-03-01T09:00:00.5+01:00") == 200
+    shown = operator.get("/api/cells/lwr4_bench").json()["cell"]["zones"][0]
+    assert shown["shape"]["pose"]["xyz_m"] == [1.6, 0.0, 0.625]
+    cell = service.cells.load("lwr4_bench")
+    with service.store.read() as db:
+        known = positions(db, "lwr4_bench")
+    assert known["operator"].moves == 2
+    there = with_zones_where_they_are(cell, known).zones[0].shape
+    assert there.corners.mean(axis=0) == pytest.approx([1.6, 0.0, 0.625])
+    assert cell.zones[0].shape.pose.xyz_m[0] == 1.35
+
+
+def test_a_zone_that_was_moved_says_by_whom_and_when_and_the_service_what_time_it_is(signed_in: As, clock: Clock) -> None:
+    operator = signed_in(Role.operator)
+    assert operator.get("/api/cells/lwr4_bench").json()["moved"] == []
+    assert moved(operator, 1.5, "2026-03-01T08:00:00Z") == 200
+    answer = operator.get("/api/cells/lwr4_bench").json()
+    assert datetime.fromisoformat(answer["read_at"]) == clock()
+    (place,) = answer["moved"]
+    assert (place["zone"], place["moves"], place["moved_by"]) == ("operator", 1, f"account:{Role.operator.value}")
+    assert datetime.fromisoformat(place["measured_at"]) == datetime(2026, 3, 1, 8, tzinfo=UTC)
+
+
+def test_measurements_out_of_order_repeated_or_from_the_future_are_refused(signed_in: As, clock: Clock) -> None:
+    operator = signed_in(Role.operator)
+    assert moved(operator, 1.5, "2026-03-01T08:00:00Z") == 200
+    assert moved(operator, 1.4, "2026-03-01T08:00:00Z") == 409
+    assert moved(operator, 1.4, "2026-03-01T07:59:59Z") == 409
+    assert moved(operator, 1.4, "2026-03-01T08:00:02Z") == 409
+    assert moved(operator, 1.4, "2026-03-01T08:00:01") == 422
+    clock.go_on(seconds=2)
+    assert moved(operator, 1.4, "2026-03-01T08:00:02Z") == 200
+
+
+def place(client: TestClient, xyz_m: list[float], at: str = "2026-03-01T08:00:00Z") -> dict[str, Any]:
+    answer = client.put(ZONE, json={"pose": {"xyz_m": xyz_m}, "measured_at": at})
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def shown_at(client: TestClient) -> list[float]:
+    return list(client.get(CELL).json()["cell"]["zones"][0]["shape"]["pose"]["xyz_m"])
+
+
+def test_a_cell_with_a_zone_over_the_robot_stays_readable_and_says_what_is_wrong(signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+    moved_there = place(operator, ON_THE_BASE)
+    flaw = {
+        "where": "lwr4_bench/cell.toml: zones.operator.shape",
+        "found": "the robot's base 0.500 m inside it",
+        "expected": "the base outside (at most 0.001 m inside)",
+    }
+    assert moved_there["flaws"] == [flaw]
+    assert moved_there["contradiction"] == f"{flaw['where']}: found {flaw['found']}, expected {flaw['expected']}"
+    answer = operator.get(CELL)
+    assert answer.status_code == 200
+    shown = answer.json()
+    assert (shown["flaws"], shown["in_the_way"], shown["drawn"]) == ([flaw], ["operator"], True)
+    assert shown_at(operator) == ON_THE_BASE
+    listed = {cell["name"]: cell for cell in operator.get("/api/cells").json()}
+    assert listed["lwr4_bench"]["flaws"] == [flaw]
+    assert listed["lwr4_bench"]["title"]
+    assert listed["ur5e_line"]["flaw"] is None
+    far = place(operator, IN_FILE, "2026-03-01T08:00:00.1Z")
+    assert (far["contradiction"], far["flaws"]) == (None, [])
+    assert operator.get(CELL).json()["flaws"] == []
+
+
+def test_a_run_in_such_a_cell_is_refused_with_the_flaw_but_one_that_was_made_is_found_again(nothing_planned: None, signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+    order, key = {"cell": "lwr4_bench"}, {"Idempotency-Key": "once"}
+    made = operator.post("/api/runs", json=order, headers=key).json()["run"]
+    place(operator, ON_THE_BASE)
+    answer = operator.post("/api/runs", json=order)
+    assert (answer.status_code, answer.json()["type"]) == (422, "/problems/bad-cell")
+    assert answer.json()["flaws"] == operator.get(CELL).json()["flaws"]
+    assert operator.post("/api/runs", json=order, headers=key).json()["run"] == made
+    operator.post(f"{ZONE}/undo")
+    assert operator.post("/api/runs", json=order).status_code == 202
+
+
+def test_a_run_that_waits_when_the_zone_comes_ends_with_the_flaw_as_its_reason(
+    nothing_planned: None, service: Service, signed_in: As
+) -> None:
+    operator = signed_in(Role.operator)
+    _, second = (operator.post("/api/runs", json={"cell": "lwr4_bench"}).json()["run"] for _ in range(2))
+    wait_for(lambda: "lwr4_bench" in service.conductor.active, "the first run to have the cell")
+    place(operator, ON_THE_BASE)
+    ScriptedProcess.newest.say(Failed("NoPath", "the first run is over"), None)
+    wait_for(lambda: operator.get(f"/api/runs/{second}").json()["state"] == "Stopped", "the run that waited to be refused")
+    run = operator.get(f"/api/runs/{second}").json()
+    assert run["reason_kind"] == "bad-cell"
+    assert "zones.operator.shape: found the robot's base 0.500 m inside it" in run["reason"]
+
+
+@BOTH_STORES
+def test_a_zone_is_put_back_to_where_it_was_and_to_where_the_file_has_it(signed_in: As, clock: Clock) -> None:
+    operator = signed_in(Role.operator)
+    place(operator, [1.5, 0.0, 0.625])
+    assert place(operator, ON_THE_BASE, "2026-03-01T08:00:00.1Z")["previous"]["xyz_m"] == [1.5, 0.0, 0.625]
+    (known,) = operator.get(CELL).json()["moved"]
+    assert (known["previous"]["xyz_m"], known["in_file"]["xyz_m"]) == ([1.5, 0.0, 0.625], IN_FILE)
+    clock.go_on(seconds=5)
+    back = operator.post(f"{ZONE}/undo", json={"moves": known["moves"]}).json()
+    assert (back["pose"]["xyz_m"], back["previous"]["xyz_m"], back["flaws"]) == ([1.5, 0.0, 0.625], ON_THE_BASE, [])
+    assert datetime.fromisoformat(back["received_at"]) == clock()
+    assert datetime.fromisoformat(back["measured_at"]) == datetime(2026, 3, 1, 8, 0, 0, 100_000, tzinfo=UTC)
+    assert operator.post(f"{ZONE}/undo").json()["pose"]["xyz_m"] == ON_THE_BASE
+    assert operator.post(f"{ZONE}/undo", json={"to": "file"}).json()["pose"]["xyz_m"] == IN_FILE
+    assert shown_at(operator) == IN_FILE
+    entries = signed_in(Role.engineer).get("/api/audit").json()
+    assert [entry["action"] for entry in entries] == ["zone.undo", "zone.undo", "zone.undo", "zone.move", "zone.move"]
+    assert entries[0]["detail"]["to"] == "file"
+
+
+def test_the_first_move_is_undone_to_where_the_file_has_the_zone(signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+    assert place(operator, ON_THE_BASE)["previous"]["xyz_m"] == IN_FILE
+    assert operator.post(f"{ZONE}/undo").json()["pose"]["xyz_m"] == IN_FILE
+
+
+def test_who_stands_still_under_a_tracker_can_still_be_put_back(signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+    for tenth in range(3):
+        place(operator, ON_THE_BASE, f"2026-03-01T08:00:00.{tenth}Z")
+    assert operator.post(f"{ZONE}/undo").json()["pose"]["xyz_m"] == IN_FILE
+
+
+def test_a_tracker_whose_clock_is_behind_goes_on_after_an_undo(signed_in: As, clock: Clock) -> None:
+    operator = signed_in(Role.operator)
+    clock.go_on(minutes=5)
+    place(operator, ON_THE_BASE)
+    assert operator.post(f"{ZONE}/undo").status_code == 200
+    assert place(operator, [1.6, 0.0, 0.625], "2026-03-01T08:00:00.1Z")["pose"]["xyz_m"] == [1.6, 0.0, 0.625]
+
+
+def test_an_undo_of_what_nobody_saw_or_did_is_refused(signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+    assert operator.post(f"{ZONE}/undo").status_code == 409
+    seen = place(operator, ON_THE_BASE)["moves"]
+    place(operator, [1.5, 0.0, 0.625], "2026-03-01T08:00:00.1Z")
+    assert operator.post(f"{ZONE}/undo", json={"moves": seen}).status_code == 409
+    assert operator.post(f"{CELL}/zones/nobody/undo").status_code == 404
+    assert shown_at(operator) == [1.5, 0.0, 0.625]
+
+
+def test_the_run_is_told_where_the_zone_is_after_an_undo(
+    nothing_planned: None, service: Service, signed_in: As, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[ZoneMoved] = []
+    monkeypatch.setattr(ActiveRun, "zone_moved", lambda _, moved: told.append(moved))
+    operator = signed_in(Role.operator)
+    assert operator.post("/api/runs", json={"cell": "lwr4_bench"}).status_code == 202
+    wait_for(lambda: "lwr4_bench" in service.conductor.active, "the run to have its cell")
+    place(operator, ON_THE_BASE)
+    operator.post(f"{ZONE}/undo")
+    wait_for(lambda: len(told) == 2, "the run to be told", lambda: told)
+    assert [moved.pose.xyz_m for moved in told] == [(0.0, 0.0, 0.0), tuple(IN_FILE)]
+
+
+def test_a_place_is_looked_at_before_the_zone_moves_there(signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+
+    def flaws_at(xyz_m: list[float]) -> list[str]:
+        answer = operator.post(f"{ZONE}/check", json={"pose": {"xyz_m": xyz_m}})
+        assert answer.status_code == 200, answer.text
+        return [flaw["where"] for flaw in answer.json()["flaws"]]
+
+    assert flaws_at([1.5, 0.0, 0.625]) == []
+    assert flaws_at(ON_THE_BASE) == ["lwr4_bench/cell.toml: zones.operator.shape"]
+    assert flaws_at(OVER_THE_ARM) == ["lwr4_bench/cell.toml: robot.home_rad"]
+    assert operator.post(f"{CELL}/zones/nobody/check", json={"pose": {}}).status_code == 404
+    assert shown_at(operator) == IN_FILE
+    assert operator.get(CELL).json()["moved"] == []
+
+
+@pytest.mark.parametrize(
+    ("address", "body", "status"),
+    [
+        (ZONE.replace("operator", "nobody"), {"pose": {}, "measured_at": "2026-03-01T08:00:00Z"}, 404),
+        (ZONE.replace("lwr4_bench", "none"), {"pose": {}, "measured_at": "2026-03-01T08:00:00Z"}, 404),
+        (ZONE, {"pose": {"xyz_m": [1e9, 0, 0]}, "measured_at": "2026-03-01T08:00:00Z"}, 422),
+        (ZONE, {"pose": {"xyz_m": ["1", 0, 0]}, "measured_at": "2026-03-01T08:00:00Z"}, 422),
+        (ZONE, {"pose": {}, "shape": {}, "measured_at": "2026-03-01T08:00:00Z"}, 422),
+        (ZONE, {"pose": {}}, 422),
+    ],
+)
+def test_a_move_that_means_nothing_is_refused(address: str, body: dict[str, object], status: int, signed_in: As) -> None:
+    assert signed_in(Role.operator).put(address, json=body).status_code == status

@@ -1,0 +1,148 @@
+"""The store keeps all of a write or nothing of it, on either database, and its tables are those that the code describes."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+from alembic.autogenerate import compare_metadata
+from alembic.migration import MigrationContext
+from sqlalchemy import create_engine, select, text
+
+from server.jobs import jobs
+from server.jobs import kinds as job_kinds
+from server.people.accounts import Account, add_account
+from server.people.roles import Role
+from server.runs.tables import RunRow
+from server.service import utc_now
+from server.store.migration import upgrade
+from server.store.store import MIGRATIONS, Store, up_to_date
+from server.tables import Table
+from tests.server.made_people import BOTH_STORES
+from tests.server.postgresql import Cluster
+
+
+@pytest.fixture
+def store(database_url: str | None, tmp_path: Path) -> Iterator[Store]:
+    store = Store(database_url or f"sqlite:///{tmp_path / 'heft.sqlite'}")
+    store.migrate()
+    yield store
+    store.close()
+
+
+def names(store: Store) -> set[str]:
+    with store.read() as db:
+        return set(db.scalars(text("SELECT name FROM accounts")))
+
+
+def add(store: Store, name: str) -> None:
+    with store.write() as db:
+        add_account(db, name, "x", frozenset({Role.viewer}), utc_now())
+
+
+@BOTH_STORES
+def test_the_migrations_make_the_tables_that_the_code_describes(store: Store) -> None:
+    with store.read() as db:
+        context = MigrationContext.configure(db.connection(), opts={"compare_type": True})
+        assert compare_metadata(context, Table.metadata) == []
+
+
+@BOTH_STORES
+def test_migrating_twice_changes_nothing(store: Store) -> None:
+    add(store, "anna")
+    store.migrate()
+    assert names(store) == {"anna"}
+
+
+def test_two_services_that_start_at_once_migrate_once(postgresql: Cluster) -> None:
+    url = postgresql.empty()
+    stores = [Store(url) for _ in range(3)]
+    threads = [threading.Thread(target=store.migrate) for store in stores]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    add(stores[0], "anna")
+    assert names(stores[2]) == {"anna"}
+    for store in stores:
+        store.close()
+
+
+@BOTH_STORES
+def test_a_write_that_fails_leaves_nothing(store: Store) -> None:
+    with pytest.raises(ZeroDivisionError), store.write() as db:
+        add_account(db, "anna", "x", frozenset({Role.viewer}), utc_now())
+        db.flush()
+        raise ZeroDivisionError
+    assert names(store) == set()
+
+
+@BOTH_STORES
+def test_many_may_write_at_once_and_all_is_kept(store: Store) -> None:
+    threads = [threading.Thread(target=add, args=(store, f"a{k}")) for k in range(12)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert names(store) == {f"a{k}" for k in range(12)}
+
+
+@BOTH_STORES
+def test_times_come_back_with_their_offset(store: Store) -> None:
+    now = utc_now()
+    with store.write() as db:
+        add_account(db, "anna", "x", frozenset({Role.viewer}), now)
+    with store.read() as db:
+        account = db.get(Account, "anna")
+        assert account is not None
+        assert account.created_at == now
+        assert account.created_at.utcoffset() is not None
+
+
+def test_sqlite_waits_for_the_disk(store: Store) -> None:
+    with store.read() as db:
+        asked = ("journal_mode", "synchronous", "foreign_keys", "busy_timeout")
+        assert [db.scalar(text(f"PRAGMA {name}")) for name in asked] == ["wal", 2, 1, 5000]
+
+
+def test_diagnoses_of_an_older_version_are_jobs_now_and_the_newest_version_is_known_without_alembic(tmp_path: Path) -> None:
+    url = f"sqlite:///{tmp_path / 'older.sqlite'}"
+    engine = create_engine(url)
+    with engine.begin() as connection:
+        upgrade(connection, MIGRATIONS, "0002")
+        assert not up_to_date(connection)
+        values = "'1', '/data/r', 'run-1', 'done', '{}', NULL, 'account:anna', '2026-03-01 00:00:00.000000', NULL"
+        connection.execute(text(f"INSERT INTO diagnoses VALUES ({values})"))
+    store = Store(url)
+    store.migrate()
+    with store.read() as db:
+        row = jobs.load(db, job_kinds.DIAGNOSIS, "1")
+        assert (row.about, row.state, row.requested_at) == ("run-1", "done", datetime(2026, 3, 1, tzinfo=UTC))
+        assert job_kinds.DiagnosisOrder.model_validate_json(row.order).recording == Path("/data/r")
+    store.close()
+    with engine.begin() as connection:
+        assert up_to_date(connection)
+    engine.dispose()
+
+
+def test_runs_of_an_older_version_know_their_payload_by_name(tmp_path: Path) -> None:
+    url = f"sqlite:///{tmp_path / 'older.sqlite'}"
+    engine = create_engine(url)
+    with engine.begin() as connection:
+        upgrade(connection, MIGRATIONS, "0003")
+        for run, order, result in (("1", '{"payload": "gripper"}', None), ("2", '{"payload": null}', '{"payload": "steel_block"}')):
+            row = {"id": run, "run_order": order, "result": result, "at": "2026-03-01 00:00:00.000000"}
+            columns = "id, cell, run_order, state, released, aborted, result, sequence, requested_by, requested_at"
+            values = ":id, 'line', :run_order, 'Complete', 0, 0, :result, 0, 'account:anna', :at"
+            connection.execute(text(f"INSERT INTO runs ({columns}) VALUES ({values})"), row)
+    store = Store(url)
+    store.migrate()
+    with store.read() as db:
+        assert [(row.id, row.payload, row.accepted_by) for row in db.scalars(select(RunRow).order_by(RunRow.id))] == [
+            ("1", "gripper", None), ("2", "steel_block", None),
+        ]  # fmt: skip
+    store.close()
+    engine.dispose()
