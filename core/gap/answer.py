@@ -107,7 +107,7 @@ class Tied(Part):
     splits: str
 
 
-class Cell(Part):
+class PatchPart(Part):
     """Channel x motion x band."""
 
     channel: str
@@ -130,7 +130,7 @@ class JointGap(Part):
 class Where(Part):
     """Where the gap lies; mean squares by direction and by pose (the sensor axis that points up or down) are against noise 1."""
 
-    cells: list[Cell]
+    cells: list[PatchPart]
     channel: str
     phase: str
     stage: str
@@ -159,7 +159,7 @@ class GapPart(Part):
     by_channel: dict[str, Change]
 
 
-class Payload(Part):
+class PhiPart(Part):
     """Phi in the paper's order, with standard uncertainties."""
 
     phi: list[float]
@@ -169,8 +169,8 @@ class Payload(Part):
 class PayloadPart(Part):
     """The payload before and after the effect was added."""
 
-    before: Payload
-    after: Payload
+    before: PhiPart
+    after: PhiPart
 
 
 class Experiment(Part):

@@ -3,7 +3,21 @@
 from __future__ import annotations
 
 from core.gap.addable import why_not_addable
-from core.gap.answer import Cell, Change, Diagnosis, Explanation, GapPart, Minor, Pair, Payload, PayloadPart, Tied, Value, Verdict, Where
+from core.gap.answer import (
+    Change,
+    Diagnosis,
+    Explanation,
+    GapPart,
+    Minor,
+    Pair,
+    PatchPart,
+    PayloadPart,
+    PhiPart,
+    Tied,
+    Value,
+    Verdict,
+    Where,
+)
 from core.gap.attribution import LAPSE, Tie
 from core.gap.closure import closure_of, gap_of
 from core.gap.effect_fit import EffectFit
@@ -139,7 +153,7 @@ def _where(recording: Recording, residual: Residual, best: EffectFit) -> Where:
     """The stage is that of the effect which closes most of the gap, be it the cause or only like it."""
     top = residual.patches[0]
     return Where(
-        cells=[Cell(**vars(patch)) for patch in residual.patches],
+        cells=[PatchPart(**vars(patch)) for patch in residual.patches],
         channel=top.channel,
         phase=top.phase,
         stage=best.effects[0].stage if best.effects else "sensor",
@@ -151,8 +165,8 @@ def _where(recording: Recording, residual: Residual, best: EffectFit) -> Where:
     )
 
 
-def _payload(fit: EffectFit) -> Payload:
-    return Payload(phi=fit.phi.tolist(), std=fit.phi_std.tolist())
+def _payload(fit: EffectFit) -> PhiPart:
+    return PhiPart(phi=fit.phi.tolist(), std=fit.phi_std.tolist())
 
 
 def not_enough(reason: Remark, seconds: float) -> Diagnosis:

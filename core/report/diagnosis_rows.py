@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.gap.answer import Cell, Diagnosis, PayloadPart, Value
+from core.gap.answer import Diagnosis, PatchPart, PayloadPart, Value
 from core.gap.limits import BEYOND_STD, SHARES, sizes
 from core.report.charts import CHANNELS
 from core.report.rows import LABELS, rounded
@@ -111,7 +111,7 @@ def title_of(name: str, titles: Mapping[str, str]) -> str:
     return " and ".join(titles.get(part, part.replace("_", " ")) for part in name.split("+"))
 
 
-def heat_map(cells: Iterable[Cell]) -> tuple[tuple[str, ...], tuple[HeatBlock, ...]]:
+def heat_map(cells: Iterable[PatchPart]) -> tuple[tuple[str, ...], tuple[HeatBlock, ...]]:
     """The phases, and one block for all bands (the largest of them) followed by one for each band."""
     listed = list(cells)
     phases = tuple(sorted({cell.phase for cell in listed}, key=_phase_order))
@@ -130,7 +130,7 @@ def _phase_order(phase: str) -> tuple[int, str]:
     return (kinds.index(kind) if kind in kinds else len(kinds), phase)
 
 
-def _heat_rows(cells: list[Cell], phases: tuple[str, ...], channels: Iterable[str]) -> tuple[HeatRow, ...]:
+def _heat_rows(cells: list[PatchPart], phases: tuple[str, ...], channels: Iterable[str]) -> tuple[HeatRow, ...]:
     rows = []
     for channel in channels:
         own = [cell for cell in cells if cell.channel == channel]
@@ -139,7 +139,7 @@ def _heat_rows(cells: list[Cell], phases: tuple[str, ...], channels: Iterable[st
     return tuple(rows)
 
 
-def _entry(cells: list[Cell]) -> tuple[str, int, str]:
+def _entry(cells: list[PatchPart]) -> tuple[str, int, str]:
     if not cells:
         return "", 0, ""
     times = max(cell.times_noise for cell in cells)

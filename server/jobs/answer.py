@@ -6,7 +6,7 @@ from datetime import datetime
 from typing import Any, Self
 
 from server.http.schemas import Answer
-from server.jobs.jobs import State, Worker
+from server.jobs.jobs import JobStatus, Worker
 from server.runs.tables import JobRow
 
 
@@ -18,7 +18,7 @@ class JobAnswer(Answer):
         reason: why it failed or was cancelled; `reason_kind` is the kind of it, see docs/runs.md.
     """
 
-    state: State
+    state: JobStatus
     progress: float
     reason: str | None
     reason_kind: str | None
@@ -34,8 +34,8 @@ class JobAnswer(Answer):
             worker: that works through the jobs of this kind.
         """
         return cls(
-            state=State(row.state),
-            progress=1.0 if row.state == State.done else worker.progress.get(row.id, 0.0),
+            state=JobStatus(row.state),
+            progress=1.0 if row.state == JobStatus.done else worker.progress.get(row.id, 0.0),
             reason=row.reason,
             reason_kind=row.reason_kind,
             requested_by=row.requested_by,

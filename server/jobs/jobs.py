@@ -30,7 +30,7 @@ log = logging.getLogger("heft.jobs")
 RETRY_S = 2.0
 
 
-class State(StrEnum):
+class JobStatus(StrEnum):
     """How far a job is."""
 
     waiting = "waiting"
@@ -40,7 +40,7 @@ class State(StrEnum):
     cancelled = "cancelled"
 
 
-UNDER_WAY = (State.waiting, State.running)
+UNDER_WAY = (JobStatus.waiting, JobStatus.running)
 
 
 def _nothing(_db: Session, _row: JobRow) -> None:
@@ -66,7 +66,7 @@ class Kind:
 
 def queue(db: Session, kind: str, order: BaseModel, about: str | None, who: str, now: datetime) -> JobRow:
     """A job that waits for its turn."""
-    row = JobRow(id=new_id(now), kind=kind, about=about, order=order.model_dump_json(), state=State.waiting)
+    row = JobRow(id=new_id(now), kind=kind, about=about, order=order.model_dump_json(), state=JobStatus.waiting)
     row.requested_by, row.requested_at = who, now
     db.add(row)
     db.flush()
@@ -95,7 +95,7 @@ def cancel(db: Session, kind: str, job: str, who: str, now: datetime) -> JobRow:
     row = load(db, kind, job)
     if row.state not in UNDER_WAY:
         raise Conflict(f"{kind} {job}: it is {row.state}; only what waits or runs can be cancelled")
-    row.state, row.ended_at = State.cancelled, now
+    row.state, row.ended_at = JobStatus.cancelled, now
     because(row, cancelled(who))
     return row
 
@@ -161,7 +161,7 @@ class Worker:
         with self._store.write() as db:
             row = db.scalar(query)
             if row is not None:
-                row.state = State.running
+                row.state = JobStatus.running
             return row
 
     def _work(self, row: JobRow) -> None:
@@ -178,7 +178,7 @@ class Worker:
                     case Advanced(told=told):
                         self._change(row.id, told=told)
                     case Answered(text=text):
-                        self._end(row.id, State.done, result=text)
+                        self._end(row.id, JobStatus.done, result=text)
                     case Failed():
                         self._fail(row.id, failed(word))
         except HeftError as error:
@@ -190,12 +190,12 @@ class Worker:
     def _wanted(self, job: str) -> bool:
         """Whether nobody has cancelled it."""
         with self._store.read() as db:
-            return load(db, self._kind.name, job).state == State.running
+            return load(db, self._kind.name, job).state == JobStatus.running
 
     def _fail(self, job: str, reason: Reason) -> None:
-        self._end(job, State.failed, reason=reason.sentence, reason_kind=reason.kind)
+        self._end(job, JobStatus.failed, reason=reason.sentence, reason_kind=reason.kind)
 
-    def _end(self, job: str, state: State, **changes: str) -> None:
+    def _end(self, job: str, state: JobStatus, **changes: str) -> None:
         self._change(job, state=state, ended_at=self._now(), **changes)
 
     def _change(self, job: str, **changes: object) -> None:

@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 
 from server.cells.folder import CellFolder
 from server.http.schemas import Body
-from server.jobs.jobs import Kind, State
+from server.jobs.jobs import JobStatus, Kind
 from server.people import audit
 from server.runs.tables import JobRow
 from server.settings import Settings
@@ -71,7 +71,7 @@ def additions(cells: CellFolder) -> Kind:
         return cells.load(order.cell), order.recording, order.effect
 
     def also(db: Session, row: JobRow) -> None:
-        if row.state == State.done and row.result is not None:
+        if row.state == JobStatus.done and row.result is not None:
             order = AdditionOrder.model_validate_json(row.order)
             said: audit.Detail = {"cell": order.cell, "effect": order.effect, "diagnosis": order.diagnosis, "sha256": sha256_of(row.result)}
             audit.record(db, row.requested_by, "twin.add", said)
@@ -88,7 +88,7 @@ def trials(settings: Settings) -> Kind:
         return (settings.trials_folder / row.id).absolute(), order.count, order.seed
 
     def also(db: Session, row: JobRow) -> None:
-        if row.state == State.running and row.told is not None:
+        if row.state == JobStatus.running and row.told is not None:
             said: audit.Detail = {"trials": row.id, "count": len(json.loads(row.told)), "sha256": sha256_of(row.told)}
             audit.record(db, row.requested_by, "trials.seal", said)
 

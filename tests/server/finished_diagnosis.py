@@ -13,7 +13,7 @@ from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
 from server.jobs import jobs
-from server.jobs.jobs import State
+from server.jobs.jobs import JobStatus
 from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder
 from server.service import utc_now
 from server.store.store import Store
@@ -44,7 +44,7 @@ def finished_diagnosis(store: Store, now: datetime, order: DiagnosisOrder, **fou
     """Of a diagnosis that is done; `found` stands in its answer."""
     with store.write() as db:
         row = jobs.queue(db, DIAGNOSIS, order, order.run, "account:anna", now)
-        row.state, row.result = State.done, json.dumps(NOTHING_FOUND | found)
+        row.state, row.result = JobStatus.done, json.dumps(NOTHING_FOUND | found)
         return row.id
 
 

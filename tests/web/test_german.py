@@ -160,7 +160,7 @@ def test_remarks_of_the_engine_and_its_exports_have_german_words() -> None:
         set(re.findall(r"^    (?:'([^']+)'|(\w+)):", part, re.MULTILINE))
         for part in re.findall(r"^  \w+: {\n(.+?)\n  }", text, re.DOTALL | re.MULTILINE)
     )
-    others = (ROOT / "core" / "gap" / "basis.py", ROOT / "core" / "workpiece.py")
+    others = (ROOT / "core" / "gap" / "basis.py", ROOT / "core" / "recording" / "workpiece.py")
     engine = "".join(path.read_text() for path in (*(ROOT / "core" / "estimation").glob("*.py"), *others))
     assert {name for _, name in warnings} == set(re.findall(r'(?:Remark|TooLittleError)\(\s*"(\w+)"', engine))
     assert {name for _, name in undetermined} == {"mass", "com", "inertia"}

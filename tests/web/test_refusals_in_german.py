@@ -24,7 +24,7 @@ from core.second_opinion.refusal import refuse_disputed
 from core.sessions.leased import _LATE, _sentence
 from server.http.errors import Conflict, NotFound
 from server.http.problem_answers import NEXT_STEPS
-from server.jobs.jobs import State
+from server.jobs.jobs import JobStatus
 from server.jobs.kinds import ADDITION, DIAGNOSIS, TRIALS
 from tests.server.hostile_uploads import CELL
 from tests.server.real_service import Console, RealService
@@ -38,7 +38,8 @@ IN_HOLES = {
     "a released load would fly into zone {}", "{} too weak to hold the load",
     "no room for the rotation: {}", *(f"{each} {HOLE}" for each in Obstruction),
     "{} There is a plan for the other sensor axes: --axes {}.",
-    "{} ms (limit {} ms)", *_LATE.values(), *State, ADDITION, DIAGNOSIS, TRIALS, *(f"{HOLE}: {step}" for _, step in NEXT_STEPS.values()),
+    "{} ms (limit {} ms)", *_LATE.values(), *JobStatus, ADDITION, DIAGNOSIS, TRIALS,
+    *(f"{HOLE}: {step}" for _, step in NEXT_STEPS.values()),
 }  # fmt: skip
 """What sentences name in words, made elsewhere than the sentence."""
 MIXED_UNITS = {"{} of {} is {} N (range {} N m)", "{} of {} is {} N m (range {} N)"}
@@ -72,7 +73,7 @@ def engine_sentences() -> list[str]:
         NoStartConfiguration("x+", reasons, 0.012, "bench"),
         NoStartConfiguration("x+", {}),
         NotFound("run", "x7"),
-        Conflict(f"{DIAGNOSIS} x7: it is {State.done}; only what waits or runs can be cancelled"),
+        Conflict(f"{DIAGNOSIS} x7: it is {JobStatus.done}; only what waits or runs can be cancelled"),
         *(_sentence(Lateness(cause=cause, late_s=1.2, limit_s=1.0)) for cause in _LATE),
         BadCell("cell.toml: limits.clearance_m", "-0.1", "greater than 0"),
     ]

@@ -1066,7 +1066,7 @@ export interface components {
          * @description An addition; `twin` is the cell's twin with the effect, null until it is done.
          */
         AdditionAnswer: {
-            state: components["schemas"]["server__jobs__jobs__State"];
+            state: components["schemas"]["JobStatus"];
             /** Progress */
             progress: number;
             /** Reason */
@@ -1238,6 +1238,72 @@ export interface components {
          */
         Cause: "network" | "page" | "service" | "store" | "control_process" | "sensor" | "robot";
         /**
+         * Cell
+         * @description One robot cell, everything the procedure needs to know of it.
+         *
+         *     Every value is right by itself; whether they go together says `contradictions_of`.
+         */
+        Cell: {
+            /** Name */
+            name: string;
+            /** Title */
+            title: string;
+            robot: components["schemas"]["Robot"];
+            sensor: components["schemas"]["Sensor"];
+            /**
+             * @default {
+             *       "cartesian_speed_m_s": 0.25,
+             *       "clearance_m": 0.03,
+             *       "self_clearance_m": 0.01
+             *     }
+             */
+            limits?: components["schemas"]["Limits"];
+            /**
+             * @default {
+             *       "lease_s": 1,
+             *       "hold_limit_s": 120
+             *     }
+             */
+            control?: components["schemas"]["Control"];
+            /**
+             * Gravity M S2
+             * @default [
+             *       0,
+             *       0,
+             *       -9.81
+             *     ]
+             */
+            gravity_m_s2?: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Floor Z M
+             * @default 0
+             */
+            floor_z_m?: number;
+            payload_box: components["schemas"]["Box"];
+            /**
+             * Obstacles
+             * @default []
+             */
+            obstacles?: components["schemas"]["Obstacle"][];
+            /**
+             * Zones
+             * @default []
+             */
+            zones?: components["schemas"]["Zone"][];
+            /** Payloads */
+            payloads?: {
+                [key: string]: components["schemas"]["Payload"];
+            };
+            /** Tools */
+            tools?: {
+                [key: string]: components["schemas"]["Tool"];
+            };
+        };
+        /**
          * CellListed
          * @description A cell; `flaw` says in a sentence why nothing can be planned in it now, `flaws` says all of it.
          */
@@ -1265,7 +1331,7 @@ export interface components {
             cell: string;
             /** Run */
             run: string | null;
-            state: components["schemas"]["server__runs__packml__State"] | null;
+            state: components["schemas"]["State"] | null;
             /** Moving */
             moving: boolean;
             /** Since */
@@ -1292,7 +1358,7 @@ export interface components {
          *         read_at: the service's clock, for who measures zones and has none of their own that agrees.
          */
         CellShown: {
-            cell: components["schemas"]["core__cell__cell__Cell"] | null;
+            cell: components["schemas"]["Cell"] | null;
             /** Flaws */
             flaws: components["schemas"]["Flaw"][];
             /** In The Way */
@@ -1610,7 +1676,7 @@ export interface components {
          *         summary: the same in sentences; `result` is what `heft diagnose --json` writes. Null until it is done.
          */
         DiagnosisAnswer: {
-            state: components["schemas"]["server__jobs__jobs__State"];
+            state: components["schemas"]["JobStatus"];
             /** Progress */
             progress: number;
             /** Reason */
@@ -1906,6 +1972,12 @@ export interface components {
          * @enum {string}
          */
         JobState: "NotAllowedToStart" | "AllowedToStart" | "Running" | "Interrupted" | "Ended" | "Aborted";
+        /**
+         * JobStatus
+         * @description How far a job is.
+         * @enum {string}
+         */
+        JobStatus: "waiting" | "running" | "done" | "failed" | "cancelled";
         /**
          * JointGap
          * @description The joints' side: error of tracking while the joint moves, noise of one sample of it, and torque that arm and payload do not
@@ -2363,6 +2435,25 @@ export interface components {
             new_password: string;
         };
         /**
+         * PatchPart
+         * @description Channel x motion x band.
+         */
+        PatchPart: {
+            /** Channel */
+            channel: string;
+            /** Phase */
+            phase: string;
+            /** Band Hz */
+            band_hz: [
+                number,
+                number
+            ];
+            /** Times Noise */
+            times_noise: number;
+            /** Share */
+            share: number;
+        };
+        /**
          * PathPart
          * @description A planned transfer: joint positions every `period_s`, to look at; what is commanded lies between them.
          */
@@ -2373,6 +2464,37 @@ export interface components {
             period_s: number;
             /** Q Rad */
             q_rad: number[][];
+        };
+        /**
+         * Payload
+         * @description A payload that the cell knows: what the simulated robot carries, and the reference to compare with.
+         */
+        Payload: {
+            /** Title */
+            title: string;
+            /** Mass Kg */
+            mass_kg: number;
+            /** First Moment Kg M */
+            first_moment_kg_m: [
+                number,
+                number,
+                number
+            ];
+            /** Inertia Kg M2 */
+            inertia_kg_m2: [
+                number,
+                number,
+                number,
+                number,
+                number,
+                number
+            ];
+            box: components["schemas"]["Box"];
+            /**
+             * Source
+             * @default unknown
+             */
+            source?: string;
         };
         /**
          * PayloadAnswer
@@ -2439,8 +2561,8 @@ export interface components {
          * @description The payload before and after the effect was added.
          */
         PayloadPart: {
-            before: components["schemas"]["core__gap__answer__Payload"];
-            after: components["schemas"]["core__gap__answer__Payload"];
+            before: components["schemas"]["PhiPart"];
+            after: components["schemas"]["PhiPart"];
         };
         /**
          * PhaseStarted
@@ -2460,6 +2582,16 @@ export interface components {
             step: number;
             /** Steps */
             steps: number;
+        };
+        /**
+         * PhiPart
+         * @description Phi in the paper's order, with standard uncertainties.
+         */
+        PhiPart: {
+            /** Phi */
+            phi: number[];
+            /** Std */
+            std: number[];
         };
         /**
          * PlanAnswer
@@ -2835,7 +2967,7 @@ export interface components {
             /** Payload */
             payload: string | null;
             order: components["schemas"]["RunOrder"];
-            state: components["schemas"]["server__runs__packml__State"];
+            state: components["schemas"]["State"];
             job_state: components["schemas"]["JobState"];
             /** Commands */
             commands: string[];
@@ -3180,7 +3312,7 @@ export interface components {
          * @description The seventeen states.
          * @enum {string}
          */
-        "State-Input": "Stopped" | "Resetting" | "Idle" | "Starting" | "Execute" | "Completing" | "Complete" | "Aborting" | "Aborted" | "Clearing" | "Stopping" | "Suspending" | "Suspended" | "Unsuspending" | "Holding" | "Held" | "Unholding";
+        State: "Stopped" | "Resetting" | "Idle" | "Starting" | "Execute" | "Completing" | "Complete" | "Aborting" | "Aborted" | "Clearing" | "Stopping" | "Suspending" | "Suspended" | "Unsuspending" | "Holding" | "Held" | "Unholding";
         /**
          * StateChanged
          * @description The run went into another state.
@@ -3191,7 +3323,7 @@ export interface components {
              * @enum {string}
              */
             kind: "state_changed";
-            state: components["schemas"]["server__runs__packml__State"];
+            state: components["schemas"]["State"];
             job_state: components["schemas"]["JobState"];
             /** Commands */
             commands: string[];
@@ -3384,7 +3516,7 @@ export interface components {
          *         opened, sheet: what was planted and what the diagnosis said of it, and the score sheet (Markdown); null until all are done.
          */
         TrialsAnswer: {
-            state: components["schemas"]["server__jobs__jobs__State"];
+            state: components["schemas"]["JobStatus"];
             /** Progress */
             progress: number;
             /** Reason */
@@ -3600,7 +3732,7 @@ export interface components {
          */
         Where: {
             /** Cells */
-            cells: components["schemas"]["core__gap__answer__Cell"][];
+            cells: components["schemas"]["PatchPart"][];
             /** Channel */
             channel: string;
             /** Phase */
@@ -3779,144 +3911,6 @@ export interface components {
             pose: components["schemas"]["Pose"];
         };
         /**
-         * Cell
-         * @description One robot cell, everything the procedure needs to know of it.
-         *
-         *     Every value is right by itself; whether they go together says `contradictions_of`.
-         */
-        core__cell__cell__Cell: {
-            /** Name */
-            name: string;
-            /** Title */
-            title: string;
-            robot: components["schemas"]["Robot"];
-            sensor: components["schemas"]["Sensor"];
-            /**
-             * @default {
-             *       "cartesian_speed_m_s": 0.25,
-             *       "clearance_m": 0.03,
-             *       "self_clearance_m": 0.01
-             *     }
-             */
-            limits?: components["schemas"]["Limits"];
-            /**
-             * @default {
-             *       "lease_s": 1,
-             *       "hold_limit_s": 120
-             *     }
-             */
-            control?: components["schemas"]["Control"];
-            /**
-             * Gravity M S2
-             * @default [
-             *       0,
-             *       0,
-             *       -9.81
-             *     ]
-             */
-            gravity_m_s2?: [
-                number,
-                number,
-                number
-            ];
-            /**
-             * Floor Z M
-             * @default 0
-             */
-            floor_z_m?: number;
-            payload_box: components["schemas"]["Box"];
-            /**
-             * Obstacles
-             * @default []
-             */
-            obstacles?: components["schemas"]["Obstacle"][];
-            /**
-             * Zones
-             * @default []
-             */
-            zones?: components["schemas"]["Zone"][];
-            /** Payloads */
-            payloads?: {
-                [key: string]: components["schemas"]["core__cell__cell__Payload"];
-            };
-            /** Tools */
-            tools?: {
-                [key: string]: components["schemas"]["Tool"];
-            };
-        };
-        /**
-         * Payload
-         * @description A payload that the cell knows: what the simulated robot carries, and the reference to compare with.
-         */
-        core__cell__cell__Payload: {
-            /** Title */
-            title: string;
-            /** Mass Kg */
-            mass_kg: number;
-            /** First Moment Kg M */
-            first_moment_kg_m: [
-                number,
-                number,
-                number
-            ];
-            /** Inertia Kg M2 */
-            inertia_kg_m2: [
-                number,
-                number,
-                number,
-                number,
-                number,
-                number
-            ];
-            box: components["schemas"]["Box"];
-            /**
-             * Source
-             * @default unknown
-             */
-            source?: string;
-        };
-        /**
-         * Cell
-         * @description Channel x motion x band.
-         */
-        core__gap__answer__Cell: {
-            /** Channel */
-            channel: string;
-            /** Phase */
-            phase: string;
-            /** Band Hz */
-            band_hz: [
-                number,
-                number
-            ];
-            /** Times Noise */
-            times_noise: number;
-            /** Share */
-            share: number;
-        };
-        /**
-         * Payload
-         * @description Phi in the paper's order, with standard uncertainties.
-         */
-        core__gap__answer__Payload: {
-            /** Phi */
-            phi: number[];
-            /** Std */
-            std: number[];
-        };
-        /**
-         * State
-         * @description How far a job is.
-         * @enum {string}
-         */
-        server__jobs__jobs__State: "waiting" | "running" | "done" | "failed" | "cancelled";
-        /**
-         * State
-         * @description The seventeen states.
-         * @enum {string}
-         */
-        server__runs__packml__State: "Stopped" | "Resetting" | "Idle" | "Starting" | "Execute" | "Completing" | "Complete" | "Aborting" | "Aborted" | "Clearing" | "Stopping" | "Suspending" | "Suspended" | "Unsuspending" | "Holding" | "Held" | "Unholding";
-        /**
          * Problem
          * @description What went wrong; `type` names the kind, `detail` is a sentence for a person.
          * @example {
@@ -3984,6 +3978,7 @@ export type AuditEntryShown = components['schemas']['AuditEntryShown'];
 export type Box = components['schemas']['Box'];
 export type Capsule = components['schemas']['Capsule'];
 export type Cause = components['schemas']['Cause'];
+export type Cell = components['schemas']['Cell'];
 export type CellListed = components['schemas']['CellListed'];
 export type CellNow = components['schemas']['CellNow'];
 export type CellShown = components['schemas']['CellShown'];
@@ -4017,6 +4012,7 @@ export type Friction = components['schemas']['Friction'];
 export type GapPart = components['schemas']['GapPart'];
 export type Health = components['schemas']['Health'];
 export type JobState = components['schemas']['JobState'];
+export type JobStatus = components['schemas']['JobStatus'];
 export type JointGap = components['schemas']['JointGap'];
 export type KeyMade = components['schemas']['KeyMade'];
 export type KeyShown = components['schemas']['KeyShown'];
@@ -4040,10 +4036,13 @@ export type OverlayAnswer = components['schemas']['OverlayAnswer'];
 export type Pair = components['schemas']['Pair'];
 export type PaperPart = components['schemas']['PaperPart'];
 export type PasswordChange = components['schemas']['PasswordChange'];
+export type PatchPart = components['schemas']['PatchPart'];
 export type PathPart = components['schemas']['PathPart'];
+export type Payload = components['schemas']['Payload'];
 export type PayloadAnswer = components['schemas']['PayloadAnswer'];
 export type PayloadPart = components['schemas']['PayloadPart'];
 export type PhaseStarted = components['schemas']['PhaseStarted'];
+export type PhiPart = components['schemas']['PhiPart'];
 export type PlanAnswer = components['schemas']['PlanAnswer'];
 export type PlanShown = components['schemas']['PlanShown'];
 export type PlanSummary = components['schemas']['PlanSummary'];
@@ -4073,7 +4072,7 @@ export type Sent = components['schemas']['Sent'];
 export type Session = components['schemas']['Session'];
 export type Sphere = components['schemas']['Sphere'];
 export type StartConfigurationFound = components['schemas']['StartConfigurationFound'];
-export type StateInput = components['schemas']['State-Input'];
+export type State = components['schemas']['State'];
 export type StateChanged = components['schemas']['StateChanged'];
 export type StepFinished = components['schemas']['StepFinished'];
 export type Stop = components['schemas']['Stop'];
@@ -4103,12 +4102,6 @@ export type ZoneMove = components['schemas']['ZoneMove'];
 export type ZonePlace = components['schemas']['ZonePlace'];
 export type ZoneShown = components['schemas']['ZoneShown'];
 export type ZoneTry = components['schemas']['ZoneTry'];
-export type CoreCellCellCell = components['schemas']['core__cell__cell__Cell'];
-export type CoreCellCellPayload = components['schemas']['core__cell__cell__Payload'];
-export type CoreGapAnswerCell = components['schemas']['core__gap__answer__Cell'];
-export type CoreGapAnswerPayload = components['schemas']['core__gap__answer__Payload'];
-export type ServerJobsJobsState = components['schemas']['server__jobs__jobs__State'];
-export type ServerRunsPackmlState = components['schemas']['server__runs__packml__State'];
 export type Problem = components['schemas']['Problem'];
 export type $defs = Record<string, never>;
 export interface operations {
@@ -5134,7 +5127,7 @@ export interface operations {
             query?: {
                 cell?: string | null;
                 payload?: string | null;
-                state?: components["schemas"]["State-Input"] | null;
+                state?: components["schemas"]["State"] | null;
                 before?: string | null;
                 limit?: number;
             };

@@ -1,20 +1,20 @@
-import { cells } from './pages/cells';
-import { gapScreen } from './pages/gap';
-import { historyScreen } from './pages/history';
-import { notThere } from './pages/not-there';
-import { runScreen } from './pages/run';
-import { settings } from './pages/settings';
-import { setup } from './pages/setup';
-import { signingIn } from './pages/sign-in';
-import { trialsScreen } from './pages/trials';
-import { CommandBar } from './parts/command-bar';
-import { Header } from './parts/header';
-import { LostLayer } from './parts/lost-layer';
-import { Navigation } from './parts/navigation';
-import type { Screen } from './parts/screen';
-import { route } from './route';
-import { absent } from './stores/absent';
-import { session } from './stores/session';
+import { cells } from './cells/cells-page';
+import { gapScreen } from './gap/gap-page';
+import { historyScreen } from './history/history-page';
+import { CommandBar } from './run/command-bar';
+import { LostLayer } from './run/lost-layer';
+import { runScreen } from './run/run-page';
+import { setup } from './run/setup-page';
+import { session } from './session/session';
+import { settings } from './session/settings-page';
+import { signingIn } from './session/sign-in-page';
+import { trialsScreen } from './trials/trials-page';
+import { absent } from './ui/absent';
+import { Header } from './ui/header';
+import { Navigation } from './ui/navigation';
+import { notThere } from './ui/not-there-page';
+import { route } from './ui/route';
+import type { Screen } from './ui/screen';
 
 /** A page for each first piece of the address; a new page is a line here, and in parts/navigation.tsx. */
 const SCREENS = new Map<string, () => Screen>([

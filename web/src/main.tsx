@@ -9,10 +9,10 @@ import './look/link.css';
 import './look/print.css';
 import { render } from 'preact';
 import { App } from './app';
-import { onReturn } from './stores/connection';
-import { followRobots } from './stores/now';
-import { session } from './stores/session';
-import { resumeSession } from './stores/signing-in';
+import { followRobots } from './run/now';
+import { session } from './session/session';
+import { resumeSession } from './session/signing-in';
+import { onReturn } from './ui/connection';
 
 const place = document.getElementById('console');
 if (place === null) throw new Error('index.html has no element "console"');

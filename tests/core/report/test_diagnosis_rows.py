@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from core.gap.answer import Payload, PayloadPart, Value
+from core.gap.answer import PayloadPart, PhiPart, Value
 from core.report.diagnosis_rows import heat_map, parameter_texts, payload_rows, percent, value_text
 from tests.core.report.made_up_diagnoses import CHANNELS, PHI, explained
 
@@ -56,7 +56,7 @@ def test_no_probability_is_told_as_certain(share: float, text: str) -> None:
 
 def test_a_payload_that_moves_within_its_uncertainty_is_not_marked() -> None:
     before, after = [2.05, *PHI[1:]], PHI
-    wide = payload_rows(PayloadPart(before=Payload(phi=before, std=[0.03] * 10), after=Payload(phi=after, std=[0.03] * 10)))
-    narrow = payload_rows(PayloadPart(before=Payload(phi=before, std=[0.01] * 10), after=Payload(phi=after, std=[0.01] * 10)))
+    wide = payload_rows(PayloadPart(before=PhiPart(phi=before, std=[0.03] * 10), after=PhiPart(phi=after, std=[0.03] * 10)))
+    narrow = payload_rows(PayloadPart(before=PhiPart(phi=before, std=[0.01] * 10), after=PhiPart(phi=after, std=[0.01] * 10)))
     assert [row.name for row in wide if row.material] == []
     assert [(row.name, row.change, row.sigmas) for row in narrow if row.material] == [("m", "-2.50 %", "-5.0")]

@@ -13,7 +13,7 @@ from sqlalchemy.orm import Session
 
 from server.http.errors import Conflict, NotFound
 from server.jobs import jobs
-from server.jobs.jobs import Kind, State, Worker
+from server.jobs.jobs import JobStatus, Kind, Worker
 from server.runs.tables import JobRow
 from server.service import utc_now
 from server.store.store import Store
@@ -60,9 +60,15 @@ def over(store: Store, job: str) -> Callable[[], bool]:
 
 @pytest.mark.parametrize(
     ("what", "state", "result", "reason"),
-    [("answer", State.done, '"done"', None), ("fail", State.failed, None, "a sentence"), ("die", State.failed, None, "ended unexpectedly")],
+    [
+        ("answer", JobStatus.done, '"done"', None),
+        ("fail", JobStatus.failed, None, "a sentence"),
+        ("die", JobStatus.failed, None, "ended unexpectedly"),
+    ],
 )
-def test_a_job_ends_with_its_answer_or_its_reason(store: Store, what: str, state: State, result: str | None, reason: str | None) -> None:
+def test_a_job_ends_with_its_answer_or_its_reason(
+    store: Store, what: str, state: JobStatus, result: str | None, reason: str | None
+) -> None:
     job = queued(store, what)
     asyncio.run(worked(Worker(store, utc_now, kind()), over(store, job)))
     row = row_of(store, job)
@@ -83,14 +89,14 @@ def test_a_cancelled_job_stays_cancelled_and_the_next_one_runs(store: Store) -> 
     worker = Worker(store, utc_now, kind())
 
     def cancelled_then_done() -> bool:
-        if row_of(store, job).told is not None and row_of(store, job).state == State.running:
+        if row_of(store, job).told is not None and row_of(store, job).state == JobStatus.running:
             with store.write() as db:
                 jobs.cancel(db, "work", job, "account:anna", utc_now())
             worker.drop(job)
-        return row_of(store, following).state == State.done
+        return row_of(store, following).state == JobStatus.done
 
     asyncio.run(worked(worker, cancelled_then_done))
-    assert (row_of(store, job).state, row_of(store, job).reason) == (State.cancelled, "cancelled by account:anna.")
+    assert (row_of(store, job).state, row_of(store, job).reason) == (JobStatus.cancelled, "cancelled by account:anna.")
     assert worker.progress == {}
 
 
@@ -106,12 +112,12 @@ def test_what_is_cancelled_while_it_answers_stays_cancelled_and_changes_nothing(
 
     monkeypatch.setattr(Worker, "_wanted", wanted_a_moment_ago)
     asyncio.run(worked(Worker(store, utc_now, kind(lambda _, row: seen.append(row.state))), over(store, job)))
-    assert (row_of(store, job).state, row_of(store, job).result, seen) == (State.cancelled, None, ["running"])
+    assert (row_of(store, job).state, row_of(store, job).result, seen) == (JobStatus.cancelled, None, ["running"])
 
 
 def test_what_is_over_cannot_be_cancelled(store: Store) -> None:
     job = queued(store, "answer")
-    for state in (State.done, State.failed, State.cancelled):
+    for state in (JobStatus.done, JobStatus.failed, JobStatus.cancelled):
         with store.write() as db:
             jobs.load(db, "work", job).state = state
         with store.write() as db, pytest.raises(Conflict, match=f"it is {state}; only what waits or runs"):
@@ -121,9 +127,9 @@ def test_what_is_over_cannot_be_cancelled(store: Store) -> None:
 def test_a_job_that_a_service_left_is_begun_again_by_the_next(store: Store) -> None:
     job = queued(store, "answer")
     with store.write() as db:
-        jobs.load(db, "work", job).state = State.running
+        jobs.load(db, "work", job).state = JobStatus.running
     asyncio.run(worked(Worker(store, utc_now, kind()), over(store, job)))
-    assert row_of(store, job).state == State.done
+    assert row_of(store, job).state == JobStatus.done
 
 
 def test_a_job_of_another_kind_is_not_there(store: Store) -> None:
@@ -135,4 +141,4 @@ def test_a_job_of_another_kind_is_not_there(store: Store) -> None:
 def test_a_service_that_ends_does_not_wait_for_what_is_not_done(store: Store) -> None:
     job = queued(store, "wait")
     asyncio.run(worked(Worker(store, utc_now, kind()), lambda: row_of(store, job).told is not None))
-    assert row_of(store, job).state == State.running
+    assert row_of(store, job).state == JobStatus.running

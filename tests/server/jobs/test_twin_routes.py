@@ -14,7 +14,7 @@ from core.cell.cell import TWIN_FILE, load_cell
 from core.twin.file import read_twin, write_twin
 from core.twin.twin import NOMINAL, Entry, Fitted, Twin
 from server.jobs import jobs
-from server.jobs.jobs import State
+from server.jobs.jobs import JobStatus
 from server.jobs.kinds import ADDITION, AdditionOrder, DiagnosisOrder, additions
 from server.people.roles import Role
 from server.runner import twin_adding
@@ -153,7 +153,7 @@ def test_what_was_fitted_is_said_and_in_the_cells_folder_once_the_job_is_done(
     with service.store.write() as db:
         order = AdditionOrder(cell=CELL, effect="time_delay", diagnosis="x", recording=tmp_path)
         row = jobs.queue(db, ADDITION, order, CELL, "account:anna", service.now())
-        row.state, row.result = State.done, answer.text
+        row.state, row.result = JobStatus.done, answer.text
         additions(service.cells).also(db, row)
     assert Twin.model_validate_json(answer.text) == read_twin(load_cell(late))
     assert read_twin(load_cell(late)).effects[0].parameters["delay_s"].value == pytest.approx(0.015)

@@ -1,5 +1,5 @@
 import { computed } from '@preact/signals';
-import { type Language, language } from '../stores/settings';
+import { type Language, language } from '../session/settings';
 import { de } from './de';
 import { en, type Words } from './en';
 import { longer } from './longer';

@@ -1,0 +1,144 @@
+import type { DiagnosisAnswer } from '../api';
+import { queueMotion } from '../run/runs';
+import { addressOf } from '../ui/client';
+import { JobProgress } from '../ui/job-progress';
+import { isUnderWay } from '../ui/jobs';
+import { Press } from '../ui/press';
+import { Reading } from '../ui/reading';
+import { Reserved } from '../ui/reserved';
+import { go } from '../ui/route';
+import type { Screen } from '../ui/screen';
+import { words } from '../words';
+import { Also } from './also';
+import { cancelDiagnosis, diagnosis, overlay } from './diagnoses';
+import { type Candidate, candidatesOf, effectName } from './effect-values';
+import { Findings } from './findings';
+import { HowFar } from './how-far';
+import { NextMotion } from './next-motion';
+import { OverlayPlots } from './overlay-plots';
+import { PayloadChange } from './payload-change';
+import { addEffect, addition } from './twin';
+import { TwinAddition } from './twin-addition';
+import { Verdict } from './verdict';
+import { Where } from './where';
+import { Which } from './which';
+
+type Result = NonNullable<DiagnosisAnswer['result']>;
+
+function Diagnosis() {
+  const shown = diagnosis.value;
+  if (shown === null) return <Reading />;
+  if (shown.result === null) return <Waiting shown={shown} />;
+  const { result } = shown;
+  return (
+    <div class="page diagnosis">
+      <Verdict diagnosis={result} />
+      <Also also={result.also ?? []} />
+      {result.where && <Where where={result.where} />}
+      <Which diagnosis={result} />
+      <Findings diagnosis={result} />
+      <HowFar diagnosis={result} />
+      {overlay.value && <OverlayPlots overlay={overlay.value} />}
+      {result.payload && <PayloadChange payload={result.payload} />}
+      {result.next_experiment && <NextMotion motion={result.next_experiment} diagnosis={shown.diagnosis} />}
+      <section>
+        <p class="downloads">
+          <a
+            class="download"
+            href={addressOf('/api/diagnoses/{diagnosis}/report', { diagnosis: shown.diagnosis })}
+            target="_blank"
+            rel="noreferrer"
+          >
+            {words.value.gap.report}
+          </a>
+          <Press act={() => window.print()}>{words.value.result.print}</Press>
+        </p>
+      </section>
+    </div>
+  );
+}
+
+function Waiting({ shown }: { shown: DiagnosisAnswer }) {
+  const said = words.value.gap;
+  return (
+    <div class="page">
+      <section>
+        <h1>{said.title}</h1>
+        <JobProgress title={shown.run === null ? said.upload : said.run(shown.run)} job={shown} />
+      </section>
+    </div>
+  );
+}
+
+function Actions() {
+  const said = words.value.gap;
+  const shown = diagnosis.value;
+  if (shown === null) return null;
+  const proposed = shown.cell !== null && (shown.result?.next_experiment?.planned ?? false);
+  return (
+    <>
+      <TwinAddition diagnosis={shown.diagnosis} />
+      {isUnderWay(shown) && (
+        <Reserved roles={['engineer', 'operator']} act={() => cancelDiagnosis(shown.diagnosis)}>
+          {said.cancel}
+        </Reserved>
+      )}
+      {proposed && (
+        <Reserved
+          kind="primary"
+          roles={['operator']}
+          act={async () => go('runs', (await queueMotion(shown.diagnosis)).run)}
+        >
+          {said.planMotion}
+        </Reserved>
+      )}
+      <AddToTwin shown={shown} kind={proposed ? 'plain' : 'primary'} />
+      <Press act={() => go('gap')}>{said.back}</Press>
+    </>
+  );
+}
+
+/** The most probable effect goes into the twin, where the verdict names one that the twin takes. */
+function AddToTwin({ shown, kind }: { shown: DiagnosisAnswer; kind: 'plain' | 'primary' }) {
+  const said = words.value.gap;
+  const { result, cell } = shown;
+  if (result === null || cell === null) return null;
+  const best = addableOf(result);
+  if (best === undefined) return null;
+  const asked = addition.value;
+  const settled = asked?.state === 'done' && asked.diagnosis === shown.diagnosis;
+  const busy = asked !== null && isUnderWay(asked);
+  return (
+    <Reserved
+      kind={kind}
+      roles={['engineer']}
+      disabled={busy || settled}
+      act={() => addEffect(cell, shown.diagnosis, best.id)}
+    >
+      {said.add}
+      <small>{effectName(best.id)}</small>
+    </Reserved>
+  );
+}
+
+/** The most probable explanation, where the verdict names it and the twin takes it. */
+function addableOf(result: Result): Candidate | undefined {
+  const [best] = candidatesOf(result);
+  return isNamed(result) && best?.addable ? best : undefined;
+}
+
+const isNamed = ({ verdict }: Result) => verdict === 'explained' || verdict === 'ambiguous';
+
+function next(): string {
+  const said = words.value.gap;
+  const shown = diagnosis.value;
+  if (shown === null || isUnderWay(shown)) return said.jobNext;
+  if (shown.result === null) return said.failedNext;
+  const { verdict, also = [] } = shown.result;
+  if (isNamed(shown.result) && shown.cell === null) return said.noCell;
+  if (verdict === 'explained' && addableOf(shown.result) === undefined) return said.adviceNext;
+  if (verdict === 'no_gap' && also.some(({ material }) => material)) return said.adviceNext;
+  return said.verdictNext[verdict];
+}
+
+export const diagnosisScreen: Screen = { Page: Diagnosis, Actions, next };

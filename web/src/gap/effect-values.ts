@@ -1,0 +1,142 @@
+import type { DiagnosisAnswer } from '../api';
+import { number, type Scale, type Shown, scaled, scaleOf } from '../ui/units';
+import { words } from '../words';
+
+/** A fitted parameter in `unit`, with its standard uncertainty. */
+export interface Parameter {
+  value: number;
+  std: number | null;
+  unit: string;
+  at_bound?: boolean;
+}
+
+type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+
+/** An effect, or two at once, and what a diagnosis says of it. */
+export interface Candidate {
+  id: string;
+  probability: number;
+  closure: number;
+  /** Whether the twin would take it, and what stands against it where not. */
+  addable: boolean;
+  whyNot: string | null;
+  interval: readonly [number, number] | null;
+  stages: string[];
+  /** What to do about each of its effects, as the engine says it. */
+  advice: [effect: string, english: string][];
+  /** By the effect that they belong to. */
+  parameters: Record<string, Record<string, Parameter>>;
+}
+
+const DEGREES = 180 / Math.PI;
+const SUFFIX =
+  /(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$/;
+const NAME = /^(?:([ft][xyz]|joint_\d+|mode_\d+)(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$/;
+const DIGITS = 3;
+/** From this probability on an effect is one of those that are open. */
+const OPEN = 0.05;
+
+/** Effects and pairs of a diagnosis, the most probable first. */
+export function candidatesOf(diagnosis: Diagnosis): Candidate[] {
+  const { effects, pairs } = diagnosis;
+  const singles = effects.map(({ id, stage, advice, parameters, closure_interval, ...rest }) => ({
+    ...rest,
+    ...takenBy(rest),
+    id,
+    stages: [stage],
+    advice: [[id, advice] as [string, string]],
+    interval: closure_interval,
+    parameters: { [id]: parameters },
+  }));
+  const both = pairs.map(({ ids, probability, closure, parameters = {}, ...rest }) => {
+    const parts = effects.filter(({ id }) => ids.includes(id));
+    const stages = parts.map(({ stage }) => stage);
+    const advice = parts.map((each): [string, string] => [each.id, each.advice]);
+    const said = { id: ids.join('+'), probability, closure, interval: null, stages, advice, parameters };
+    return { ...said, ...takenBy(rest) };
+  });
+  return [...singles, ...both].sort((one, other) => other.probability - one.probability);
+}
+
+/** Older diagnoses do not say whether the twin takes what they name: it is not offered. */
+function takenBy({ addable = false, why_not = null }: { addable?: boolean; why_not?: string | null }) {
+  return { addable, whyNot: why_not };
+}
+
+/** The most probable explanation, and whatever else is probable or cannot be told from it. */
+export function openOf(diagnosis: Diagnosis): Candidate[] {
+  const all = candidatesOf(diagnosis);
+  const best = all[0]?.id ?? '';
+  const tied = diagnosis.indistinguishable.filter(({ ids }) => ids.includes(best)).flatMap(({ ids }) => ids);
+  return all.filter(({ id, probability }, k) => k === 0 || probability >= OPEN || tied.includes(id));
+}
+
+/** Name of an effect, or of several joined by a plus sign, in the chosen language. */
+export function effectName(id: string): string {
+  const names = words.value.gap.effects;
+  return id
+    .split('+')
+    .map((part) => names[part] ?? part.replaceAll('_', ' '))
+    .join(' + ');
+}
+
+/** `hold:x+` as people say it. */
+export function phaseName(phase: string): string {
+  const [kind = '', axis = ''] = phase.split(':');
+  return `${words.value.gap.phases[kind] ?? kind} ${axis}`.trim();
+}
+
+/** Name of a parameter without its unit: "joint_3_gear_ratio" is "joint 3 gear ratio". */
+export function parameterName(name: string): string {
+  const [, of = '', what = '', axis = ''] = NAME.exec(name.replace(SUFFIX, '')) ?? [];
+  const [part = '', index = ''] = of.split('_');
+  return [piece(part), index, piece(what), axis].filter(Boolean).join(' ');
+}
+
+function piece(name: string): string {
+  return words.value.gap.pieces[name] ?? name.replaceAll('_', ' ');
+}
+
+/** The number of a parameter in everyday units. */
+export function parameterShown(name: string, { value, std, unit }: Parameter): Shown {
+  const scale = everyday(name, value, unit);
+  const size = Math.abs(value * scale.factor);
+  const places = size === 0 ? 0 : Math.max(0, DIGITS - 1 - Math.floor(Math.log10(size)));
+  return scaled({ ...scale, places }, value, std);
+}
+
+function everyday(name: string, value: number, unit: string): Omit<Scale, 'places'> {
+  switch (unit) {
+    case 'rad':
+      return { factor: DEGREES, unit: '°' };
+    case 's':
+      return Math.abs(value) < 1 ? { factor: 1e3, unit: 'ms' } : { factor: 1, unit };
+    case 'm':
+      return scaleOf('length');
+    case 'kg':
+      return scaleOf('mass');
+    case 'kg m':
+      return scaleOf('moment');
+    case 'kg m2':
+      return scaleOf('inertia');
+    case '1':
+      return name.endsWith('_share') ? { factor: 100, unit: '%' } : { factor: 1, unit: '' };
+    default:
+      return { factor: 1, unit: unit.replace('m2', 'm²').replace('s2', 's²') };
+  }
+}
+
+/** A multiple of the noise, as fine as anybody needs it. */
+export function times(value: number): string {
+  return number(value, value < 9.95 ? 1 : 0);
+}
+
+/** A probability in words. */
+export function inWords(probability: number): string {
+  const said = words.value.gap;
+  if (probability >= 0.95) return said.certain;
+  if (probability >= 0.8) return said.veryLikely;
+  if (probability >= 0.5) return said.likely;
+  if (probability >= 0.2) return said.possible;
+  return probability >= 0.05 ? said.unlikely : said.veryUnlikely;
+}

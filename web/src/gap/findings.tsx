@@ -1,0 +1,82 @@
+import type { DiagnosisAnswer } from '../api';
+import { EngineSentence } from '../ui/engine-sentence';
+import { number } from '../ui/units';
+import { words } from '../words';
+import { Unimportant } from './also';
+import { EffectParameters } from './effect-parameters';
+import { effectName } from './effect-values';
+import { motionSaid } from './gap-sentences';
+
+type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+
+/** What cannot be told apart, what was found but does not matter, and what the recording cannot say. */
+export function Findings({ diagnosis }: { diagnosis: Diagnosis }) {
+  const said = words.value.gap;
+  const { indistinguishable, minor, limits } = diagnosis;
+  const beside = (diagnosis.also ?? []).filter(({ material }) => !material);
+  return (
+    <>
+      {indistinguishable.length > 0 && (
+        <section class="ties">
+          <h2>{said.ties}</h2>
+          <p class="hint">{said.tiesWhy}</p>
+          <ul>
+            {indistinguishable.map(({ ids, distance_sigma, splits }) => (
+              <li key={ids.join()}>
+                <b>{ids.map(effectName).join(' – ')}</b>
+                <p>{said.apart(number(distance_sigma, 1))}</p>
+                <p>
+                  {said.settles}: <EngineSentence said={settling(diagnosis, ids)} english={splits} />
+                </p>
+              </li>
+            ))}
+          </ul>
+        </section>
+      )}
+      {minor.length + beside.length > 0 && (
+        <section class="minor">
+          <h2>{said.minor}</h2>
+          <ul>
+            {minor.map(({ id, parameters }) => (
+              <li key={id}>
+                <b>{effectName(id)}</b>
+                <EffectParameters parameters={parameters} />
+              </li>
+            ))}
+            {beside.map((each) => (
+              <Unimportant key={each.id} seen={each} />
+            ))}
+          </ul>
+        </section>
+      )}
+      {limits.length > 0 && (
+        <details class="others">
+          <summary>{said.limits}</summary>
+          <ul>
+            {limits.map((each) => (
+              <Limit key={each} english={each} />
+            ))}
+          </ul>
+        </details>
+      )}
+    </>
+  );
+}
+
+/** The proposed motion, where it is what tells these apart. */
+function settling({ next_experiment }: Diagnosis, tied: string[]): string | undefined {
+  const settled = next_experiment?.splits.some((ids) => ids.join() === tied.join()) ?? false;
+  return settled && next_experiment ? motionSaid(next_experiment) : undefined;
+}
+
+/** What a recording cannot show: an effect with the reason, or something as a whole. */
+function Limit({ english }: { english: string }) {
+  const [, effect, reason] = /^(\w+): (.*)$/.exec(english) ?? [];
+  if (effect === undefined || reason === undefined) return <li lang="en">{english}</li>;
+  return (
+    <li>
+      <b>{effectName(effect)}</b>:{' '}
+      <EngineSentence said={words.value.remarks.limits[reason]} english={reason} />
+    </li>
+  );
+}

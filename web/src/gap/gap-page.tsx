@@ -1,0 +1,105 @@
+import { chosenCell } from '../cells/cells';
+import { isOver, runs } from '../run/runs';
+import { nameOf } from '../ui/names';
+import { route, to } from '../ui/route';
+import type { Screen } from '../ui/screen';
+import { moment } from '../ui/units';
+import { words } from '../words';
+import { DiagnoseRun } from './diagnose-run';
+import { diagnoses } from './diagnoses';
+import { diagnosisScreen } from './diagnosis-page';
+import { listedSentence } from './gap-sentences';
+import { RecordingUpload } from './recording-upload';
+import { TwinEntries } from './twin-entries';
+
+/** So many runs are listed. */
+const LISTED = 6;
+
+function Gap() {
+  const said = words.value.gap;
+  return (
+    <div class="page gap">
+      <h1>{said.title}</h1>
+      <div>
+        <Runs />
+        <RecordingUpload />
+      </div>
+      <div>
+        <Diagnoses />
+        <TwinEntries cell={chosenCell.value} />
+        <section>
+          <h2>{said.blindTrials}</h2>
+          <p class="hint">{said.blindHint}</p>
+          <p>
+            <a class="download" href={to('trials')}>
+              {said.blindTrials}
+            </a>
+          </p>
+        </section>
+      </div>
+    </div>
+  );
+}
+
+/** The runs that moved and are over; each has a recording. */
+function Runs() {
+  const said = words.value.gap;
+  const recorded = (runs.value ?? []).filter((run) => run.released && isOver(run)).slice(0, LISTED);
+  return (
+    <section>
+      <h2>{said.ofRun}</h2>
+      {recorded.length === 0 && <p class="hint">{said.noRuns}</p>}
+      <ul class="rows">
+        {recorded.map(({ run, payload, requested_at, state }) => (
+          <li key={run} id={run}>
+            <span>
+              <b>{moment(requested_at)}</b>
+              <small>
+                {payload} · {words.value.states[state]}
+              </small>
+            </span>
+            <DiagnoseRun run={run} label={said.diagnose} />
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Diagnoses() {
+  const said = words.value.gap;
+  const all = diagnoses.value ?? [];
+  return (
+    <section>
+      <h2>{said.done}</h2>
+      {diagnoses.value !== null && all.length === 0 && <p class="hint">{said.none}</p>}
+      <ul class="rows">
+        {all.map((each) => {
+          const { diagnosis, run, cell, state, requested_by, requested_at } = each;
+          return (
+            <li key={diagnosis}>
+              <span>
+                <b>
+                  {run === null ? said.upload : said.run(run)} · {said.jobs[state]}
+                </b>
+                <p>{listedSentence(each)}</p>
+                <small>
+                  {cell} {said.by(nameOf(requested_by), moment(requested_at))}
+                </small>
+              </span>
+              <a class="download" href={to('gap', diagnosis)}>
+                {said.open}
+              </a>
+            </li>
+          );
+        })}
+      </ul>
+    </section>
+  );
+}
+
+const begin: Screen = { Page: Gap, next: () => words.value.gap.next };
+
+export function gapScreen(): Screen {
+  return route.value[1] === undefined ? begin : diagnosisScreen;
+}

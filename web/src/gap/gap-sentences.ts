@@ -1,0 +1,71 @@
+import type { DiagnosisAnswer } from '../api';
+import { spelt } from '../ui/units';
+import { words } from '../words';
+import { effectName, openOf } from './effect-values';
+
+type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+
+/** The answer of a diagnosis in a sentence. */
+export function gapSentence(diagnosis: Diagnosis): string {
+  const said = words.value.gap;
+  const stage = (id: string | undefined) => said.stages[id ?? ''] ?? id ?? words.value.unknown;
+  const named = openOf(diagnosis);
+  const [best] = named;
+  switch (diagnosis.verdict) {
+    case 'explained':
+      return said.verdict.explained(
+        effectName(best?.id ?? ''),
+        [...new Set(best?.stages ?? [])].map(stage).join(', '),
+      );
+    case 'ambiguous':
+      return said.verdict.ambiguous(
+        named.map(({ id }) => effectName(id)).join(` ${said.or} `),
+        [...new Set(named.flatMap(({ stages }) => stages))].map(stage).join(', '),
+      );
+    case 'unknown':
+      return said.verdict.unknown(stage(diagnosis.where?.stage));
+    default:
+      return said.verdict[diagnosis.verdict];
+  }
+}
+
+/** The same in a list, where only the verdict and what is most probable are known; empty before it is done. */
+export function listedSentence(listed: DiagnosisAnswer): string {
+  const { also } = listed;
+  if (also.length === 0) return listedVerdict(listed);
+  return `${listedVerdict(listed)} ${words.value.gap.listed.also(also.map(effectName).join(', '))}`;
+}
+
+function listedVerdict({ verdict, named }: DiagnosisAnswer): string {
+  const said = words.value.gap;
+  if (verdict === null) return '';
+  const effect = named === null ? '' : effectName(named);
+  switch (verdict) {
+    case 'explained':
+      return said.listed.explained(effect);
+    case 'ambiguous':
+      return said.listed.ambiguous(effect);
+    case 'unknown':
+      return said.listed.unknown;
+    default:
+      return said.verdict[verdict];
+  }
+}
+
+/** What is at stake for the payload if the effect is left out; null where there was too little to estimate one. */
+export function consequence({ verdict, payload }: Diagnosis): string | null {
+  const said = words.value.gap.payloadSaid;
+  if (payload === null) return null;
+  if (verdict === 'unknown') return said.unknown;
+  const shift = payload.before.phi.map((value, k) => value - (payload.after.phi[k] ?? value));
+  if (shift.every((each) => each === 0)) return said.same;
+  const [mass = 0, ...rest] = shift;
+  const moment = Math.hypot(...rest.slice(0, 3));
+  const inertia = Math.max(...rest.slice(3).map(Math.abs));
+  return said.shifted(spelt('mass', mass), spelt('moment', moment), spelt('inertia', inertia));
+}
+
+/** What the motion that is proposed does, where the chosen language has words for it. */
+export function motionSaid(motion: NonNullable<Diagnosis['next_experiment']>): string | undefined {
+  return words.value.gap.motions[motion.id];
+}

@@ -1,0 +1,89 @@
+import { computed, signal } from '@preact/signals';
+import type { Sent } from '../api';
+import { socketAddress } from '../ui/client';
+import { Flaw } from '../ui/notice';
+import type { FromLease, ToLease } from './lease-worker';
+
+const ALIVE_MS = 250;
+/** As long as the service waits for the first answered stamp. */
+const SETTLE_MS = 3000;
+/** How often the service has to say that nobody is in control, although its stamps are answered, until that is believed. */
+const DENIALS = 3;
+
+interface Lease {
+  cell: string;
+  fence: number;
+  stamp_s: number;
+  commands: number;
+  denied: number;
+  end: () => void;
+}
+
+const lease = signal<Lease | null>(null);
+/** Whether stamps are answered now; false while the worker opens a lost socket again. */
+export const answering = signal(false);
+/** The cell that this screen is in control of, also over a lost connection; null where it is of none. */
+export const leasedCell = computed(() => lease.value?.cell ?? null);
+
+/** Keeps control of a cell; resolves when the first stamp was answered. */
+export function keepControl(cell: string, fence: number): Promise<void> {
+  dropControl();
+  const worker = new Worker(new URL('./lease-worker.ts', import.meta.url), { type: 'module' });
+  const say = (message: ToLease) => worker.postMessage(message);
+  const beat = window.setInterval(() => say({ kind: 'alive' }), ALIVE_MS);
+  const end = () => {
+    window.clearInterval(beat);
+    worker.terminate();
+  };
+  const held: Lease = { cell, fence, stamp_s: 0, commands: 0, denied: 0, end };
+  say({ kind: 'keep', address: socketAddress(`/api/control/${cell}/lease`), fence });
+  return new Promise((resolve, reject) => {
+    const fail = () => {
+      end();
+      if (lease.peek() === held) dropControl();
+      reject(new Flaw('control-not-taken'));
+    };
+    const settling = window.setTimeout(fail, SETTLE_MS);
+    worker.onmessage = ({ data }: MessageEvent<FromLease>) => {
+      if (data.kind === 'refused') fail();
+      answering.value = data.kind === 'stamp';
+      if (data.kind !== 'stamp') return;
+      held.stamp_s = data.stamp_s;
+      if (lease.peek() !== held) begin(held, settling, resolve);
+    };
+  });
+}
+
+function begin(held: Lease, settling: number, resolve: () => void): void {
+  window.clearTimeout(settling);
+  lease.value = held;
+  resolve();
+}
+
+/** Keeps control no longer; the service notices that the stamps no longer come back. */
+export function dropControl(): void {
+  lease.value?.end();
+  lease.value = null;
+  answering.value = false;
+}
+
+/** Hears whose fence the service knows for the leased cell: control is somebody else's when theirs is newer, and ours no more when there is none although we answer. */
+export function hearFence(fence: number | null): void {
+  const held = lease.value;
+  if (held === null) return;
+  held.denied = fence === null && answering.value ? held.denied + 1 : 0;
+  if (held.denied >= DENIALS || (fence !== null && fence > held.fence)) dropControl();
+}
+
+/** The fence of this screen's control, or null. */
+export function ownFence(): number | null {
+  return lease.value?.fence ?? null;
+}
+
+/** What a command of whoever is in control carries. */
+export function sent(): Sent {
+  const held = lease.value;
+  if (held === null) throw new Flaw('not-in-control');
+  held.commands += 1;
+  return { fence: held.fence, number: held.commands, stamp_s: held.stamp_s };
+}

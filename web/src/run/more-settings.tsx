@@ -1,0 +1,82 @@
+import { cell } from '../cells/cells';
+import { NumberField } from '../ui/number-field';
+import { Select } from '../ui/select';
+import { scaleOf, spelt } from '../ui/units';
+import { words } from '../words';
+import { axes, effort, rotations, speed, speed_m_s } from './order';
+
+const AXES = ['x', 'y', 'z'];
+const EFFORTS = [1, 2, 4, 8, 16];
+
+/** What few people change of a run: folded away until it is wanted. */
+export function MoreSettings() {
+  const said = words.value.setup;
+  const badSpeed = Number.isNaN(speed_m_s.value);
+  return (
+    <details class="others more-settings">
+      <summary>{said.more}</summary>
+      <fieldset>
+        <legend>{said.axes}</legend>
+        <div class="three">
+          {AXES.map((axis) => (
+            <label key={axis}>
+              <input type="checkbox" checked={axes.value.includes(axis)} onChange={() => toggle(axis)} />
+              <span>{axis}</span>
+            </label>
+          ))}
+        </div>
+        <p class={axes.value === '' ? 'hint flaw' : 'hint'}>
+          {axes.value === '' ? said.noAxis : said.axesHint}
+        </p>
+      </fieldset>
+      <fieldset>
+        <legend>{said.rotations}</legend>
+        <label>
+          <input
+            type="checkbox"
+            checked={rotations.value}
+            onChange={({ currentTarget }) => {
+              rotations.value = currentTarget.checked;
+            }}
+          />
+          <span>{said.turn}</span>
+        </label>
+        <p class="hint">{said.rotationsHint}</p>
+      </fieldset>
+      <fieldset>
+        <legend>
+          {said.slower}, {scaleOf('speed').unit}
+        </legend>
+        <NumberField
+          label={said.slower}
+          hidden
+          text={speed.value}
+          flaw={badSpeed}
+          change={(text) => {
+            speed.value = text;
+          }}
+        />
+        <p class={badSpeed ? 'hint flaw' : 'hint'}>
+          {said.slowerHint(spelt('speed', cell.value?.limits?.cartesian_speed_m_s ?? 0))}
+        </p>
+      </fieldset>
+      <fieldset>
+        <legend>{said.effort}</legend>
+        <Select
+          label={said.effortTimes}
+          options={EFFORTS.map((times) => [`${times}`, `${times} ×`])}
+          chosen={`${effort.value}`}
+          choose={(times) => {
+            effort.value = Number(times);
+          }}
+        />
+        <p class="hint">{said.effortHint}</p>
+      </fieldset>
+    </details>
+  );
+}
+
+function toggle(axis: string): void {
+  const now = axes.value;
+  axes.value = AXES.filter((each) => now.includes(each) !== (each === axis)).join('');
+}

@@ -1,0 +1,175 @@
+import type { Remark } from '../api';
+import { DiagnoseRun } from '../gap/diagnose-run';
+import { remarkSaid } from '../gap/remarks';
+import { RunBefore } from '../history/run-before';
+import { may } from '../session/session';
+import { addressOf } from '../ui/client';
+import { EngineSentence } from '../ui/engine-sentence';
+import { Facts } from '../ui/facts';
+import { nameOf } from '../ui/names';
+import { Press } from '../ui/press';
+import { go } from '../ui/route';
+import type { Screen } from '../ui/screen';
+import { clock, moment, number, spelt } from '../ui/units';
+import { words } from '../words';
+import { Exports } from './exports';
+import { ParameterTable } from './parameter-table';
+import { ProposedBy } from './proposed-by';
+import { resultSentence } from './result-sentence';
+import { acceptResult, result as found, run } from './run';
+import { Verification } from './verification';
+import { Workpiece } from './workpiece';
+
+function Result() {
+  const said = words.value.result;
+  const answer = found.value;
+  if (answer === null) return <p class="page">…</p>;
+  return (
+    <div class="page result">
+      <section>
+        <h1>{said.title}</h1>
+        <p class="hint">{whichRun()}</p>
+        <ProposedBy />
+        <p class="verdict-words">{resultSentence(answer)}</p>
+        <ParameterTable answer={answer} />
+        <p class="hint">
+          {words.value.interval}, {said.frame}. {answer.reference?.source}
+        </p>
+        <Workpiece answer={answer} />
+      </section>
+      <aside>
+        <Warnings all={answer.warnings} />
+        <RunBefore answer={answer} />
+        <Verification parts={answer.verification} />
+        <Checks />
+        {!run.value?.diagnosis && (
+          <section class="to-gap">
+            <h2>{words.value.gap.title}</h2>
+            <DiagnoseRun run={answer.run} label={words.value.gap.diagnoseRun} />
+          </section>
+        )}
+        <h2 class="keep">{said.downloads}</h2>
+        <p class="downloads">
+          <a class="download" href={addressOf('/api/runs/{run}/recording', { run: answer.run })} download>
+            {said.recording}
+          </a>
+          <a
+            class="download"
+            href={addressOf('/api/runs/{run}/report', { run: answer.run })}
+            target="_blank"
+            rel="noreferrer"
+          >
+            {said.report}
+          </a>
+          <Press act={() => window.print()}>{said.print}</Press>
+        </p>
+        <Exports run={answer.run} />
+      </aside>
+    </div>
+  );
+}
+
+/** What a printed result has to say of itself. */
+function whichRun(): string {
+  const shown = run.value;
+  if (shown === null) return '';
+  const accepted =
+    shown.accepted_by === null ? [] : [words.value.history.accepted(nameOf(shown.accepted_by))];
+  return [
+    shown.cell,
+    shown.payload,
+    moment(shown.ended_at ?? shown.requested_at),
+    shown.run,
+    ...accepted,
+  ].join(' · ');
+}
+
+function Warnings({ all }: { all: Remark[] }) {
+  if (all.length === 0) return null;
+  return (
+    <section class="warnings">
+      <h2>
+        <span aria-hidden="true">▲</span> {words.value.result.warnings}
+      </h2>
+      <ul>
+        {all.map((each) => (
+          <li key={each.sentence}>
+            <EngineSentence said={remarkSaid(each)} english={each.sentence} />
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Checks() {
+  const said = words.value.result;
+  const { residual, safety, seconds } = found.value ?? {};
+  const noises = (first: number) => {
+    const ratio = [0, 1, 2].map(
+      (k) => (residual?.rms[first + k] ?? 0) / (residual?.noise_std[first + k] ?? 1),
+    );
+    return said.ofNoise(number(Math.max(...ratio), 1));
+  };
+  return (
+    <section>
+      <h2>{said.checks}</h2>
+      <Facts
+        facts={[
+          ...(residual
+            ? [
+                { name: said.residual, value: noises(0) },
+                { name: said.residualTorque, value: noises(3) },
+              ]
+            : []),
+          ...(safety
+            ? [
+                {
+                  name: said.smallest,
+                  value:
+                    safety.min_distance_m === null
+                      ? words.value.unknown
+                      : spelt('length', safety.min_distance_m),
+                  note: safety.nearest,
+                },
+                { name: said.fastest, value: spelt('speed', safety.max_speed_m_s) },
+                { name: said.restarts, value: String(safety.restarts) },
+              ]
+            : []),
+          { name: said.robotTime, value: clock(seconds?.robot ?? 0) },
+        ]}
+      />
+    </section>
+  );
+}
+
+/** After the motion that a diagnosis proposed comes the diagnosis of both; after a run, its acceptance. */
+function Actions() {
+  const said = words.value.result;
+  const shown = run.value;
+  if (shown === null) return null;
+  const continued = shown.diagnosis !== null;
+  return (
+    <>
+      {continued && <DiagnoseRun kind="primary" run={shown.run} label={words.value.gap.diagnoseBoth} />}
+      {shown.accepted_by === null && may('operator') ? (
+        <Press kind={continued ? 'plain' : 'primary'} act={() => acceptResult(shown.run)}>
+          <span aria-hidden="true">✓</span> {said.accept}
+        </Press>
+      ) : (
+        <Press kind={continued ? 'plain' : 'primary'} act={() => go()}>
+          {said.again}
+        </Press>
+      )}
+    </>
+  );
+}
+
+function next(): string {
+  const said = words.value.result;
+  if (run.value?.diagnosis) return words.value.gap.bothNext;
+  const accepted = run.value?.accepted_by ?? null;
+  return accepted === null ? said.next : said.acceptedNext(nameOf(accepted));
+}
+
+export const result: Screen = { Page: Result, Actions, next };

@@ -1,0 +1,64 @@
+import { computed, effect, signal } from '@preact/signals';
+import type { EventMessage, PayloadAnswer, RunAnswer } from '../api';
+import { chosenCell } from '../cells/cells';
+import { session } from '../session/session';
+import { absent, sought } from '../ui/absent';
+import { ask } from '../ui/client';
+import { every } from '../ui/connection';
+import { runInRoute } from '../ui/route';
+import { events, follow } from './live';
+import { activeRun, isOver } from './runs';
+
+const ASK_MS = 1000;
+
+/** The run that the address names, as it stands now; null until it is known. */
+export const run = signal<RunAnswer | null>(null);
+/** Its result, once it is Complete. */
+export const result = signal<PayloadAnswer | null>(null);
+
+/** The run that has the cell, as fresh as it is known; else the one that is looked at. */
+export const current = computed(() => {
+  const active = activeRun.value;
+  return active === null || active.run === run.value?.run ? run.value : active;
+});
+
+type LiveEvent = EventMessage['event'];
+
+/** The newest event of a kind, or null. */
+export function newest<K extends LiveEvent['kind']>(kind: K): Extract<LiveEvent, { kind: K }> | null {
+  const found = events.value.findLast((message) => message.event.kind === kind);
+  return (found?.event as Extract<LiveEvent, { kind: K }> | undefined) ?? null;
+}
+
+async function readRun(id: string): Promise<void> {
+  const found = await sought(ask('GET /api/runs/{run}', { path: { run: id } }));
+  if (runInRoute.value !== id) return;
+  run.value = found;
+  if (!isOver(found)) chosenCell.value = found.cell;
+  if (found.state === 'Complete' && result.value?.run !== id) await readResult(id);
+}
+
+async function readResult(id: string): Promise<void> {
+  const found = await ask('GET /api/runs/{run}/result', { path: { run: id } });
+  if (runInRoute.value === id) result.value = found;
+}
+
+/** Takes the shown result for good. */
+export async function acceptResult(id: string): Promise<void> {
+  run.value = await ask('POST /api/runs/{run}/acceptance', { path: { run: id } });
+}
+
+function heard(id: string, message: EventMessage): void {
+  if (message.event.kind === 'state_changed') void readRun(id).catch(() => undefined);
+}
+
+effect(() => {
+  const id = runInRoute.value;
+  run.value = null;
+  result.value = null;
+  if (!session.value || id === null || absent.value) return undefined;
+  const ends = [every(ASK_MS, () => readRun(id)), follow(id, (message) => heard(id, message))];
+  return () => {
+    for (const end of ends) end();
+  };
+});

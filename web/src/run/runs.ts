@@ -1,0 +1,65 @@
+import { computed, effect, signal } from '@preact/signals';
+import type { Commanded, RunAnswer, RunOrder } from '../api';
+import { chosenCell } from '../cells/cells';
+import { session } from '../session/session';
+import { ask } from '../ui/client';
+import { every } from '../ui/connection';
+import { sent } from './lease';
+
+const ASK_MS = 1000;
+const FINAL = new Set<RunAnswer['state']>(['Complete', 'Stopped']);
+
+/** The newest runs of the chosen cell, newest first; null until they are known. */
+export const runs = signal<RunAnswer[] | null>(null);
+/** The run that has the cell: the oldest that is not over. */
+export const activeRun = computed(() => runs.value?.findLast((run) => !isOver(run)) ?? null);
+
+/** Whether a run has let go of its cell. */
+export function isOver(run: RunAnswer): boolean {
+  return FINAL.has(run.state);
+}
+
+export async function readRuns(): Promise<void> {
+  const cell = chosenCell.value;
+  const found = await ask('GET /api/runs', { query: { cell, limit: 30 } });
+  if (chosenCell.value === cell) runs.value = found;
+}
+
+/** Queues a run; nothing moves before its plan is released. */
+export async function queueRun(order: RunOrder): Promise<RunAnswer> {
+  const queued = await ask('POST /api/runs', { body: order, header: newKey() });
+  void readRuns();
+  return queued;
+}
+
+/** Queues the motion that a diagnosis proposes, as a run like any other. */
+export async function queueMotion(diagnosis: string): Promise<RunAnswer> {
+  const path = { diagnosis };
+  const queued = await ask('POST /api/diagnoses/{diagnosis}/motion', { path, body: {}, header: newKey() });
+  void readRuns();
+  return queued;
+}
+
+function newKey(): { 'Idempotency-Key': string } {
+  return { 'Idempotency-Key': crypto.getRandomValues(new Uint32Array(4)).join('-') }; // randomUUID wants TLS
+}
+
+/** Queues the rest of a run that ended before it was through; what it has finished counts. */
+export async function continueRun(run: string): Promise<RunAnswer> {
+  const path = { run };
+  const queued = await ask('POST /api/runs/{run}/continuation', { path, header: newKey() });
+  void readRuns();
+  return queued;
+}
+
+/** A command of whoever is in control. Stops need no control: see `stopRobot`. */
+export async function commandRun(run: string, command: Commanded): Promise<void> {
+  await ask('POST /api/runs/{run}/commands', { path: { run }, body: { command, sent: sent() } });
+  void readRuns();
+}
+
+effect(() => {
+  const name = chosenCell.value;
+  runs.value = null;
+  return session.value && name ? every(ASK_MS, readRuns) : undefined;
+});

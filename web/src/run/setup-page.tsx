@@ -1,0 +1,121 @@
+import { CellChoice } from '../cells/cell-choice';
+import { CellFlaws } from '../cells/cell-flaws';
+import { cell, chosenCell, payloads } from '../cells/cells';
+import { shownCell } from '../cells/shown-cell';
+import { may, session } from '../session/session';
+import { Choice } from '../ui/choice';
+import { Facts } from '../ui/facts';
+import { Press } from '../ui/press';
+import { go, to } from '../ui/route';
+import type { Screen } from '../ui/screen';
+import { spelt } from '../ui/units';
+import { words } from '../words';
+import { holder, mine, takeControl } from './control';
+import { MoreSettings } from './more-settings';
+import { order, tool } from './order';
+import { activeRun, queueRun } from './runs';
+import { ToolFields } from './tool-fields';
+
+function Setup() {
+  const said = words.value.setup;
+  return (
+    <div class="page setup">
+      <h1>{said.title}</h1>
+      {shownCell.value && isFlawed() && (
+        <section class="refused">
+          <CellFlaws shown={shownCell.value} />
+          <a class="download" href={to('cells', chosenCell.value)}>
+            {words.value.cells.lookAtCell}
+          </a>
+        </section>
+      )}
+      <CellChoice
+        legend={said.cell}
+        chosen={chosenCell.value}
+        choose={(value) => {
+          chosenCell.value = value;
+        }}
+      />
+      <Choice
+        legend={said.tool}
+        options={payloads.value.map(([name, payload]) => ({
+          value: name,
+          label: payload.title,
+          note: `${name} · ${spelt('mass', payload.mass_kg)}`,
+        }))}
+        chosen={tool.value}
+        choose={(value) => {
+          tool.value = value;
+        }}
+      />
+      <ToolFields />
+      <MoreSettings />
+      <CellFacts />
+    </div>
+  );
+}
+
+function CellFacts() {
+  const said = words.value.setup;
+  const here = cell.value;
+  if (here === null) return null;
+  const names = (all: { name: string }[] | undefined) =>
+    all?.map((each) => each.name).join(', ') || said.none;
+  return (
+    <section class="cell-facts">
+      <h2>{said.about}</h2>
+      <Facts
+        facts={[
+          { name: said.zones, value: names(here.zones) },
+          { name: said.obstacles, value: names(here.obstacles) },
+          { name: said.speed, value: spelt('speed', here.limits?.cartesian_speed_m_s ?? 0) },
+          { name: said.clearance, value: spelt('length', here.limits?.clearance_m ?? 0) },
+        ]}
+      />
+    </section>
+  );
+}
+
+function Actions() {
+  const said = words.value.setup;
+  const active = activeRun.value;
+  if (active !== null) {
+    return (
+      <Press kind="primary" act={() => go('runs', active.run)}>
+        {said.open}
+      </Press>
+    );
+  }
+  if (!may('operator') || heldElsewhere() || isFlawed()) return null;
+  return (
+    <Press kind="primary" disabled={order.value === null} act={plan}>
+      {mine.value ? said.planOnly : said.plan}
+    </Press>
+  );
+}
+
+/** Whether the cell as it is now leaves nothing to be planned. */
+function isFlawed(): boolean {
+  return (shownCell.value?.flaws.length ?? 0) > 0;
+}
+
+function heldElsewhere(): boolean {
+  return holder.value !== null && holder.value !== session.value?.name;
+}
+
+async function plan(): Promise<void> {
+  const asked = order.value;
+  if (asked === null) return;
+  if (!mine.value) await takeControl(asked.cell);
+  go('runs', (await queueRun(asked)).run);
+}
+
+function next(): string {
+  const said = words.value.setup;
+  if (activeRun.value !== null) return said.running;
+  if (!may('operator')) return said.mayNot;
+  if (isFlawed()) return words.value.cells.nextFlawed;
+  return heldElsewhere() ? said.busy(holder.value ?? '') : said.next;
+}
+
+export const setup: Screen = { Page: Setup, Actions, next };

@@ -1,0 +1,32 @@
+import { computed, signal } from '@preact/signals';
+import type { TrialsAnswer } from '../api';
+import { ask } from '../ui/client';
+import { jobsOf } from '../ui/jobs';
+
+const SEEDS = 2 ** 31 - 1000;
+
+/** Blind trials, and those that are looked at. */
+export const { listed: trialsListed, shown: trials } = jobsOf<TrialsAnswer>(
+  'trials',
+  () => ask('GET /api/trials', { query: { limit: 30 } }),
+  (id) => ask('GET /api/trials/{trials}', { path: { trials: id } }),
+);
+
+/** Begins trials whose faults nobody has chosen: their seed is drawn here. */
+export async function beginTrials(count: number): Promise<TrialsAnswer> {
+  const [drawn = 0] = crypto.getRandomValues(new Uint32Array(1));
+  return ask('POST /api/trials', { body: { count, seed: drawn % SEEDS } });
+}
+
+export async function cancelTrials(id: string): Promise<void> {
+  trials.value = await ask('DELETE /api/trials/{trials}', { path: { trials: id } });
+}
+
+/** Whose seals were opened on this screen. */
+const openedOf = signal('');
+/** Whether what was planted may be seen. */
+export const opened = computed(() => trials.value !== null && openedOf.value === trials.value.trials);
+
+export function openSeals(): void {
+  openedOf.value = trials.value?.trials ?? '';
+}

@@ -1,0 +1,30 @@
+import { activeRun } from '../run/runs';
+import { words } from '../words';
+import { route, to } from './route';
+
+/** The pages that can be gone to at any time. */
+export function Navigation() {
+  const said = words.value.nav;
+  const active = activeRun.value;
+  const work = active === null ? to() : to('runs', active.run);
+  const here = route.value[0] ?? 'runs';
+  return (
+    <nav class="navigation" aria-label={said.label}>
+      <a href={work} aria-current={here === 'runs' ? 'page' : undefined}>
+        {said.work}
+      </a>
+      <a href={to('gap')} aria-current={here === 'gap' || here === 'trials' ? 'page' : undefined}>
+        {words.value.gap.nav}
+      </a>
+      <a href={to('history')} aria-current={here === 'history' ? 'page' : undefined}>
+        {said.history}
+      </a>
+      <a href={to('cells')} aria-current={here === 'cells' ? 'page' : undefined}>
+        {said.cells}
+      </a>
+      <a href={to('settings')} aria-current={here === 'settings' ? 'page' : undefined}>
+        {said.settings}
+      </a>
+    </nav>
+  );
+}
