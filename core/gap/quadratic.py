@@ -4,24 +4,37 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import lsq_linear
 
 Array = NDArray[np.float64]
 
-ACTIVE_SET_PASSES = 6
+LEAST_EIGENVALUE = 1e-15
+"""Of the scaled matrix, relative to the largest; what is smaller is rounding."""
 
 
 def bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
-    """Minimum of the quadratic within bounds (2, n): what leaves them is held there, and the rest solved again."""
-    d = np.zeros(len(right))
-    free = np.ones(len(right), dtype=bool)
-    for _ in range(ACTIVE_SET_PASSES):
-        d[free] = solved(normal[np.ix_(free, free)], right[free] - normal[np.ix_(free, ~free)] @ d[~free])
-        outside = free & ((d < bounds[0]) | (d > bounds[1]))
-        if not outside.any():
-            break
-        d = np.clip(d, bounds[0], bounds[1])
-        free &= ~outside
-    return np.clip(d, bounds[0], bounds[1])
+    """The x (n,) within bounds (2, n) that minimises x' normal x / 2 - right' x.
+
+    Args:
+        normal: (n, n), symmetric positive definite.
+
+    With bounds that bind, by the active sets of Stark and Parker 1995 (`scipy.optimize.lsq_linear`).
+    """
+    free = solved(normal, right)
+    if ((free >= bounds[0]) & (free <= bounds[1])).all():
+        return free
+    scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
+    values, vectors = np.linalg.eigh(normal * np.outer(scale, scale))
+    root = np.sqrt(np.maximum(values, LEAST_EIGENVALUE * values[-1]))
+    found = lsq_linear(
+        root[:, None] * vectors.T,
+        (vectors.T @ (right * scale)) / root,
+        (bounds[0] / scale, bounds[1] / scale),
+        method="bvls",
+        tol=1e-14,
+        max_iter=100 * len(right),
+    )
+    return np.clip(found.x * scale, bounds[0], bounds[1])
 
 
 def solved(matrix: Array, right: Array) -> Array:

@@ -1,0 +1,69 @@
+"""The minimum within bounds is the minimum, whatever binds: against every active set, and against SciPy's interior-point method."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy.optimize import lsq_linear
+
+from core.gap.quadratic import bounded_minimum
+
+Array = NDArray[np.float64]
+
+
+def problem(seed: int, n: int) -> tuple[Array, Array, Array]:
+    """Columns of very different sizes that are far from orthogonal, and bounds of which most bind."""
+    rng = np.random.default_rng(seed)
+    A = rng.normal(size=(3 * n, n)) @ (np.eye(n) + 0.9 * rng.normal(size=(n, n))) * 10.0 ** rng.uniform(-4, 4, n)
+    b = rng.normal(size=3 * n)
+    best = np.linalg.lstsq(A, b, rcond=None)[0]
+    width = np.abs(best) * rng.uniform(0.01, 1.0, n)
+    middle = best * rng.uniform(-0.5, 1.2, n)
+    return A, b, np.array([middle - width, middle + width])
+
+
+def cost(A: Array, b: Array, x: Array) -> float:
+    return float(((A @ x - b) ** 2).sum())
+
+
+def least_of_all_active_sets(A: Array, b: Array, bounds: Array) -> float:
+    """Brute force: each parameter free, at its lower or at its upper bound."""
+    least = np.inf
+    for held in product((None, 0, 1), repeat=A.shape[1]):
+        free = np.array([side is None for side in held])
+        x = np.array([0.0 if side is None else bounds[side, k] for k, side in enumerate(held)])
+        if free.any():
+            x[free] = np.linalg.lstsq(A[:, free], b - A[:, ~free] @ x[~free], rcond=None)[0]
+        if (x >= bounds[0] - 1e-12 * np.abs(bounds[0])).all() and (x <= bounds[1] + 1e-12 * np.abs(bounds[1])).all():
+            least = min(least, cost(A, b, x))
+    return least
+
+
+@settings(max_examples=60, deadline=None)
+@given(seed=st.integers(0, 2**31), n=st.integers(1, 5))
+def test_the_minimum_is_that_of_the_best_active_set(seed: int, n: int) -> None:
+    A, b, bounds = problem(seed, n)
+    x = bounded_minimum(A.T @ A, A.T @ b, bounds)
+    assert (x >= bounds[0]).all()
+    assert (x <= bounds[1]).all()
+    assert cost(A, b, x) <= least_of_all_active_sets(A, b, bounds) * (1.0 + 1e-6)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_the_minimum_of_many_parameters_is_as_low_as_that_of_an_interior_point_method(seed: int) -> None:
+    A, b, bounds = problem(seed, 20)
+    sizes = np.linalg.norm(A, axis=0)
+    other = lsq_linear(A / sizes, b, bounds * sizes, method="trf", tol=1e-14, max_iter=1000).x / sizes
+    x = bounded_minimum(A.T @ A, A.T @ b, bounds)
+    assert cost(A, b, x) <= cost(A, b, np.clip(other, *bounds)) * (1.0 + 1e-6)
+
+
+def test_where_no_bound_binds_it_is_the_solution_of_the_normal_equations() -> None:
+    A, b, _ = problem(3, 6)
+    x = bounded_minimum(A.T @ A, A.T @ b, np.array([np.full(6, -1e9), np.full(6, 1e9)]))
+    np.testing.assert_allclose(A.T @ A @ x, A.T @ b, rtol=1e-6, atol=1e-9 * np.abs(A.T @ b).max())
