@@ -9,7 +9,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.control.speed import _fastest_point
+from core.control.speed import fastest_point
 
 Array = NDArray[np.float64]
 
@@ -159,11 +159,11 @@ def _check(  # noqa: PLR0911, PLR0912 - one return per fault, in the order of `F
     if i >= 0:
         found.value[0] = step[i]
         return 8, i
-    speed, fastest = _fastest_point(placements, axes, joint, local, q, dq)
+    speed, fastest = fastest_point(placements, axes, joint, local, q, dq)
     found.value[0] = found.speed[0] = speed
     if speed > numbers.speed_factor * numbers.speed:
         return 9, fastest
-    speed, k = _fastest_point(placements, axes, joint, local, q_cmd, step)
+    speed, k = fastest_point(placements, axes, joint, local, q_cmd, step)
     found.value[0] = speed
     if speed > numbers.speed_factor * numbers.speed:
         return 10, k

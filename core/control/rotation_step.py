@@ -7,7 +7,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from core.control.sns_kernel import _sns_step
-from core.control.speed import _fastest_point
+from core.control.speed import fastest_point
 from core.robot.chain import _forward, _jacobian
 
 Array = NDArray[np.float64]
@@ -57,7 +57,7 @@ def _rotation_step(
     x *= GAIN
     x[3 + axis] += rate
     s = _sns_step(placements, axes, q, dq, x, lower, upper, velocity, acceleration, T, out)
-    fastest, _ = _fastest_point(placements, axes, joint, local, q, out)
+    fastest, _ = fastest_point(placements, axes, joint, local, q, out)
     if s > 0.0 and fastest > speed_limit:
         s *= speed_limit / fastest
         s *= _sns_step(placements, axes, q, dq, s * x, lower, upper, velocity, acceleration, T, out)

@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.robot.chain import Chain, joint_frames
-from core.robot.collision import SpeedPoints
+from core.robot.chain import joint_frames
 
 Array = NDArray[np.float64]
 
 
-class FastestPoint(NamedTuple):
-    """Speed of the fastest point, m/s, and its number among the `SpeedPoints`."""
-
-    speed: float
-    point: int
-
-
 @njit(cache=True)
-def _fastest_point(placements: Array, axes: Array, joint: NDArray[np.int64], local: Array, q: Array, dq: Array) -> tuple[float, int]:
+def fastest_point(placements: Array, axes: Array, joint: NDArray[np.int64], local: Array, q: Array, dq: Array) -> tuple[float, int]:
+    """Speed of the fastest of some points, m/s, and its number, at joint positions q (n,), rad, and velocities dq (n,), rad/s.
+
+    The speed of a rigid body is a convex function of the point, so no point of the boxes is faster than the fastest corner.
+
+    Args:
+        placements, axes: of a `Chain`.
+        joint, local: of the points, see `SpeedPoints`: (P,), and (P, 3) in the joint's frame, m.
+    """
     n = len(q)
     R, p = np.empty((n + 1, 3, 3)), np.empty((n + 1, 3))
     joint_frames(placements, axes, q, R, p)
@@ -53,12 +51,3 @@ def _fastest_point(placements: Array, axes: Array, joint: NDArray[np.int64], loc
         if square > fastest:
             fastest, index = square, k
     return np.sqrt(fastest), index
-
-
-def fastest_point(chain: Chain, points: SpeedPoints, q: Array, dq: Array) -> FastestPoint:
-    """The fastest of the points at joint positions q (n,), rad, and velocities dq (n,), rad/s.
-
-    The speed of a rigid body is a convex function of the point, so no point of the boxes is faster than the fastest
-    corner.
-    """
-    return FastestPoint(*_fastest_point(chain.placements, chain.axes, points.joint, points.local, q, dq))

@@ -15,7 +15,6 @@ from scipy.interpolate import PPoly
 
 from core.cell.cell import Cell
 from core.errors import NoPath
-from core.planning.blending import rounded
 from core.planning.phase_plane import fastest_profile
 from core.robot.bodies import SpeedPoints
 from core.robot.collision import CollisionModel
@@ -69,34 +68,6 @@ def _slowness(q: Array, tangent: Array, robot: RobotModel, limits: MotionLimits)
     """(N,), 1 / (largest sdot) at q (N, n) moving along tangent (N, n), from velocity and Cartesian speed."""
     cartesian = point_speeds(robot.chain, limits.points, q, tangent).max(axis=1) / limits.cartesian_speed_m_s
     return np.asarray(np.maximum(cartesian, (np.abs(tangent) / limits.velocity).max(axis=1)))
-
-
-def time_path(
-    path_q: Array,
-    *,
-    velocity: Array,
-    acceleration: Array,
-    points: SpeedPoints,
-    robot: RobotModel,
-    cartesian_speed_m_s: float,
-    period: float,
-) -> JointTrajectory:
-    """Trajectory along a polyline whose corners are rounded (without asking whether there is room; see `transfer` for that).
-
-    Args:
-        path_q: (N, n), rad.
-        velocity, acceleration: (n,), limits, rad/s and rad/s2.
-        points: points of links and payload box whose speed is limited.
-        cartesian_speed_m_s: their limit.
-        period: of the samples, s.
-
-    Raises:
-        NoPath: no timing keeps the limits.
-    """
-    limits = MotionLimits(velocity, acceleration, cartesian_speed_m_s, points)
-    if np.ptp(path_q, axis=0).max() < 1e-9:
-        return JointTrajectory(period, np.array(path_q[:1], dtype=float))
-    return time_curve(rounded(path_q), robot, limits, period=period)
 
 
 def time_curve(curve: PPoly, robot: RobotModel, limits: MotionLimits, *, period: float) -> JointTrajectory:

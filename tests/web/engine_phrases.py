@@ -24,9 +24,8 @@ SENTENCES |= {"kind": slice(0, 1), "Reason": slice(1, 2), "Failed": slice(1, 2),
 SENTENCES |= {"Hold": slice(1, 2), "_end": slice(0, 1), "problem": slice(2, 3), "zipped": slice(2, 3), "page": slice(2, 3)}
 """Which argument is the sentence of an error or a reason."""
 NOT_HEARD = (
-    "command.py", "command_line.py", "twin_commands.py", "trial/", "serve.py", "experiment/file.py", "experiment/stops.py",
-    "sessions/replay.py", "cell_check.py", "plan_options.py", "starting_point.py", "set_points.py", "new_cell/", "cell_commands.py",
-    "cell_findings.py",
+    "core/cli/", "command_line.py", "trial/", "serve.py", "gap/experiment_file.py", "planning/stops.py", "cells/check.py",
+    "planning/options.py", "starting_point.py", "set_points.py", "new_cell/",
 )  # fmt: skip
 """Speaks to a terminal or to a program alone; what checks cells says flaws, which are read."""
 METHODS = {"_replace", "__init__", "_end", "zipped", "page"}
@@ -46,7 +45,7 @@ class Place:
 
 def of_flaws() -> set[str]:
     """Every phrase that a flaw may have."""
-    return _said(FLAWS, tuple(each for each in NOT_HEARD if each != "cell_check.py"))
+    return _said(FLAWS, tuple(each for each in NOT_HEARD if each != "cells/check.py"))
 
 
 def of_refusals() -> set[str]:

@@ -98,6 +98,12 @@ def spoiled_after(seconds: float, **changes: object) -> Callable[[RobotState], R
     return spoil
 
 
+def fastest_at(it: Bench, q: np.ndarray, dq: np.ndarray) -> tuple[float, int]:
+    """Speed of the fastest of the bench's points, m/s, and its number."""
+    chain, points = it.robot.chain, it.collision.points
+    return fastest_point(chain.placements, chain.axes, points.joint, points.local, q, dq)
+
+
 def approach(name: str, seed: int) -> np.ndarray:
     """A straight line in joint space from home towards a configuration that is too close to something, at up to 0.24 m/s."""
     it = bench(name)
@@ -108,6 +114,6 @@ def approach(name: str, seed: int) -> np.ndarray:
             break
     way = goal - it.home
     line = it.home + np.linspace(0, 1, 40)[:, None] * way
-    rate = 0.24 / max(fastest_point(it.robot.chain, it.collision.points, q, way).speed for q in line)
+    rate = 0.24 / max(fastest_at(it, q, way)[0] for q in line)
     steps = np.minimum(np.arange(0, 1 / rate + 0.2, PERIOD) / 0.2, 1.0) * rate * PERIOD
     return it.home + np.clip(np.cumsum(steps), 0, 1)[:, None] * way

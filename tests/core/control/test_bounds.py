@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from kinematic_session import ROOT
 
 from core.cell.cell import load_cell
 from core.control.bounds import JointLimits, velocity_bounds
 from core.robot.model import RobotModel
+from tests.core.control.kinematic_session import ROOT
 
 periods = st.sampled_from([0.0005, 0.001, 0.004, 0.01, 0.05])
 

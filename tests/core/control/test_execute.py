@@ -2,13 +2,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from kinematic_session import PERIOD, KinematicSession, bench, spoiled_after
 
 from core.control.execute import execute
 from core.control.movers import Playback, StandStill
 from core.errors import BadState, TooFast
 from core.robot.trajectory import JointTrajectory
 from core.sessions.session import RobotState
+from tests.core.control.kinematic_session import PERIOD, KinematicSession, bench, spoiled_after
 
 
 def swing(n: int = 120) -> np.ndarray:

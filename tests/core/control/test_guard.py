@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from kinematic_session import CELLS, PERIOD, KinematicSession, approach, bench, fresh_bench, spoiled_after
 
 from core.cell.cell import Pose
 from core.control.execute import execute
@@ -13,6 +12,7 @@ from core.control.movers import Playback, StandStill
 from core.errors import BadState, OutOfLimits, OverLoad, RobotStateLate, SensorFrozen, TooClose, TooFast
 from core.robot.trajectory import JointTrajectory
 from core.sessions.session import RobotState
+from tests.core.control.kinematic_session import CELLS, PERIOD, KinematicSession, approach, bench, fresh_bench, spoiled_after
 
 
 def at(index: int, value: float):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from kinematic_session import CELLS, PERIOD, approach, bench
 
 from core.control.bounds import JointLimits
 from core.control.execute import execute
@@ -14,6 +13,7 @@ from core.errors import TooClose
 from core.robot.decoupling import decoupling_profile
 from core.robot.trajectory import JointTrajectory
 from core.sessions.simulated import SimulatedSession
+from tests.core.control.kinematic_session import CELLS, PERIOD, approach, bench
 
 
 def session_of(name: str) -> SimulatedSession:

@@ -2,17 +2,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from kinematic_session import CELLS, PERIOD, bench
 from scipy.spatial.transform import Rotation as Orientation
 
 from core.control.bounds import JointLimits
 from core.control.movers import Mover, Playback, StandStill
 from core.control.rotation import Rotation
-from core.control.speed import fastest_point
 from core.errors import BadState, OutOfLimits
 from core.robot.decoupling import decoupling_profile
 from core.robot.trajectory import AngularProfile, JointTrajectory
 from core.sessions.session import RobotState
+from tests.core.control.kinematic_session import CELLS, PERIOD, bench, fastest_at
 
 
 def standing(q: np.ndarray) -> RobotState:
@@ -82,7 +81,7 @@ def test_where_a_link_would_be_too_fast_time_passes_more_slowly(name, axis):
     angle, displacement = turned(name, q)
     it = bench(name)
     dq = np.diff(q, axis=0) / PERIOD
-    speeds = [fastest_point(it.robot.chain, it.collision.points, *row).speed for row in zip(q[:-1], dq, strict=True)]
+    speeds = [fastest_at(it, *row)[0] for row in zip(q[:-1], dq, strict=True)]
     assert mover.scaled > 0 and mover.progress == 1.0
     assert 0.095 < max(speeds) <= 0.0975
     assert angle[:, axis].max() == pytest.approx(profile.angle.max(), abs=1e-3)

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
-from kinematic_session import CELLS, PERIOD, bench
 from scipy.optimize import linprog
 
 from core.control.bounds import JointLimits, velocity_bounds
 from core.control.sns import scale_and_critical_joint, sns_reference
 from core.control.sns_kernel import sns, sns_step
+from tests.core.control.kinematic_session import CELLS, PERIOD, bench
 
 SHAPES = [(6, 6), (6, 7), (3, 6), (3, 7), (6, 9)]
 

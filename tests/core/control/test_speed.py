@@ -3,9 +3,8 @@ from __future__ import annotations
 import numpy as np
 import pinocchio as pin
 import pytest
-from kinematic_session import CELLS, bench
 
-from core.control.speed import fastest_point
+from tests.core.control.kinematic_session import CELLS, bench, fastest_at
 
 
 @pytest.mark.parametrize("name", CELLS)
@@ -20,11 +19,10 @@ def test_the_fastest_point_is_the_one_that_pinocchio_finds(name):
         for joint, local in zip(points.joint, points.local, strict=True):
             v = data.v[int(joint) + 1]  # in the joint's own frame
             speeds.append(np.linalg.norm(v.linear + np.cross(v.angular, local)))
-        found = fastest_point(robot.chain, points, q, dq)
-        assert found.speed == pytest.approx(max(speeds))
-        assert speeds[found.point] == pytest.approx(max(speeds))
+        speed, number = fastest_at(bench(name), q, dq)
+        assert speed == pytest.approx(max(speeds))
+        assert speeds[number] == pytest.approx(max(speeds))
 
 
 def test_a_robot_that_stands_has_no_speed():
-    robot, points = bench().robot, bench().collision.points
-    assert fastest_point(robot.chain, points, bench().home, np.zeros(robot.n)).speed == 0.0
+    assert fastest_at(bench(), bench().home, np.zeros(bench().robot.n))[0] == 0.0

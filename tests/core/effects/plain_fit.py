@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from mechanical_truth import SIGMA, Array, change, scene, without_nuisance
 from scipy.optimize import least_squares
 
 from core.effects.effect import Effect
 from core.effects.scene import Scene
+from tests.core.effects.mechanical_truth import SIGMA, Array, change, scene, without_nuisance
 
 
 @dataclass(frozen=True)

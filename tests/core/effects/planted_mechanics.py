@@ -6,8 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from mass_on_slides import wrench_of_slides
-from mechanical_truth import ARM, MASSES, POINTS, Array, G, T, at_point, believed, brisk_load, brisk_scene, load, scene, truth
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
@@ -27,6 +25,22 @@ from core.effects.scene import Scene
 from core.effects.sensor_rotation import SensorRotation
 from core.effects.sensor_translation import SensorTranslation
 from core.effects.tool_flexibility import ToolFlexibility
+from tests.core.effects.mass_on_slides import wrench_of_slides
+from tests.core.effects.mechanical_truth import (
+    ARM,
+    MASSES,
+    POINTS,
+    Array,
+    G,
+    T,
+    at_point,
+    believed,
+    brisk_load,
+    brisk_scene,
+    load,
+    scene,
+    truth,
+)
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from mechanical_truth import rms, scene, truth
 from scipy.spatial.transform import Rotation
 
 from core.effects.base_tilt import BaseTilt
+from tests.core.effects.mechanical_truth import rms, scene, truth
 
 
 @pytest.mark.parametrize("along", [[0, 0, -1], [0, 1, 0], [-1, 0, 0], [0.8, 0, -0.6]])

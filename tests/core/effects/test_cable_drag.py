@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from synthetic_scene import scene
 
 from core.effects.cable_drag import CableDrag
+from tests.core.effects.synthetic_scene import scene
 
 RUN = scene(seconds=9.0)
 K = 30.0

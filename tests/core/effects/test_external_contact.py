@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from mechanical_truth import T
-from plain_fit import fitted
-from planted_mechanics import PUSH, inside, touched
 
 from core.effects.external_contact import ExternalContact
+from tests.core.effects.mechanical_truth import T
+from tests.core.effects.plain_fit import fitted
+from tests.core.effects.planted_mechanics import PUSH, inside, touched
 
 
 def test_half_a_sine_of_contact_is_explained_by_a_tapered_window() -> None:

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from naive_play import naive_play
 
 from core.effects.filters import delayed, derivative, low_passed, play
+from tests.core.effects.naive_play import naive_play
 
 Array = np.ndarray
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from mass_on_slides import wrench_of_slides
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
-from synthetic_scene import scene
 
 from core.effects.deflection import deflection
 from core.effects.memory import Memory
 from core.effects.tool_flexibility import ToolFlexibility
+from tests.core.effects.mass_on_slides import wrench_of_slides
+from tests.core.effects.synthetic_scene import scene
 
 T = np.arange(800) / 200.0
 INERTIA = np.array([[2.0, 0.4], [0.4, 0.5]])

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from mechanical_truth import SIGMA, Array, T, change, rms, scene
 
 from core.effects.gear_ripple import GearRipple
+from tests.core.effects.mechanical_truth import SIGMA, Array, T, change, rms, scene
 
 
 @pytest.mark.parametrize(

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from mechanical_truth import T, believed, change, load, rms, truth
-from planted_mechanics import PLAY
 
 from core.effects.joint_backlash import JointBacklash
+from tests.core.effects.mechanical_truth import T, believed, change, load, rms, truth
+from tests.core.effects.planted_mechanics import PLAY
 
 
 def test_hard_contact_shifts_a_joint_by_all_of_its_play_while_it_is_pushed_to_one_side() -> None:

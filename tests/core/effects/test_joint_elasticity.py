@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from mechanical_truth import T, believed, robot, scene, truth
-from planted_mechanics import COMPLIANCE, PLAY
 
 from core.effects.joint_backlash import JointBacklash
 from core.effects.joint_elasticity import JointElasticity
+from tests.core.effects.mechanical_truth import T, believed, robot, scene, truth
+from tests.core.effects.planted_mechanics import COMPLIANCE, PLAY
 
 
 def test_without_joint_torques_the_payload_alone_bends_the_joints() -> None:

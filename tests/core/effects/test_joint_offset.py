@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from mechanical_truth import change, rms
 
 from core.effects.joint_offset import JointOffset
+from tests.core.effects.mechanical_truth import change, rms
 
 
 def test_a_zero_of_the_first_joint_changes_nothing_where_that_joint_is_vertical() -> None:

@@ -9,12 +9,12 @@ import re
 
 import numpy as np
 import pytest
-from synthetic_scene import first_rows, poses_only, scene
 
 import core.effects
 from core.effects.effect import Effect, Parameter, Symptom
 from core.effects.library import library
 from core.effects.scene import Scene
+from tests.core.effects.synthetic_scene import first_rows, poses_only, scene
 
 TABLE = {
     "sensor_drift",

@@ -6,9 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from mechanical_truth import SIGMA, Array, T, change, rms, scene, truth, without_nuisance
-from plain_fit import fitted
-from planted_mechanics import ADDED, AT, PLACE, PLANTED, PUSH, SHIFT, TILT, TOUCHED, Planted, inside, slipped, touched
 
 from core.effects.base_tilt import BaseTilt
 from core.effects.cable_drag import CableDrag
@@ -19,6 +16,9 @@ from core.effects.payload_mass_change import PayloadMassChange
 from core.effects.payload_shift import PayloadShift
 from core.effects.sensor_translation import SensorTranslation
 from core.payload.inertia import Motion
+from tests.core.effects.mechanical_truth import SIGMA, Array, T, change, rms, scene, truth, without_nuisance
+from tests.core.effects.plain_fit import fitted
+from tests.core.effects.planted_mechanics import ADDED, AT, PLACE, PLANTED, PUSH, SHIFT, TILT, TOUCHED, Planted, inside, slipped, touched
 
 each = pytest.mark.parametrize("case", PLANTED, ids=[case.id for case in PLANTED])
 

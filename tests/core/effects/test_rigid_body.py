@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mechanical_truth import scene
 from scipy.spatial.transform import Rotation
 
 from core.effects.rigid_body import rotation
 from core.payload.inertia import regressor
 from core.payload.rigid_wrench import wrench
+from tests.core.effects.mechanical_truth import scene
 
 
 @settings(max_examples=30)

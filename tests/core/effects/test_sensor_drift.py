@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from synthetic_scene import scene
 
 from core.effects.sensor_drift import SensorDrift
+from tests.core.effects.synthetic_scene import scene
 
 RUN = scene(seconds=18.0)
 W = RUN.nominal

@@ -6,11 +6,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from naive_play import naive_play
 from scipy.interpolate import CubicSpline
 from scipy.optimize import least_squares
 from scipy.signal import lsim
-from synthetic_scene import NOISE, scene
 
 from core.effects.channels import CHANNELS
 from core.effects.effect import Effect
@@ -27,6 +25,8 @@ from core.effects.sensor_offset_step import SensorOffsetStep
 from core.effects.sensor_saturation import SensorSaturation
 from core.effects.time_delay import TimeDelay
 from core.payload.inertia import Motion
+from tests.core.effects.naive_play import naive_play
+from tests.core.effects.synthetic_scene import NOISE, scene
 
 Array = np.ndarray
 RUN = scene(seconds=18.0)

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.interpolate import BSpline
-from synthetic_scene import scene
 
 from core.effects.angle_wave import angle_wave
 from core.effects.splines import smoothed
+from tests.core.effects.synthetic_scene import scene
 
 T = np.arange(4000) * 0.001
 INNER = slice(200, -200)

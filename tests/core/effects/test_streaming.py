@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from synthetic_scene import poses_only, scene
 
 from core.effects.effect import Effect
 from core.effects.library import library
 from core.effects.memory import Memory
 from core.effects.scene import Scene
+from tests.core.effects.synthetic_scene import poses_only, scene
 
 RUN = scene(seconds=4.0)
 every_effect = pytest.mark.parametrize("effect", library(), ids=lambda effect: effect.id)

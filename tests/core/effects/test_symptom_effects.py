@@ -11,8 +11,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 from scipy.signal import lfilter
-from synthetic_scene import NOISE, RESOLUTION, scene
-from test_library import check_names
 
 from core.effects.effect import Finding, Symptom, View
 from core.effects.hold_noise import line_in
@@ -21,6 +19,8 @@ from core.effects.sensor_interference import SensorInterference
 from core.effects.sensor_noise import SensorNoise
 from core.effects.sensor_quantization import SensorQuantization, step_of
 from core.recording.recording import Recording, SensorDescription
+from tests.core.effects.synthetic_scene import NOISE, RESOLUTION, scene
+from tests.core.effects.test_library import check_names
 
 Array = np.ndarray
 RATE = 500.0

@@ -15,7 +15,7 @@ from core.cell.cell import Cell, load_cell
 from core.errors import NoPath
 from core.planning.blending import corners, rounded
 from core.planning.phase_plane import fastest_profile
-from core.planning.timing import SMOOTHING_S, MotionLimits, least_seconds, time_curve, time_path
+from core.planning.timing import SMOOTHING_S, MotionLimits, least_seconds, time_curve
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.trajectory import JointTrajectory
@@ -43,15 +43,7 @@ def arm(name: str) -> tuple[Cell, RobotModel, CollisionModel, MotionLimits]:
 
 def timed(name: str, q: Array) -> JointTrajectory:
     _, robot, _, limits = arm(name)
-    return time_path(
-        q,
-        velocity=limits.velocity,
-        acceleration=limits.acceleration,
-        points=limits.points,
-        robot=robot,
-        cartesian_speed_m_s=limits.cartesian_speed_m_s,
-        period=PERIOD,
-    )
+    return time_curve(rounded(q), robot, limits, period=PERIOD)
 
 
 def polyline(name: str, seed: int, vertices: int) -> Array:

@@ -4,13 +4,13 @@ import dataclasses
 from functools import cache
 
 import numpy as np
-from plant_oracle import CELLS, PinocchioArm, smooth_move
 
 from core.payload.inertia import InertialParameters
 from core.plant.faults import Setting
 from core.plant.faults.fault import Machine
 from core.plant.virtual_robot import VirtualRobot
 from core.robot.model import RobotModel
+from tests.core.plant.plant_oracle import CELLS, PinocchioArm, smooth_move
 
 CELL = CELLS["lwr4_bench"]
 PAYLOAD = CELL.payloads["steel_block"].parameters

@@ -3,13 +3,13 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
-from plant_oracle import CELLS
 
 from core.cell.cell import Cell
 from core.errors import BadRobot
 from core.payload.inertia import PINOCCHIO_ORDER
 from core.plant.arm import Arm, arm_of_cell
 from core.robot.model import RobotModel
+from tests.core.plant.plant_oracle import CELLS
 
 BRANCHED = """<robot name="branched">
   <link name="root"/>

@@ -1,13 +1,13 @@
 import mujoco
 import numpy as np
 import pytest
-from plant_oracle import CARRIED, CELLS, NAMES, opposed_trapezoids, smooth_move
 
 from core.payload.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.controller import JointController
 from core.plant.mechanics import Drives, build_model
 from core.plant.virtual_robot import VirtualRobot
+from tests.core.plant.plant_oracle import CARRIED, CELLS, NAMES, opposed_trapezoids, smooth_move
 
 
 def follow(robot, path):

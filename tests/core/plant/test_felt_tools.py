@@ -5,7 +5,6 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
-from plant_oracle import smooth_move
 
 from core.cell.cell import Cell, load_cell
 from core.payload.inertia import InertialParameters
@@ -13,6 +12,7 @@ from core.plant.arm import arm_of_cell
 from core.plant.virtual_robot import VirtualRobot
 from core.robot.model import RobotModel
 from tests.core.handed import GRIPPER, HAND, HAND_AS_TOOL, cell_folder
+from tests.core.plant.plant_oracle import smooth_move
 
 ADAPTER = GRIPPER.replace("tools.gripper", "tools.adapter")
 BEHIND = '<robot name="behind"><link name="ft"/>' + HAND.format(parent="ft") + "</robot>"

@@ -3,13 +3,13 @@
 import numpy as np
 import pinocchio as pin
 import pytest
-from fault_oracle import AWAY, CELL, EXACT, HOME, PAYLOAD, PERIOD, clean, path, rigid, run, still
-from plant_oracle import PinocchioArm
 from scipy import optimize
 
 from core.plant.faults.joint_gears import DamagedTooth, DryFriction, FrictionByLoad, LuGre, Ripple, UnevenRipple
 from core.plant.faults.joint_play import DeadZone, PlayByLoad, PlayByMotion
 from core.plant.faults.joint_springs import CreepingJoints, ElasticJoints, HardeningJoints, spring_damping
+from tests.core.plant.fault_oracle import AWAY, CELL, EXACT, HOME, PAYLOAD, PERIOD, clean, path, rigid, run, still
+from tests.core.plant.plant_oracle import PinocchioArm
 
 g = CELL.gravity
 

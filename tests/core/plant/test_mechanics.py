@@ -1,13 +1,13 @@
 import mujoco
 import numpy as np
 import pytest
-from plant_oracle import CARRIED, CELLS, NAMES, PinocchioArm
 from scipy.spatial.transform import Rotation
 
 from core.errors import BadPayload
 from core.payload.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.mechanics import Drives, build_model
+from tests.core.plant.plant_oracle import CARRIED, CELLS, NAMES, PinocchioArm
 
 FRICTIONLESS = Drives(friction=0.0)
 

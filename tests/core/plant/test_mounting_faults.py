@@ -3,8 +3,6 @@
 import numpy as np
 import pinocchio as pin
 import pytest
-from fault_oracle import CELL, EXACT, HOME, PAYLOAD, SIGNAL, clean, path, rigid, run, still
-from plant_oracle import PinocchioArm
 from scipy.spatial.transform import Rotation
 
 from core.payload.inertia import frame_change
@@ -18,6 +16,8 @@ from core.plant.faults.mounting import (
     TurnedSensor,
     TurnedSensorWithPayload,
 )
+from tests.core.plant.fault_oracle import CELL, EXACT, HOME, PAYLOAD, SIGNAL, clean, path, rigid, run, still
+from tests.core.plant.plant_oracle import PinocchioArm
 
 g = CELL.gravity
 ROTATION = (0.02, -0.01, 0.03)

@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from fault_oracle import PERIOD, SETTING, SIGNAL, SIX, through, triangle
 from hypothesis import given
 from hypothesis import strategies as st
 
 from core.plant.faults.sensor_noise import ColouredNoise, GatedHum, Hum, LoudNoise, Spikes, WanderingHum
 from core.plant.faults.sensor_steps import CoarseSteps, MissingCodes, SendOnDelta, ShortFloat
 from core.plant.faults.unknown_signal import RubbingSeal, Telegraph, WarmingGain
+from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, SIX, through, triangle
 
 ALL = (1.0,) * 6
 

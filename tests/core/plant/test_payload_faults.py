@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from fault_oracle import AWAY, EXACT, HOME, PAYLOAD, clean, felt_gravity, rigid, run, static, still
-from plant_oracle import smooth_move
 from scipy.spatial.transform import Rotation
 
 from core.plant.faults.loose import Pendulum, Rattle, RubberTool, Slosh, SprungPart, WhippingTool
 from core.plant.faults.payload import ForgottenPart, Leak, MassStep, OtherDensity, Slide, Slip
+from tests.core.plant.fault_oracle import AWAY, EXACT, HOME, PAYLOAD, clean, felt_gravity, rigid, run, static, still
+from tests.core.plant.plant_oracle import smooth_move
 
 
 def test_another_payload_is_felt_as_such():

@@ -5,8 +5,6 @@ import json
 
 import numpy as np
 import pytest
-from fault_oracle import CELL, HOME, PAYLOAD, SETTING, SIGNAL, clean, path, run, sensor_pose
-from plant_oracle import CELLS
 from scipy.spatial.transform import Rotation
 
 from core.errors import BadPayload
@@ -16,6 +14,8 @@ from core.plant.faults.base import TiltedBase
 from core.plant.faults.loose import SprungPart
 from core.plant.faults.payload import OtherDensity, Slip
 from core.sessions.simulated import SimulatedSession
+from tests.core.plant.fault_oracle import CELL, HOME, PAYLOAD, SETTING, SIGNAL, clean, path, run, sensor_pose
+from tests.core.plant.plant_oracle import CELLS
 
 EFFECTS = [
     "sensor_drift",

@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from plant_oracle import CELLS
 
 from core.plant.imperfections import ExponentialDrift, LinearDrift
 from core.plant.sensor import Encoders, WhiteNoise, WristSensor, quantize
+from tests.core.plant.plant_oracle import CELLS
 
 MINI45 = CELLS["lwr4_bench"].sensor
 FINE = MINI45.model_copy(update={"resolution": (1e-12,) * 6, "range": (1e6,) * 6})

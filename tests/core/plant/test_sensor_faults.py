@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, through, triangle
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -29,6 +28,7 @@ from core.plant.faults.sensor_response import (
     WanderingSupply,
 )
 from core.plant.faults.sensor_saturation import Clipping, Compression
+from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, through, triangle
 
 ALL = (1.0,) * 6
 

@@ -2,13 +2,13 @@
 
 import numpy as np
 import pinocchio as pin
-from fault_oracle import CELL, EXACT, HOME, PAYLOAD, PERIOD, clean, point, rigid, run, sensor_pose, static, still
-from plant_oracle import PinocchioArm
 from scipy.spatial.transform import Rotation
 
 from core.plant.faults.cable import Reel, SlackCable, SpringCable, TwistedHose
 from core.plant.faults.contact import Bumps, Cushion, GrowingTouch, Touch
 from core.plant.faults.unknown_mechanism import BentLink, Fan, NeighbouringPress, SlippingEncoders, SpinningRotor, WarpingBase
+from tests.core.plant.fault_oracle import CELL, EXACT, HOME, PAYLOAD, PERIOD, clean, point, rigid, run, sensor_pose, static, still
+from tests.core.plant.plant_oracle import PinocchioArm
 
 g = CELL.gravity
 

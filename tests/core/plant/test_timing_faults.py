@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, sine, through
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -10,6 +9,7 @@ from core.plant.faults.dropout import LONGEST_BURST_S, HeldWrench, LostBursts, P
 from core.plant.faults.lowpass import Butterworth, FirstOrderFilter, MovingAverage, WeighingFilter
 from core.plant.faults.timing import Delay, JitteryDelay, MotionLag, MotionLagThirdOrder, PolledDrives, SlippingBuffer
 from core.plant.faults.unknown_timing import DriftingClock, SkewedChannels
+from tests.core.plant.fault_oracle import PERIOD, SETTING, SIGNAL, SIX, clean, constant, run, sine, through
 
 
 @settings(deadline=None)

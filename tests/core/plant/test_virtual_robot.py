@@ -2,13 +2,13 @@ import dataclasses
 
 import numpy as np
 import pytest
-from plant_oracle import CARRIED, CELLS, NAMES, PinocchioArm, smooth_move
 from scipy.spatial.transform import Rotation
 
 from core.payload.inertia import InertialParameters
 from core.plant.imperfections import Imperfections, LinearDrift
 from core.plant.mechanics import Drives
 from core.plant.virtual_robot import VirtualRobot
+from tests.core.plant.plant_oracle import CARRIED, CELLS, NAMES, PinocchioArm, smooth_move
 
 STEPS = np.linspace(1.0, -1.0, 7)
 

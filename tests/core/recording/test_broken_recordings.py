@@ -12,7 +12,11 @@ import pyarrow as pa
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from recording_damage import (
+from scipy.spatial.transform import Rotation
+
+from core.errors import BadInput, BadRecording, BadRobot
+from core.recording.folder import read_recording, write_recording
+from tests.core.recording.recording_damage import (
     as_csv,
     cell_of,
     change_manifest,
@@ -26,11 +30,7 @@ from recording_damage import (
     set_column,
     text_of,
 )
-from scipy.spatial.transform import Rotation
-from small_recording import N, recording
-
-from core.errors import BadInput, BadRecording, BadRobot
-from core.recording.folder import read_recording, write_recording
+from tests.core.recording.small_recording import N, recording
 
 BROKEN: dict[str, tuple[Callable[[Path], object], str]] = {
     "no manifest": (lambda f: (f / "recording.json").unlink(), "recording.json.*no such file"),

@@ -12,19 +12,19 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from recording_damage import (
+from scipy.spatial.transform import Rotation
+
+from core.errors import BadInput, BadRecording
+from core.recording.folder import read_recording, write_recording
+from core.recording.recording import Recording, RobotDescription, SensorDescription
+from tests.core.recording.recording_damage import (
     change_manifest,
     change_samples,
     load_samples,
     save_samples,
     scale_columns,
 )
-from scipy.spatial.transform import Rotation
-from small_recording import URDF, N, recording
-
-from core.errors import BadInput, BadRecording
-from core.recording.folder import read_recording, write_recording
-from core.recording.recording import Recording, RobotDescription, SensorDescription
+from tests.core.recording.small_recording import URDF, N, recording
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 ARRAYS = ("t", "gravity", "wrench", "q", "dq", "q_cmd", "tau", "orientation", "position", "temperature", "phase")

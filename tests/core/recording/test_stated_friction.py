@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from small_recording import recording
 
 from core.cell.cell import Cell
 from core.plant.arm import arm_of_cell
@@ -14,6 +13,7 @@ from core.recording.stated_friction import knowing_friction, stated_friction
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
+from tests.core.recording.small_recording import recording
 
 
 def test_a_cell_states_the_friction_of_its_virtual_robot(cell: Cell) -> None:

@@ -10,7 +10,6 @@ import numpy as np
 from core.effects.effect import Side
 from core.gap.answer import (
     Also,
-    Cell,
     Change,
     Diagnosis,
     Experiment,
@@ -18,8 +17,9 @@ from core.gap.answer import (
     GapPart,
     Minor,
     Pair,
-    Payload,
+    PatchPart,
     PayloadPart,
+    PhiPart,
     Tied,
     Value,
     Where,
@@ -68,7 +68,7 @@ def explained() -> Diagnosis:
         also=[seen("sensor_noise", "noise above what is stated", "reading", material=True), seen("joint_friction", "friction", "joints")],
         indistinguishable=[],
         where=Where(
-            cells=[Cell(channel=c, phase=p, band_hz=b, times_noise=n, share=s) for c, p, b, n, s in cells],
+            cells=[PatchPart(channel=c, phase=p, band_hz=b, times_noise=n, share=s) for c, p, b, n, s in cells],
             channel="tx",
             phase="rotate:y",
             stage="timing",
@@ -82,7 +82,7 @@ def explained() -> Diagnosis:
             held_out=["hold:x+", "rotate:y"],
             by_channel={c: Change(before=9.0 - k, after=2.5 if c == "ty" else 1.0) for k, c in enumerate(CHANNELS)},
         ),
-        payload=PayloadPart(before=Payload(phi=shifted, std=[1e-4] * 10), after=Payload(phi=PHI, std=[1e-4] * 10)),
+        payload=PayloadPart(before=PhiPart(phi=shifted, std=[1e-4] * 10), after=PhiPart(phi=PHI, std=[1e-4] * 10)),
         consequence="left out, it changes the inertia",
         next_experiment=None,
         limits=["sensor_drift: no temperature was recorded"],
@@ -128,7 +128,7 @@ NOTHING: dict[str, Any] = {
 AGREES: dict[str, Any] = {
     "effects": [], "pairs": [], "none_probability": 1.0, "unknown_probability": 0.0,
     "gap": GapPart(before=1.1, after=1.1, held_out=["hold:x+"], by_channel={"fx": Change(before=1.1, after=1.1)}),
-    "payload": PayloadPart(before=Payload(phi=PHI, std=[1e-4] * 10), after=Payload(phi=PHI, std=[1e-4] * 10)),
+    "payload": PayloadPart(before=PhiPart(phi=PHI, std=[1e-4] * 10), after=PhiPart(phi=PHI, std=[1e-4] * 10)),
 }  # fmt: skip
 CASES = {
     "explained": with_verdict("explained"),

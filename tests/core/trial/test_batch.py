@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from synthetic_outcomes import none, sealed
 
 from core.errors import BadInput
 from core.trial import batch
 from core.trial.batch import on_cluster, on_cores, outcomes
 from core.trial.draw import Drawn
 from core.trial.outcome import Outcome
+from tests.core.trial.synthetic_outcomes import none, sealed
 
 
 def drawn(seed: int) -> Drawn:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from synthetic_outcomes import CLEAR, double, estimates, none, payload, single, unknown
 
 from core.trial.bound import Bound
 from core.trial.figures import (
@@ -22,6 +21,7 @@ from core.trial.figures import (
     tie_honesty,
 )
 from core.trial.outcome import Named
+from tests.core.trial.synthetic_outcomes import CLEAR, double, estimates, none, payload, single, unknown
 
 NEAR = CLEAR.model_copy(update={"nearest_rival_sigma": 1.0})
 

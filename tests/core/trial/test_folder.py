@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from synthetic_outcomes import none, sealed, single
 
 from core.errors import BadInput
 from core.trial.draw import Drawn
 from core.trial.folder import OUTCOMES, SEALS, append, check_seals, finished, open_folder
+from tests.core.trial.synthetic_outcomes import none, sealed, single
 
 
 def drawn(seed: int, size: float = 1.0) -> Drawn:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from synthetic_outcomes import double, estimates, none, payload, sealed, single, unknown
 
 from core.trial.bound import Bound
 from core.trial.judgement import counts, exact_pair, forecast, mark, material, named, named_first, right, truth_class
 from core.trial.outcome import Estimate, Named, Outcome
+from tests.core.trial.synthetic_outcomes import double, estimates, none, payload, sealed, single, unknown
 
 SMALL = Bound(fault_sigma=20.0, material_sigma=50.0)
 NOISY = {"sensor_noise": {"fx_noise_factor": Estimate(value=2.0, std=0.02)}}

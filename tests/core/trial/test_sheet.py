@@ -6,10 +6,10 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import numpy as np
-from synthetic_outcomes import double, none, payload, sealed, single, unknown
 
 from core.trial.outcome import Outcome
 from core.trial.sheet import confusions, detections, score_sheet, write_sheet
+from tests.core.trial.synthetic_outcomes import double, none, payload, sealed, single, unknown
 
 STOPPED = Outcome(sealed=sealed(44, "cable_drag"), stopped="TooFast: the elbow was at 0.3 m/s", verdict="stopped")
 SOME = [
