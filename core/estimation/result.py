@@ -12,6 +12,7 @@ from pydantic import BaseModel, ConfigDict
 from core.recording.recording import Recording
 from core.recording.workpiece import workpiece_alone
 from core.remark import Remark
+from core.version import code_version
 
 if TYPE_CHECKING:  # who only reads answers waits for no estimator
     from core.estimation.estimate import Estimate, Identification, Verification
@@ -157,6 +158,8 @@ class Result(Part):
     verification: list[VerificationPart] = []
     workpiece: WorkpiecePart | None = None
     """None where there are no tools: then the whole is the workpiece."""
+    version: str | None = None
+    """Of the code that made it, see `core.version`; None in results from before it was kept."""
 
 
 def numbers(values: Array | None) -> Numbers:
@@ -189,6 +192,7 @@ def result_of(
         accounted=list(identification.accounted),
         verification=[_verification_part(each) for each in identification.verification],
         workpiece=None if estimate is None or not recording.tools else _workpiece_part(estimate, recording),
+        version=code_version(),
     )
 
 

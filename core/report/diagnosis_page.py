@@ -15,6 +15,7 @@ from core.report.charts import CHANNELS, gap_chart, overlay_chart
 from core.report.diagnosis_rows import explanation_rows, heat_map, leading, parameter_texts, payload_rows, percent, rest_sentences, title_of
 from core.report.html_file import write_html
 from core.report.rows import Fact, sentence
+from core.version import code_version
 
 Array = NDArray[np.float64]
 
@@ -87,6 +88,7 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
         "twin": ", ".join(title_of(name, titles) for name in diagnosis.twin),
         "limits": [_limit(limit, titles) for limit in diagnosis.limits if limit not in diagnosis.summary],
         "seconds": f"{diagnosis.seconds:.1f}",
+        "version": code_version(),
     }
 
 

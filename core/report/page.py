@@ -18,6 +18,7 @@ from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, 
 from core.report.scene import scene
 from core.report.workpiece_rows import workpiece_block
 from core.robot.model import RobotModel
+from core.version import code_version
 
 
 def write_report(file: Path, *, recording: Recording, identification: Identification, run: RunSummary | None = None) -> None:
@@ -56,6 +57,7 @@ def _content(recording: Recording, identification: Identification, run: RunSumma
         "opinion": None if run is None or run.opinion is None else opinion_table(run.opinion),
         "origin": origin_facts(recording, run),
         "source": recording.source,
+        "version": code_version(),
     }
 
 
