@@ -10,12 +10,12 @@ from pydantic.functional_validators import BeforeValidator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
 
-def _listed(value: object) -> object:
+def _split(value: object) -> object:
     """`a, b` of the environment as ("a", "b")."""
     return tuple(word.strip() for word in value.split(",") if word.strip()) if isinstance(value, str) else value
 
 
-Listed = Annotated[tuple[str, ...], NoDecode, BeforeValidator(_listed)]
+CommaSeparated = Annotated[tuple[str, ...], NoDecode, BeforeValidator(_split)]
 
 
 class Settings(BaseSettings):
@@ -37,8 +37,8 @@ class Settings(BaseSettings):
     secure_cookies: bool = Field(
         False, description="Send the session cookie over HTTPS only; set it where TLS ends in front of the service."
     )
-    origins: Listed = Field((), description="Further origins, `https://console.plant`, whose pages may use a browser's session.")
-    trusted_proxies: Listed = Field((), description="Addresses of proxies whose X-Forwarded-For is believed.")
+    origins: CommaSeparated = Field((), description="Further origins, `https://console.plant`, whose pages may use a browser's session.")
+    trusted_proxies: CommaSeparated = Field((), description="Addresses of proxies whose X-Forwarded-For is believed.")
     upload_max_bytes: int = Field(50_000_000, gt=0, description="Largest uploaded cell or recording.")
     body_max_bytes: int = Field(1_000_000, gt=0, description="Largest body of any other request.")
     shutdown_seconds: int = Field(10, gt=0, description="How long open requests may take to end when the service stops.")

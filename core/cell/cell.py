@@ -252,7 +252,7 @@ def read_cell(folder: Path) -> CellRead:
     Raises:
         BadCell: cell.toml cannot be read as a cell.
     """
-    cell = _parsed(folder)
+    cell = _parse(folder)
     try:
         _check_urdf(cell)
     except BadInput as flaw:
@@ -260,7 +260,7 @@ def read_cell(folder: Path) -> CellRead:
     return CellRead(cell)
 
 
-def _parsed(folder: Path) -> Cell:
+def _parse(folder: Path) -> Cell:
     where = str(folder / CELL_FILE)
     text = read_inside(folder, CELL_FILE, BadCell, max_bytes=MAX_CELL_BYTES)
     try:

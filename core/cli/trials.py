@@ -48,7 +48,7 @@ def trial(
     if report is not None:
         open_folder(report, drawn, done)
     try:
-        with closing(_watched(missing, where, keep)) as coming:
+        with closing(_track_outcomes(missing, where, keep)) as coming:
             for outcome in coming:
                 done[outcome.sealed.seed] = outcome
                 if report is not None:
@@ -90,7 +90,7 @@ def _make_room(keep: Path, missing: Sequence[Drawn]) -> None:
     keep.mkdir(parents=True, exist_ok=True)
 
 
-def _watched(drawn: Sequence[Drawn], where: AbstractContextManager[Executor], keep: Path | None) -> Generator[Outcome, None, None]:
+def _track_outcomes(drawn: Sequence[Drawn], where: AbstractContextManager[Executor], keep: Path | None) -> Generator[Outcome, None, None]:
     """The outcomes with a bar that tells how long the rest will take."""
     columns = (SpinnerColumn(), TextColumn("trials"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with where as executor, Progress(*columns, console=messages, transient=True, disable=not messages.is_terminal) as progress:

@@ -24,7 +24,7 @@ _PIVOTS = 100
 
 
 @njit(cache=True)
-def _entering(T: Array, basis: NDArray[np.int64], at_upper: NDArray[np.bool_], n: int) -> int:
+def _find_entering_column(T: Array, basis: NDArray[np.int64], at_upper: NDArray[np.bool_], n: int) -> int:
     """Phase 1: the column that most lowers the sum of the artificials (basis > n), -1 at the optimum."""
     m = len(basis)
     best, column = _TOLERANCE, -1
@@ -44,7 +44,7 @@ def _entering(T: Array, basis: NDArray[np.int64], at_upper: NDArray[np.bool_], n
 
 
 @njit(cache=True)
-def _raising(T: Array, basis: NDArray[np.int64], at_upper: NDArray[np.bool_], n: int) -> int:
+def _find_raising_column(T: Array, basis: NDArray[np.int64], at_upper: NDArray[np.bool_], n: int) -> int:
     """Phase 2: the column that most raises s (column n), -1 at the optimum."""
     m = len(basis)
     row = -1
@@ -126,7 +126,7 @@ def _largest_scale(J: Array, x: Array, lower: Array, upper: Array, dq: Array) ->
         basis[i] = n + 1 + i
     for phase in (1, 2):
         for _ in range(_PIVOTS):
-            j = _entering(T, basis, at_upper, n) if phase == 1 else _raising(T, basis, at_upper, n)
+            j = _find_entering_column(T, basis, at_upper, n) if phase == 1 else _find_raising_column(T, basis, at_upper, n)
             if j < 0:
                 break
             _exchange(T, value, width, basis, at_upper, j, phase)

@@ -58,7 +58,7 @@ class Playback(Mover):
         self._fade = min(round(FADE_S / trajectory.period), len(trajectory.q) - 1)
 
     def next(self, state: RobotState) -> Array | None:
-        """See `Mover.next`.
+        """The next sample of the trajectory, joint positions (n,), rad, plus what is left of the start's offset; None after the last one.
 
         Raises:
             BadState: the trajectory does not start where the robot stands.
@@ -73,7 +73,11 @@ class Playback(Mover):
         return planned if self._k >= self._fade else planned + self._away * (1.0 - smooth_share(self._k / self._fade))
 
     def resume(self, q: Array) -> None:
-        """See `Mover.resume`: back onto the trajectory where the robot has left it by braking, then along it, slowly at first."""
+        """Goes back onto the trajectory from joint positions q (n,), rad, where braking has left it, then along it, slowly at first.
+
+        Raises:
+            BadState: the robot is no longer where it stopped.
+        """
         if self._k == 0:
             return
         self._q = np.array(rest_of(self._q, max(0, self._k - 1), q, self.period), order="C")
@@ -105,12 +109,12 @@ class StandStill(Mover):
         self._q: Array | None = None
 
     def next(self, state: RobotState) -> Array | None:
-        """See `Mover.next`."""
+        """The joint positions (n,), rad, that were commanded when the hold began; None when its time is over."""
         if self._q is None:
             self._q = state.q_cmd.copy()
         self._left -= 1
         return self._q if self._left >= 0 else None
 
     def resume(self, q: Array) -> None:
-        """See `Mover.resume`: once more from its beginning, so that a hold is motionless for its whole time."""
+        """Begins the hold once more at joint positions q (n,), rad, so that it is motionless for its whole time."""
         self._left, self._q = self._whole, q.copy()

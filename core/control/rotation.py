@@ -86,7 +86,7 @@ class Rotation(Mover):
         return min(1.0, self._elapsed / (len(self.profile.angle) - 1))
 
     def next(self, state: RobotState) -> Array | None:
-        """See `Mover.next`.
+        """Joint positions (n,), rad, one period further along the profile, as fast as the limits allow; None once it rests at the end.
 
         Raises:
             OutOfLimits: the limits leave no way to go on with the rotation.
@@ -110,7 +110,11 @@ class Rotation(Mover):
         return self._q
 
     def resume(self, q: Array) -> None:
-        """See `Mover.resume`: from the angle at which the robot stands, slowly at first."""
+        """Goes on from the angle at which the robot stands with joint positions q (n,), rad, slowly at first.
+
+        Raises:
+            BadState: the robot is no longer where it stopped.
+        """
         if self._q is None:
             return
         k = min(int(self._elapsed), len(self.profile.angle) - 1)

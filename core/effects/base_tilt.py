@@ -24,18 +24,18 @@ class BaseTilt(Effect):
     stage = "mounting"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Two angles, rad, about the base axes that lie most across gravity; 0 is level."""
         return tuple(Parameter(f"about_{'xyz'[i]}_rad", "rad", 0.0, -0.2, 0.2, 0.015) for i in _axes(scene))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` less `m dg` and `mc x dg`, dg the change of gravity in sensor axes."""
         vector = np.zeros(3)
         vector[_axes(scene)] = theta
         dg = (rotation(vector) @ scene.gravity - scene.gravity) @ scene.rotation
         return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises levelling the base, with its two angles in deg, or correcting the direction of gravity in the cell."""
         i, j = _axes(scene)
         a, b = -np.degrees(theta)
         return (

@@ -47,7 +47,8 @@ class CableDrag(Effect):
     stage = "environment"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`; where the joints are known also the torsion, its terms at one radian."""
+        """Stiffness, N/m, pull at the first sample (3) and friction, N, place (3), m, slack and guide friction, N; where the joints are
+        known also the four of the torsion, N m, their terms at one radian."""
         cable = (
             Parameter("stiffness_n_per_m", "N/m", 0.0, -5.0, 300.0, 10.0),
             *(Parameter(f"pull_{axis}_n", "N", 0.0, -200.0, 200.0, 5.0) for axis in "xyz"),
@@ -67,7 +68,7 @@ class CableDrag(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` less the pull F in sensor axes and its moment `r x F`; where the joints are known plus the torque that twists the hose."""
         if scene.position is None:
             raise ValueError("cable drag needs a scene with positions (see Effect.lacking)")
         r = theta[5:8]
@@ -83,29 +84,29 @@ class CableDrag(Effect):
         return np.asarray(W)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`: a hose, and the cables with slack whose pull looks most like the residual."""
+        """A hose, and the two cables with slack whose pull looks most like the residual."""
         parameters = self.parameters(scene)
         hose = np.array([0.3 * p.scale for p in parameters])
         hose[8:] = 0.0
         slack = []
-        for anchor, free in _cables_seen(scene, residual):
+        for anchor, free in _find_cables(scene, residual):
             cable = np.zeros(len(parameters))
             cable[[0, 1, 2, 3, 8]] = STIFF * np.array([1.0, *anchor, free])
             slack.append(cable)
         return [hose, *slack]
 
     def lacking(self, scene: Scene) -> str | None:
-        """See `Effect.lacking`."""
+        """A reason where the recording does not say where the sensor is."""
         return "the recording does not say where the sensor is" if scene.position is None else None
 
     def missing(self, scene: Scene) -> str | None:
-        """See `Effect.missing`."""
+        """A reason where the sensor's position is not known or stays within 1 cm along each axis of the base."""
         if scene.position is None:
             return self.lacking(scene)
         return None if np.ptp(scene.position, axis=0).max() > 0.01 else "the sensor stays in one place"
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises freeing the hose: pull at the start, N, change per metre, N, friction, N, and torsion, N m/rad."""
         pull = float(np.linalg.norm(taut(theta[None, 1:4], theta[8])))
         twisting = f", and it twists with {theta[10]:.2f} N m per rad" if len(theta) > 10 and abs(theta[10]) > 0.01 else ""
         return (
@@ -131,7 +132,7 @@ def twist(scene: Scene, theta: Array) -> Array:
     return np.asarray(torque * scene.jacobian[:, 3:, -1])
 
 
-def _cables_seen(scene: Scene, residual: Array) -> list[tuple[Array, float]]:
+def _find_cables(scene: Scene, residual: Array) -> list[tuple[Array, float]]:
     """Fixed points (m, from the first place) and free lengths (m) of the cables whose pull looks most like the residual.
 
     What payload and offsets take up does not count.

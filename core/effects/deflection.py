@@ -41,7 +41,7 @@ def deflection(
     root = np.sqrt(compliance[soft])
     pull = -load[:, soft] * root
     start = np.stack([pull[0], np.full_like(root, np.nan), np.zeros_like(root), pull[0]]) if past.rows is None else past.rows
-    z, acceleration, end = _swung(inertia, soft, root, pull, start, damping, period, past.rows is None)
+    z, acceleration, end = _swing(inertia, soft, root, pull, start, damping, period, past.rows is None)
     past.rows = end
     error, second = np.zeros_like(load), np.zeros_like(load)
     error[:, soft], second[:, soft] = root * z, root * acceleration
@@ -49,7 +49,7 @@ def deflection(
 
 
 @njit(cache=True)
-def _swung(
+def _swing(
     inertia: Array,
     soft: NDArray[np.intp],
     root: Array,

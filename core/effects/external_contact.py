@@ -32,7 +32,7 @@ class ExternalContact(Effect):
     stage = "environment"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Begin and duration, s, taper, force (3), N, base axes, and the point that it acts on (3), m, sensor axes."""
         middle, begin, end, spread = onset_parameter_scale(scene)
         longest = _longest(scene)
         return (
@@ -44,13 +44,13 @@ class ExternalContact(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` less the windowed force f in sensor axes and its moment `r x f`."""
         on = window(scene.t, theta[0], theta[1], theta[2], scene.period)[:, None]
         f = on * (theta[3:6] @ scene.rotation)
         return np.asarray(w - np.hstack([f, cross(theta[6:9], f)]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`: the windows in which a constant push explains most of the residual, with its direction and point."""
+        """The windows, at most four, in which a constant push explains most of the residual, with its direction and point."""
         columns = np.zeros((len(scene), 6, 6))
         columns[:, :3, :3] = scene.rotation.transpose(0, 2, 1)
         columns[:, 3:, 3:] = np.eye(3)
@@ -60,7 +60,7 @@ class ExternalContact(Effect):
         ]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises keeping the payload clear: force, N, begin and end of the contact, s."""
         force = float(np.linalg.norm(theta[3:6]))
         return (
             f"Keep the payload clear: something pushed it with up to {force:.1f} N from {theta[0]:.1f} to {theta[0] + theta[1]:.1f} s; "

@@ -29,7 +29,7 @@ def delayed(w: Array, samples: float, past: Past | None = None) -> Array:
     lags = newest + np.arange(ROWS)
     weights = np.array([np.prod([(samples - other) / (lag - other) for other in lags if other != lag]) for lag in lags])
     whole = (past or Past()).before(np.ascontiguousarray(w), newest + ROWS)
-    return cast(Array, _delayed(whole, weights, newest, len(whole) - len(w)))
+    return cast(Array, _delay(whole, weights, newest, len(whole) - len(w)))
 
 
 def low_passed(w: Array, time_constant: complex, period: float, past: Past | None = None) -> Array:
@@ -70,7 +70,7 @@ def play(w: Array, radius: Array, past: Past | None = None) -> Array:
 
 
 @numba.njit(cache=True)
-def _delayed(w: Array, weights: Array, newest: int, begin: int) -> Array:
+def _delay(w: Array, weights: Array, newest: int, begin: int) -> Array:
     N, n = w.shape
     out = np.zeros((N - begin, n))
     for k in range(begin, N):

@@ -116,12 +116,12 @@ def fit_joint(run: Run, j: int) -> Fit | None:
     ridge[:2] = 1e-12
     bread = np.linalg.inv(X.T @ X + np.diag(ridge))
     beta = bread @ (X.T @ y)
-    covariance = _clustered(X, y - X @ beta, bread, np.asarray(np.flatnonzero(rows) * run.period // BLOCK, dtype=np.float64))
+    covariance = _estimate_covariance(X, y - X @ beta, bread, np.asarray(np.flatnonzero(rows) * run.period // BLOCK, dtype=np.float64))
     scale = 1.0 / size[:2]
     return Fit(beta[:2] * scale, covariance[:2, :2] * np.outer(scale, scale), friction)
 
 
-def _clustered(X: Array, e: Array, bread: Array, block: Array) -> Array:
+def _estimate_covariance(X: Array, e: Array, bread: Array, block: Array) -> Array:
     """Covariance of a least-squares estimate whose residuals hang together within blocks (sandwich), at least that of independent ones."""
     _, index = np.unique(block, return_inverse=True)
     scores = np.zeros((index.max() + 1, X.shape[1]))

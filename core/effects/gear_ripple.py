@@ -29,7 +29,7 @@ class GearRipple(Effect):
     stage = "kinematics"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """For each joint the gear ratio and the amplitudes of cosine and sine, rad."""
         return tuple(
             parameter
             for j in range(joint_count(scene))
@@ -41,26 +41,26 @@ class GearRipple(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus what the payload asks more with joints at `q + c cos(2 N q) + s sin(2 N q)`."""
         ratio, c, s = theta.reshape(-1, 3).T
         return w + wrench_change(scene, true_motion(scene, *angle_wave(scene, 2.0 * ratio, c, s)))
 
     def lacking(self, scene: Scene) -> str | None:
-        """See `Effect.lacking`."""
+        """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
     def missing(self, scene: Scene) -> str | None:
-        """See `Effect.missing`."""
+        """A reason where there are no joints, or none moves faster than 1e-3 rad/s."""
         if reason := self.lacking(scene):
             return reason
         return None if scene.dq is not None and np.abs(scene.dq).max() > 1e-3 else "no joint moves in this recording"
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Ratios at which the residual, divided by what an acceleration of each joint does to the wrench, is periodic in its angle."""
-        return [_found(scene, residual)]
+        return [_find_ripples(scene, residual)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises another speed for the joint with the largest ripple: amplitude, arcmin, and waves per turn."""
         ratio, c, s = theta.reshape(-1, 3).T
         amplitude = np.hypot(c, s)
         j = int(np.argmax(amplitude))
@@ -70,7 +70,7 @@ class GearRipple(Effect):
         )
 
 
-def _found(scene: Scene, residual: Array) -> Array:
+def _find_ripples(scene: Scene, residual: Array) -> Array:
     """Parameters (3 n,) by which the residual looks most like ripple: the joint that stands out most first, what it explains taken away
     before the next, and each once more when all others are known. The residual's unit is not known, so all are `SEARCHED_RAD` large."""
     searches = {j: search for j in range(joint_count(scene)) if (search := RippleSearch.of(scene, j)).moves}

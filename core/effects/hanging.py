@@ -44,7 +44,7 @@ def hang(
     if past.rows is not None:  # the last row, and how it hung then
         rows, n, rate = np.concatenate([past.rows[:1], rows]), past.rows[1, :3], past.rows[1, 3:]
     steps = int(np.ceil(period * w * (1.0 + 2.0 * damping) / REACH))
-    hung = _hung(rows, 2.0 * damping * w, period, steps, n, rate)
+    hung = _integrate(rows, 2.0 * damping * w, period, steps, n, rate)
     past.rows = np.stack([rows[-1], hung[-1, :6]])
     return length * hung[-len(b) :, :3], length * hung[-len(b) :, 6:]
 
@@ -60,7 +60,7 @@ def _pull(row: Array, nx: float, ny: float, nz: float, vx: float, vy: float, vz:
 
 
 @njit(cache=True)
-def _hung(rows: Array, friction: float, period: float, steps: int, n: Array, v: Array) -> Array:
+def _integrate(rows: Array, friction: float, period: float, steps: int, n: Array, v: Array) -> Array:
     """(N, 9): n, n', n''."""
     out = np.empty((len(rows), 9))
     nx, ny, nz, vx, vy, vz = n[0], n[1], n[2], v[0], v[1], v[2]

@@ -91,7 +91,7 @@ def line_in(noise: list[Array], rate: float) -> Line | None:
     peak = int(np.flatnonzero(band)[best.argmin()])
     sigma = _sigma(float(best.min()) + np.log(7 * band.sum()))
     noise_std = np.sqrt(floor[peak] / (K * (window**2).sum()))
-    return _measured(pieces, f[peak], rate, noise_std, sigma)
+    return _measure_line(pieces, f[peak], rate, noise_std, sigma)
 
 
 def without_line(noise: list[Array], frequency: float, rate: float) -> list[Array]:
@@ -110,23 +110,23 @@ def steady(noise: list[Array], frequency: float, rate: float, channel: int) -> b
     return bool(late > 0.5 * early)
 
 
-def _measured(pieces: Array, coarse: float, rate: float, noise_std: Array, sigma: float) -> Line:
+def _measure_line(pieces: Array, coarse: float, rate: float, noise_std: Array, sigma: float) -> Line:
     """Frequency refined by the power of fitted sinusoids, amplitudes freed of what the noise adds to them."""
     K, L, _ = pieces.shape
     grid = coarse + np.linspace(-1, 1, 41) * rate / L
     weight = 1.0 / np.maximum(noise_std, np.finfo(float).tiny) ** 2
-    powers = np.array([_squared_amplitudes(pieces, f, rate) for f in grid])
+    powers = np.array([_fit_squared_amplitudes(pieces, f, rate) for f in grid])
     k = int(np.clip((powers @ weight).argmax(), 1, 39))
     y = (powers @ weight)[k - 1 : k + 2]
     bend = y[0] - 2 * y[1] + y[2]
     f = grid[k] + (0.5 * (y[0] - y[2]) / bend if bend < 0 else 0.0) * (grid[1] - grid[0])
-    amplitude = np.sqrt(np.maximum(_squared_amplitudes(pieces, f, rate) - 4 * noise_std**2 / L, 0.0))
+    amplitude = np.sqrt(np.maximum(_fit_squared_amplitudes(pieces, f, rate) - 4 * noise_std**2 / L, 0.0))
     ratio = float((amplitude**2 * weight).sum())
     std = np.sqrt(24 / (max(ratio, 1e-12) * L**3 * K)) * rate / (2 * np.pi)  # Rife and Boorstyn 1974, unknown phase
     return Line(float(f), min(float(std), rate / L), amplitude, noise_std * np.sqrt(2 / (L * K)), sigma, noise_std)
 
 
-def _squared_amplitudes(pieces: Array, frequency: float, rate: float) -> Array:
+def _fit_squared_amplitudes(pieces: Array, frequency: float, rate: float) -> Array:
     """(6,), mean over the pieces of the squared amplitude of a fitted sinusoid."""
     L = pieces.shape[1]
     wave = _wave(frequency, L, rate)

@@ -29,7 +29,7 @@ class JointBacklash(Effect):
     stage = "kinematics"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Half the play of each joint, rad, then the contact torque, N m, and the lag of the load, s."""
         return (
             *(Parameter(f"joint_{j + 1}_rad", "rad", 0.0, 0.0, 0.01, 5e-4) for j in range(joint_count(scene))),
             Parameter("contact_torque_nm", "N m", CONTACT_TORQUE, 0.1, 3.0, 1.0),
@@ -37,7 +37,7 @@ class JointBacklash(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus what the payload asks more with joints at `q - b tanh(tau / tau_c)`, averaged as the scene's windows show it."""
         *_, contact_torque, lag = theta
         load = low_passed(joint_torque(scene), lag, scene.period, scene.past("load"))
         error = smoothed(-theta[:-2] * np.tanh(load / contact_torque), scene.period, scene.window)
@@ -45,11 +45,11 @@ class JointBacklash(Effect):
         return w + wrench_change(scene, true_motion(scene, error, derivative(rate, scene.period, scene.past("rate"))))
 
     def lacking(self, scene: Scene) -> str | None:
-        """See `Effect.lacking`."""
+        """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
     def missing(self, scene: Scene) -> str | None:
-        """See `Effect.missing`."""
+        """A reason where there are no joints, or no joint's load goes from below -1 N m to above 1 N m."""
         if reason := self.lacking(scene):
             return reason
         tau = joint_torque(scene)
@@ -62,6 +62,6 @@ class JointBacklash(Effect):
         return [np.append(play, [torque, lag]) for torque in (0.5, 1.5) for lag in (0.01, 0.03)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises adjusting the gear with most play, deg from side to side."""
         j = largest(theta[:-2])
         return f"Have the gear of joint {j + 1} adjusted: it has {2 * np.degrees(theta[j]):.3f} deg of play from side to side."

@@ -27,7 +27,7 @@ class JointElasticity(Effect):
     stage = "kinematics"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Compliance of each joint, rad/(N m), then the share of the inertia that swings and the damping ratio."""
         return (
             *(Parameter(f"joint_{j + 1}_rad_per_nm", "rad/(N m)", 0.0, 0.0, 1.0 / 500.0, 2e-4) for j in range(joint_count(scene))),
             Parameter("swinging_inertia_share", "1", 1.0, 0.0, 2.0, 0.3),
@@ -35,7 +35,7 @@ class JointElasticity(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus what the payload asks more with joints at `q + e`, e from `share M e'' + D e' + K e = -tau`."""
         share, damping = theta[-2:]
         inertia, load = share * scene.joint_inertia, rigid_load(scene)
         error, acceleration = deflection(inertia, load, theta[:-2], damping, scene.period, scene.past("deflection"))
@@ -49,11 +49,11 @@ class JointElasticity(Effect):
         return [*swinging, np.concatenate((np.full(n, 1e-4), [0.0, 0.2]))]
 
     def lacking(self, scene: Scene) -> str | None:
-        """See `Effect.lacking`."""
+        """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises entering the stiffness in the twin: for the joint that gives most its stiffness, kN m/rad, and deflection, deg."""
         most = np.abs(rigid_load(scene)).max(axis=0)
         j = largest(theta[:-2] * most)
         give = np.degrees(theta[j] * most[j])

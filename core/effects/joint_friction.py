@@ -52,7 +52,7 @@ class JointFriction(Symptom):
     side = "joints"
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
-        """See `Symptom.parameters`."""
+        """For each joint Coulomb, N m, and viscous friction, N m s/rad; without torques its Coulomb part of the tracking error, rad."""
         joints = range(0 if recording.q is None else recording.q.shape[1])
         if recording.tau is None:
             return tuple(Parameter(f"joint_{j + 1}_coulomb_rad", "rad", 0.0, -0.1, 0.1, 0.001) for j in joints)
@@ -60,7 +60,7 @@ class JointFriction(Symptom):
         return tuple(Parameter(f"joint_{j + 1}_{name}", unit, 0.0, -1e3, 1e3, scale) for j in joints for name, unit, scale in kinds)
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
-        """See `Symptom.observe`."""
+        """Fits friction to each joint and compares it with the cell's; None without any fit, or where none is found or missed."""
         run = Run.of(recording)
         if run is None:
             return None
@@ -80,7 +80,7 @@ class JointFriction(Symptom):
         return Finding(theta, std, sigma, verdict.material, verdict.times, verdict.remark)
 
     def advice(self, finding: Finding) -> str:
-        """See `Symptom.advice`."""
+        """Advises warming up, a look at joints that rub more than before, and stating the friction that is left in cell.toml."""
         return (
             "Warm the joints up by a few minutes of motion, have those looked at that rub more than they did, and state the friction that "
             "is left in cell.toml (robot.friction)."
@@ -141,7 +141,7 @@ class _Seen:
                 "the tracking error; without joint torques there is nothing to compare with the cell."
             )
             return self._told(None, "friction_in_tracking", text, {"joint": str(joint + 1), "lag_rad": float(self.theta[joint, 0])})
-        text = f"Joint {joint + 1} rubs with {self._found(joint)}; the cell states no friction to compare it with."
+        text = f"Joint {joint + 1} rubs with {self._describe(joint)}; the cell states no friction to compare it with."
         return self._told(None, "friction_not_stated", text, self._values(joint))
 
     def against(self, stated: Array) -> _Verdict | None:
@@ -159,9 +159,9 @@ class _Seen:
         times = float(self.sizes[joint] / expected[joint]) if expected[joint] > 0.0 else None
         beside = f"the cell states {coulomb:.2f} and {viscous:.2f}"
         if differs.any():
-            text = f"Joint {joint + 1} rubs with {self._found(joint)}; {beside}."
+            text = f"Joint {joint + 1} rubs with {self._describe(joint)}; {beside}."
             return self._told(times, "friction_differs", text, values)
-        text = f"Friction in the joints is as the cell states it: joint {joint + 1} differs most, {self._found(joint)}; {beside}."
+        text = f"Friction in the joints is as the cell states it: joint {joint + 1} differs most, {self._describe(joint)}; {beside}."
         return self._told(times, "friction_as_stated", text, values)
 
     @property
@@ -182,7 +182,7 @@ class _Seen:
     def _worst(self, among: Flags, measure: Array) -> int:
         return int(np.argmax(np.where(among, measure, -1.0)))
 
-    def _found(self, joint: int) -> str:
+    def _describe(self, joint: int) -> str:
         (coulomb, viscous), (coulomb_std, viscous_std) = self.theta[joint], self.std[joint]
         return f"{coulomb:.2f} +- {coulomb_std:.2f} N m (Coulomb) and {viscous:.2f} +- {viscous_std:.2f} N m s/rad (viscous)"
 

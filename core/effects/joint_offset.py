@@ -25,7 +25,7 @@ class JointOffset(Effect):
     stage = "kinematics"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """The zero's errors of all joints, then all amplitudes of cosine, then all of sine, rad."""
         return tuple(
             Parameter(f"joint_{j + 1}_{part}", "rad", 0.0, -0.15, 0.15, scale)
             for part, scale in (("rad", 0.01), ("cos_rad", 0.005), ("sin_rad", 0.005))
@@ -33,17 +33,17 @@ class JointOffset(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus what the payload asks more with joints at `q + d + c cos(q) + s sin(q)`."""
         zero, c, s = theta.reshape(3, -1)
         error, acceleration = angle_wave(scene, np.ones(len(zero)), c, s)
         return w + wrench_change(scene, true_motion(scene, zero + error, acceleration))
 
     def lacking(self, scene: Scene) -> str | None:
-        """See `Effect.lacking`."""
+        """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises centring the worst encoder where its wave exceeds all zeros' errors, else calibrating the worst zero; errors in deg."""
         zero, *wave = theta.reshape(3, -1)
         uneven = np.hypot(*wave)
         k = largest(uneven)

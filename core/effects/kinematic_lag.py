@@ -26,21 +26,21 @@ class KinematicLag(Effect):
     stage = "timing"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """The lag, s."""
         return (Parameter("lag_s", "s", 0.0, 0.0, 0.1, 0.015),)
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w + tau dw/dt`, the derivative from each row and the three before it."""
         return np.asarray(w + theta[0] * derivative(w, scene.period, scene.past("wrench")))
 
     def missing(self, scene: Scene) -> str | None:
-        """See `Effect.missing`."""
+        """A reason where the sensor stays still: a lag shows only while loads change."""
         return stillness(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`."""
+        """Lags of 10 and 30 ms."""
         return [np.array([lag]) for lag in (0.01, 0.03)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises unfiltered joint positions, or time stamps that are earlier by the lag, ms."""
         return f"Record unfiltered joint positions, or shift the joints' time stamps {1e3 * theta[0]:.1f} ms earlier."

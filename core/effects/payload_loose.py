@@ -33,7 +33,8 @@ class PayloadLoose(Effect):
     stage = "payload"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`; the place is given from the centre of mass."""
+        """Frequency, Hz, damping ratio, six shares that are sprung, the share that hangs, place (3), m, from the centre of mass, and
+        displacement and rate at the start (3 each), m/s2."""
         return (
             Parameter("frequency_hz", "Hz", 3.0, 0.5, min(10.0, 0.4 / scene.period), 2.0),
             Parameter("damping_ratio", "1", 0.05, 0.003, 1.5, 0.15),
@@ -45,12 +46,15 @@ class PayloadLoose(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus force and moment about the sensor origin of the sprung and of the hanging part, sensor axes."""
         part = _Part(theta)
         m = scene.motion
         r = centre_of_mass(scene) + part.place
         b = m.a - m.g + cross(m.alpha, r) + cross(m.omega, cross(m.omega, r))
-        f, tau = (sprung + hanging for sprung, hanging in zip(_sprung(scene, part, b), _hanging(scene, part, b), strict=True))
+        f, tau = (
+            sprung + hanging
+            for sprung, hanging in zip(_compute_sprung_load(scene, part, b), _compute_hanging_load(scene, part, b), strict=True)
+        )
         return np.asarray(w + np.hstack([f, cross(r, f) + tau]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
@@ -63,7 +67,7 @@ class PayloadLoose(Effect):
         return [np.array([f, 0.05, *kinds[kind], *[0.0] * 9]) for f, kind in tried]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises fastening the loose part: share of the mass, %, sag or length, mm, and frequency, Hz."""
         part = _Part(theta)
         sag = 1e3 * GRAVITY / part.angular_frequency**2
         sprung, hanging = float(np.abs(np.linalg.eigvalsh(part.shares)).max()), abs(part.hanging_share)
@@ -74,7 +78,7 @@ class PayloadLoose(Effect):
         )
 
 
-def _sprung(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:
+def _compute_sprung_load(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:
     """Force and torque about its place, (N, 3) each, that the sprung part adds; b (N, 3) is the specific force there."""
     start = np.stack([part.start, part.angular_frequency * part.start_rate])
     swing = oscillate(b, scene.period, part.frequency_hz, part.damping, scene.past("sprung"), start)
@@ -83,7 +87,7 @@ def _sprung(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:
     return dds + cross(omega, 2.0 * ds + cross(omega, s)) + cross(scene.motion.alpha, s), cross(s, b)
 
 
-def _hanging(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:
+def _compute_hanging_load(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:
     """The same of the hanging part."""
     R, m = scene.rotation, part.hanging_share * scene.phi[0]
     b_base, omega = np.einsum("nij,nj->ni", R, b), np.einsum("nij,nj->ni", R, scene.motion.omega)

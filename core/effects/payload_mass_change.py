@@ -25,7 +25,7 @@ class PayloadMassChange(Effect):
     stage = "payload"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Time, s, mass, kg, its place (3), m, sensor axes, and how long it takes to come or go, s."""
         middle, begin, end, spread = onset_parameter_scale(scene)
         return (
             Parameter("at_s", "s", middle, begin, end, spread),
@@ -35,7 +35,7 @@ class PayloadMassChange(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus the wrench of a point mass at r, ramped from 0 to 1."""
         r = theta[2:5]
         change = theta[1] * np.concatenate(([1.0], r, six_of(r @ r * np.eye(3) - np.outer(r, r))))
         return w + ramp(scene.t, theta[0], theta[-1], scene.period)[:, None] * rigid_wrench(scene.motion, change)
@@ -47,7 +47,7 @@ class PayloadMassChange(Effect):
         return [np.array([t0, m, 0.0, 0.0, 0.05, over]) for t0 in times for m in (-0.05, 0.05) for over in (0.0, 5.0)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises checking the payload: time, s, mass gained or lost, g, and its place, mm."""
         verb = "gained" if theta[1] > 0 else "lost"
         x, y, z = 1e3 * theta[2:5]
         return (

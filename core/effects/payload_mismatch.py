@@ -37,14 +37,14 @@ class PayloadMismatch(Symptom):
     side = "reference"
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
-        """See `Symptom.parameters`."""
+        """Differences of the ten inertial parameters: kg, kg m, kg m2."""
         return tuple(
             Parameter(f"{name.lower()}_difference_{_SUFFIXES[unit]}", unit, 0.0, -1e3 * scale, 1e3 * scale, scale)
             for name, unit, scale in zip(PHI_NAMES, PHI_UNITS, _SCALES, strict=True)
         )
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
-        """See `Symptom.observe`."""
+        """Estimate less reference, where determined; None without a reference or with nothing determined."""
         known = np.isfinite(view.phi) & np.isfinite(view.phi_std) & (view.phi_std > 0)
         if recording.reference_of_whole is None or not known.any():
             return None
@@ -64,7 +64,7 @@ class PayloadMismatch(Symptom):
         )
 
     def advice(self, finding: Finding) -> str:
-        """See `Symptom.advice`."""
+        """Advises checking which payload is mounted and replacing the reference, with the difference of mass, g, where determined."""
         grams = 1e3 * finding.theta[0]
         mass = f" (mass {grams:+.0f} g)" if np.isfinite(grams) else ""
         return f"Check that the right payload is mounted and replace the reference by the identified parameters{mass}."

@@ -26,7 +26,7 @@ class PayloadShift(Effect):
     stage = "payload"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Time, s, change of the first moment (3), kg m, sensor axes, and how long it takes, s."""
         middle, begin, end, spread = onset_parameter_scale(scene)
         return (
             Parameter("at_s", "s", middle, begin, end, spread),
@@ -35,7 +35,7 @@ class PayloadShift(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus the wrench of the changes of first moment and inertia, ramped from 0 to 1."""
         d, c = theta[1:4], centre_of_mass(scene)
         inertia = 2.0 * (c @ d) * np.eye(3) - np.outer(c, d) - np.outer(d, c)
         change = np.concatenate(([0.0], d, six_of(inertia)))
@@ -48,7 +48,7 @@ class PayloadShift(Effect):
         return [np.array([t0, 0.005, 0.005, 0.005, over]) for t0, _ in found for over in (0.0, 3.0)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises clamping more firmly: time, s, change of first moment, kg mm, and for payloads above 10 g the way of the whole, mm."""
         d = float(np.linalg.norm(theta[1:4]))
         whole = f" (the whole payload by {1e3 * d / scene.phi[0]:.1f} mm)" if scene.phi[0] > 0.01 else ""
         return f"Clamp the payload more firmly: at {theta[0]:.1f} s it slipped by {1e3 * d:.1f} kg mm{whole}; identify it again afterwards."

@@ -42,11 +42,11 @@ class SampleDropout(Symptom):
     explains = ("sensor_noise", "sensor_quantization")
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
-        """See `Symptom.parameters`."""
+        """Share of the samples that are held, and share that are lost."""
         return (Parameter("held_share", "1", 0.0, 0.0, 1.0, 0.3), Parameter("lost_share", "1", 0.0, 0.0, 1.0, 0.3))
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
-        """See `Symptom.observe`."""
+        """Counts held rows and gaps of the clock; None without a wrench, below 400 samples, or where too few are held or lost."""
         if recording.wrench is None or len(recording) < 2 * BLOCK:
             return None
         held, informative, longest = held_share(recording.wrench)
@@ -66,7 +66,7 @@ class SampleDropout(Symptom):
         return Finding(np.array([held, lost]), std, sigma, times > 1.0, times, remark)
 
     def advice(self, finding: Finding) -> str:
-        """See `Symptom.advice`."""
+        """Advises matching the recorder's rate to the sensor's or relieving its bus, with both shares in %."""
         return (
             f"Match the recorder's rate to the sensor's or relieve its bus: {100 * finding.theta[0]:.1f} % of the samples are held "
             f"and {100 * finding.theta[1]:.1f} % are lost."
@@ -85,7 +85,7 @@ def held_share(wrench: Array) -> tuple[float, int, int]:
         return 0.0, 0, 0
     e = same[: blocks * BLOCK].reshape(blocks, BLOCK, 6).mean(axis=1)
     joint = every[: blocks * BLOCK].reshape(blocks, BLOCK).mean(axis=1)
-    shares = np.array([_solved(joint[b], e[b]) for b in range(blocks)])
+    shares = np.array([_solve_held_share(joint[b], e[b]) for b in range(blocks)])
     told = np.isfinite(shares)
     edges = np.flatnonzero(np.diff(np.concatenate([[0], every.astype(int), [0]])))
     longest = int(np.max(edges[1::2] - edges[::2], initial=0))
@@ -108,7 +108,7 @@ def lost_share(t: Array) -> float:
     return missing / (len(t) + missing)
 
 
-def _solved(joint: float, e: Array) -> float:
+def _solve_held_share(joint: float, e: Array) -> float:
     """p with `joint = p + (1 - p) prod((e - p)/(1 - p))`, the smallest; NaN where p could be anything."""
     if joint == 0:
         return 0.0

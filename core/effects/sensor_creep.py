@@ -21,19 +21,19 @@ class SensorCreep(Effect):
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Six shares of the load that creep, and one time constant, s."""
         return (*shares("creep_share", lower=-0.2, upper=0.2, scale=0.005), Parameter("time_constant_s", "s", 30.0, 0.3, 1000.0, 40.0))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w + K w / (1 + tau s)` in each channel, all creep over in the first row of the run."""
         return np.asarray(w + theta[:6] * low_passed(w, theta[6], scene.period, scene.past("creep")))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`."""
+        """Creep of 0.2 % in all channels with time constants of 10, 2 and 60 s."""
         return [np.append(np.full(6, 0.002), tau) for tau in (10.0, 2.0, 60.0)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises waiting for three time constants, s, after a change of load; the largest creep in %."""
         k, channel = largest(theta[:6])
         return (
             f"Wait about {3 * theta[6]:.0f} s after a change of load before taring or measuring: "

@@ -30,7 +30,7 @@ class SensorCrosstalk(Effect):
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """The 30 entries of C off its diagonal, row by row, units of row per column, then the angle a, rad."""
         full = np.repeat([1.0, ARM], 3) if scene.range is None else scene.range
         entries = (self._entry(i, j, PLAUSIBLE * float(full[i] / full[j])) for i, j in zip(ROW.tolist(), COLUMN.tolist(), strict=True))
         return (*entries, Parameter("rectification_rad", "rad", 0.0, -np.pi, np.pi, 1.0))
@@ -42,18 +42,18 @@ class SensorCrosstalk(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w + C (w cos a + |w| sin a)`."""
         C = np.zeros((6, 6))
         C[ROW, COLUMN] = theta[:30]
         through = w * np.cos(theta[30]) + np.abs(w) * np.sin(theta[30])
         return np.asarray(w + through @ C.T)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`."""
+        """No entries, with angles of -45 and 45 deg."""
         return [np.append(np.zeros(30), angle) for angle in (-0.25 * np.pi, 0.25 * np.pi)]  # the entries are linear: one step finds them
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises a new calibration matrix, with the entry that is largest against its plausible size."""
         largest = int(np.abs(theta[:30] / [p.scale for p in self.parameters(scene)[:30]]).argmax())
         i, j = ROW[largest], COLUMN[largest]
         return (

@@ -27,7 +27,7 @@ class SensorDrift(Effect):
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Drift after one minute (6), N and N m, settling rate, 1/s, and where the temperature is recorded drift per K (6)."""
         time = (
             *amplitudes("first_minute", bound=six(50.0, 2.5), scale=six(1.0, 0.05)),
             Parameter("settling_rate_per_s", "1/s", 0.0, -0.02, 2.0, 0.03),
@@ -37,7 +37,7 @@ class SensorDrift(Effect):
         return (*time, *amplitudes("drift", bound=six(10.0, 0.5), scale=six(0.3, 0.015), per="K"))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus the drift with time and, where it is recorded, with temperature; zero in the first row of the run."""
         W = w + np.outer(settling(scene.elapsed, theta[6]), theta[:6])
         if scene.temperature is not None:
             first = scene.past("temperature").first(scene.temperature)
@@ -45,7 +45,7 @@ class SensorDrift(Effect):
         return np.asarray(W)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`."""
+        """Drift with the signs by which the residual changes from its first to its last third, at rates of 0.01, 0.05 and 0.2 1/s."""
         third = max(1, len(residual) // 3)
         sign = np.sign(residual[-third:].mean(axis=0) - residual[:third].mean(axis=0))
         parameters = self.parameters(scene)
@@ -54,7 +54,7 @@ class SensorDrift(Effect):
         return [np.concatenate([start[:6], [k], start[7:]]) for k in (0.01, 0.05, 0.2)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises 20 min of warming up and taring before the run, with the drift over the run in N and N m."""
         seconds = float(scene.t[-1] - scene.t[0])
         drift = theta[:6] * settling(np.array([seconds]), theta[6])
         if scene.temperature is not None:

@@ -20,22 +20,22 @@ class SensorGain(Effect):
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Six gain errors, then six asymmetries between pull and push, all as shares."""
         return (
             *shares("gain_error_share", lower=-0.5, upper=0.5, scale=0.03),
             *shares("asymmetry_share", lower=-0.25, upper=0.25, scale=0.01),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w + e w + a |w|` in each channel."""
         return np.asarray(w * (1.0 + theta[:6]) + np.abs(w) * theta[6:])
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`."""
+        """All zero."""
         return [np.zeros(12)]  # linear in its parameters: one step finds them
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises recalibration in both directions, with the errors of the worst channel for positive and negative loads in %."""
         pulled, pushed = theta[:6] + theta[6:], theta[:6] - theta[6:]
         k, channel = largest(np.abs(pulled) + np.abs(pushed))
         return (

@@ -35,7 +35,7 @@ class SensorHysteresis(Effect):
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Half the heights of six loops as shares of full scale, six logarithms of turning loads over full scale, and their spread."""
         turning = (Parameter(f"{channel}_turning_load_log_ratio", "1", math.log(0.01), -9.0, 0.0, 1.0) for channel in CHANNELS)
         return (
             *shares("half_width_share", lower=-0.1, upper=0.1, scale=0.003),
@@ -44,7 +44,7 @@ class SensorHysteresis(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w - h FS z(w)`, z the mean of three stops with graded turning loads."""
         full = full_scale(scene, w)
         radius = np.exp(theta[6:12] + theta[12] * SPREAD[:, None]) * full
         load = np.tile(w, len(SPREAD))
@@ -52,16 +52,16 @@ class SensorHysteresis(Effect):
         return np.asarray(w - theta[:6] * full * turned.reshape(len(w), len(SPREAD), 6).mean(axis=1))
 
     def tied_to_run(self, scene: Scene) -> str | None:
-        """See `Effect.tied_to_run`."""
+        """A reason where the sensor's range is not known: shares of it then hold for this run only."""
         return without_range(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`."""
+        """Loops without height that turn over 0.1, 0.3, 1 and 3 % of full scale."""
         # the heights are linear: one step finds them
         return [np.concatenate([np.zeros(6), np.full(6, math.log(share)), [0.3]]) for share in TURNING]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises checking the flanges' bolts, or one side of approach, with the height of the largest loop in % of full scale."""
         k, channel = largest(theta[:6])
         return (
             f"Check the bolts of the sensor's flanges for slip, else approach every pose from the same side: "

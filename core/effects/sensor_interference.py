@@ -32,7 +32,7 @@ class SensorInterference(Symptom):
     explains = ("sensor_noise",)
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
-        """See `Symptom.parameters`."""
+        """Frequency, Hz, and amplitude in each channel, N and N m."""
         nyquist = 0.5 * rate(recording)
         return (
             Parameter("frequency_hz", "Hz", 50.0, 0.0, nyquist, 50.0),
@@ -43,7 +43,7 @@ class SensorInterference(Symptom):
         )
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
-        """See `Symptom.observe`."""
+        """The strongest line in the holds' noise; None where they are too short, it is below five standard deviations, or rings down."""
         noise = hold_noise(recording, view.holds)
         samples_per_second = rate(recording)
         line = line_in(noise, samples_per_second)
@@ -67,7 +67,7 @@ class SensorInterference(Symptom):
         return Finding(theta, std, line.sigma, bool(times[worst] > MATERIAL), float(times[worst]), remark)
 
     def advice(self, finding: Finding) -> str:
-        """See `Symptom.advice`."""
+        """Advises leading the cable away from motor and mains cables and grounding its shield, with the line's frequency in Hz."""
         return (
             "Lead the sensor's cable away from motor and mains cables and ground its shield at one end, "
             f"to be rid of the line at {finding.theta[0]:.1f} Hz."

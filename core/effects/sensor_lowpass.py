@@ -28,11 +28,11 @@ class SensorLowpass(Effect):
     stage = "timing"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Time constant tau, s, and kappa, the share of second order."""
         return (Parameter("time_constant_s", "s", 0.0, 0.0, 0.2, 0.03), Parameter("second_order_share", "1", 0.0, 0.0, 0.7, 0.3))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w / (1 + tau s + kappa (tau s)^2)`, as two poles in a row."""
         tau, kappa = theta
         root = cmath.sqrt(1 - 4 * kappa)
         slow, fast = tau * (1 + root) / 2, tau * (1 - root) / 2
@@ -42,16 +42,16 @@ class SensorLowpass(Effect):
         return np.ascontiguousarray(low_passed(once, fast, scene.period, scene.past("fast pole")).real)
 
     def missing(self, scene: Scene) -> str | None:
-        """See `Effect.missing`."""
+        """A reason where the sensor stays still: a filter shows only while loads change."""
         return stillness(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`."""
+        """Corners of 8, 20 and 3 Hz nearly of first order, and of 8 Hz nearly as Butterworth's."""
         return [
             np.array([1 / (2 * math.pi * cutoff_hz), kappa]) for cutoff_hz, kappa in ((8.0, 0.05), (20.0, 0.05), (3.0, 0.05), (8.0, 0.45))
         ]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises switching the filter off or raising it above its corner, Hz, with its delay in ms."""
         cutoff_hz = 1 / (2 * math.pi * max(float(theta[0]), 1e-6))
         return f"Switch the sensor's filter off or raise it well above {cutoff_hz:.0f} Hz; it delays by {1e3 * theta[0]:.0f} ms."

@@ -42,12 +42,12 @@ class SensorNoise(Symptom):
     resembled_by = ("payload_loose", "joint_elasticity", "tool_flexibility")  # what swings after a motion, swings in the hold
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
-        """See `Symptom.parameters`."""
+        """Noise of each channel as a multiple of what is stated, and correlation from sample to sample."""
         factors = (Parameter(f"{channel}_noise_factor", "1", 1.0, 0.0, 100.0, 2.0) for channel in CHANNELS)
         return (*factors, Parameter("correlation", "1", 0.0, -1.0, 1.0, 0.5))
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
-        """See `Symptom.observe`; nothing can be said where no noise is stated."""
+        """Compares the holds' noise with what is stated; None where none is stated, no hold is long enough, or it is not above that."""
         stated, wrench = recording.sensor.noise_std, recording.wrench
         noise = _lineless(recording, view)
         if stated is None or wrench is None or not noise:
@@ -75,7 +75,7 @@ class SensorNoise(Symptom):
         return Finding(np.append(factor, common), np.append(std, rho_std), sigma, material, times, remark)
 
     def advice(self, finding: Finding) -> str:
-        """See `Symptom.advice`."""
+        """Advises checking supply, shield and cable, or stating the higher noise, with the factor of the noisiest channel."""
         k, channel = largest(finding.theta[:6])
         return (
             f"Check the sensor's supply, shield and cable ({channel} is {finding.theta[k]:.1f} times as noisy as stated), "

@@ -24,25 +24,25 @@ class SensorNonlinearity(Effect):
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Six bends `e` at full scale, then six errors `s` of the slope, all as shares."""
         return (
             *shares("full_scale_error_share", lower=-2.0, upper=2.0, scale=0.02),
             *shares("slope_error_share", lower=-0.5, upper=0.5, scale=0.02),
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w + s w + e w |w| / FS` in each channel."""
         return np.asarray(w * (1.0 + theta[6:] + theta[:6] / full_scale(scene, w) * np.abs(w)))
 
     def tied_to_run(self, scene: Scene) -> str | None:
-        """See `Effect.tied_to_run`."""
+        """A reason where the sensor's range is not known: shares of it then hold for this run only."""
         return without_range(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`."""
+        """All zero."""
         return [np.zeros(12)]  # linear in its parameters: one step finds them
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises checking the linearity with known weights, with the largest bend in % at full scale."""
         k, channel = largest(theta[:6])
         return f"Have the sensor's linearity checked with known weights: {channel} is bent by {100 * theta[k]:+.1f} % at full scale."

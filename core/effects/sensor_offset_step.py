@@ -21,18 +21,18 @@ class SensorOffsetStep(Effect):
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`; the time counts from the first sample."""
+        """Jump of each channel, N and N m, and its time, s, from the first sample on."""
         seconds = float(scene.t[-1] - scene.t[0])
         time = Parameter("step_time_s", "s", seconds / 2, 0.0, seconds, max(seconds, scene.period))
         return (*amplitudes("step", bound=six(100.0, 10.0), scale=six(1.5, 0.08)), time)
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus the jump A from t0 on, reached within one sample."""
         step = np.clip((scene.elapsed - theta[6]) / scene.period, 0.0, 1.0)
         return np.asarray(w + np.outer(step, theta[:6]))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`: the jumps that the residual shows, with the signs that it shows there."""
+        """The jumps, at most four, that the residual shows, with the signs that it shows there; the default where it shows none."""
         beside = max(2, round(0.5 / scene.period))
         scale = np.array([p.scale for p in self.parameters(scene)[:6]])
         starts = []
@@ -42,7 +42,7 @@ class SensorOffsetStep(Effect):
         return starts or super().starts(scene, residual)
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises checking plug and cable and taring, with the time, s, and the jump, N and N m."""
         return (
             f"Check the sensor's plug and cable and tare it: {theta[6]:.1f} s after the start its offset jumped by {in_words(theta[:6])}."
         )

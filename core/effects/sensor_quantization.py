@@ -36,14 +36,14 @@ class SensorQuantization(Symptom):
     explains = ("sensor_noise",)
 
     def parameters(self, recording: Recording) -> tuple[Parameter, ...]:
-        """See `Symptom.parameters`."""
+        """Step of each channel, N and N m."""
         return tuple(
             Parameter(f"{channel}_step_{suffix}", unit, 0.0, 0.0, float(100 * scale), float(scale))
             for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, six(0.5, 0.02), strict=True)
         )
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
-        """See `Symptom.observe`."""
+        """Compares all steps with the stated resolution; None without a wrench, or where none is coarser and shows beside the noise."""
         if recording.wrench is None:
             return None
         sensor = recording.sensor
@@ -68,7 +68,7 @@ class SensorQuantization(Symptom):
         return Finding(step, std, sigma, bool((coarse & (step > MATERIAL * noise)).any()), times, remark)
 
     def advice(self, finding: Finding) -> str:
-        """See `Symptom.advice`."""
+        """Advises the finest resolution or a smaller range, with the coarsest step, N or N m."""
         k = int((finding.theta / six(1.0, 0.05)).argmax())
         return (
             f"Choose the sensor's finest resolution or a smaller range: {CHANNELS[k]} comes in steps of {finding.theta[k]:.3g} {UNITS[k]}; "

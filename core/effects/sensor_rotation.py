@@ -24,16 +24,16 @@ class SensorRotation(Effect):
     stage = "mounting"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """The rotation vector (3), rad, sensor axes."""
         return tuple(Parameter(f"about_{axis}_rad", "rad", 0.0, -0.3, 0.3, 0.02) for axis in "xyz")
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus what the payload asks more with gravity and motion seen from axes turned by R(theta)."""
         R, m = rotation(theta), scene.motion
         return w + wrench_change(scene, Motion(m.g @ R, m.a @ R, m.omega @ R, m.alpha @ R))
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises turning the sensor frame in the URDF, deg, or remounting the sensor."""
         x, y, z = np.degrees(theta)
         return (
             f"Correct the sensor frame in the URDF: turn it by {x:+.2f}, {y:+.2f} and {z:+.2f} deg about its x, y and z axes, "

@@ -35,7 +35,7 @@ class SensorSaturation(Effect):
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`: six upper limits, then six lower ones, and the corner of all of them."""
+        """Reciprocals of six upper limits, then of six lower ones, 1/N and 1/(N m), and the corner of all of them as a share."""
         limits = (
             Parameter(
                 f"{channel}_{side}_limit_per_{suffix}",
@@ -51,7 +51,7 @@ class SensorSaturation(Effect):
         return (*limits, Parameter("corner_share", "1", CORNER, 0.005, 0.8, 0.2))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`clip(w, -1/l, 1/u)` in each channel with rounded corners; a reciprocal of zero is no limit."""
         W = w.copy()
         for j in range(6):
             if theta[j] > 0:
@@ -61,8 +61,8 @@ class SensorSaturation(Effect):
         return W
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`: the limits whose missing load looks most like the residual, the first of them and all of them."""
-        seen = _limits_seen(scene, residual)
+        """The limits whose missing load looks most like the residual, the first of them and all of them, with sharp and round corners."""
+        seen = _find_limits(scene, residual)
         first, every = np.zeros(12), np.zeros(12)
         for number, (k, reciprocal) in enumerate(seen):
             every[k] = reciprocal
@@ -73,7 +73,7 @@ class SensorSaturation(Effect):
         return [np.append(np.clip(limit, 0.0, upper), corner) for limit in limits for corner in (CORNER, 0.3)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises a larger range or a lighter payload, with the limit that is passed most and the load of the run, N or N m."""
         reach = np.abs(scene.nominal).max(axis=0)
         k = int((theta[:12] * np.tile(reach, 2)).argmax())
         side = "above" if k < 6 else "below"
@@ -91,7 +91,7 @@ def limited(x: Array, limit: float, corner: float) -> Array:
     return np.asarray(np.minimum(x, limit + d) - inside**2 / (4 * d))
 
 
-def _limits_seen(scene: Scene, residual: Array) -> list[tuple[int, float]]:
+def _find_limits(scene: Scene, residual: Array) -> list[tuple[int, float]]:
     """Parameters and reciprocal limits whose missing load looks most like the residual, one after the other (orthogonal matching pursuit).
 
     What payload and offsets take up does not count.
@@ -102,7 +102,7 @@ def _limits_seen(scene: Scene, residual: Array) -> list[tuple[int, float]]:
     nuisance = np.concatenate([regressor(scene.motion[rows]), offsets], axis=2) * scale[:, None]
     Q, _ = np.linalg.qr(nuisance.transpose(1, 0, 2).reshape(6 * len(w), 16))
     sides = {k: (1.0 if k < 6 else -1.0) * w[:, k % 6] for k in range(12)}
-    columns = {k: scale[k % 6] * _missing(x) * (1.0 if k < 6 else -1.0) for k, x in sides.items() if x.max() > 0}
+    columns = {k: scale[k % 6] * _cut_off(x) * (1.0 if k < 6 else -1.0) for k, x in sides.items() if x.max() > 0}
     seen: list[tuple[int, float]] = []
     least = SEEN
     while columns:
@@ -120,7 +120,7 @@ def _limits_seen(scene: Scene, residual: Array) -> list[tuple[int, float]]:
     return seen
 
 
-def _missing(x: Array) -> Array:
+def _cut_off(x: Array) -> Array:
     """(n, levels), what each of the limits takes off a channel (n,)."""
     return np.column_stack([limited(x, share * float(x.max()), CORNER) - x for share in SHARES])
 

@@ -21,17 +21,17 @@ class SensorTranslation(Effect):
     stage = "mounting"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """The true origin from the believed one (3), m, sensor axes."""
         return tuple(Parameter(f"{axis}_m", "m", 0.0, -0.1, 0.1, 0.004) for axis in "xyz")
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus what the payload asks more under `a + alpha x d + omega x (omega x d)`."""
         m = scene.motion
         a = m.a + cross(m.alpha, theta) + cross(m.omega, cross(m.omega, theta))
         return w + wrench_change(scene, Motion(m.g, a, m.omega, m.alpha))
 
     def missing(self, scene: Scene) -> str | None:
-        """See `Effect.missing`."""
+        """A reason where the sensor does not turn."""
         return (
             None
             if np.any(scene.motion.omega)
@@ -39,6 +39,6 @@ class SensorTranslation(Effect):
         )
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises moving the sensor frame in the URDF, mm."""
         x, y, z = 1e3 * theta
         return f"Move the sensor frame in the URDF by {x:+.1f}, {y:+.1f} and {z:+.1f} mm along its x, y and z axes."

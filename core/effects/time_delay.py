@@ -21,21 +21,21 @@ class TimeDelay(Effect):
     stage = "timing"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """The delay, s."""
         return (Parameter("delay_s", "s", 0.0, 0.0, 0.1, 0.02),)
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w(t - tau)`, by a quintic between samples."""
         return delayed(w, theta[0] / scene.period, scene.past("wrench"))
 
     def missing(self, scene: Scene) -> str | None:
-        """See `Effect.missing`."""
+        """A reason where the sensor stays still: a delay shows only while loads change."""
         return stillness(scene)
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
-        """See `Effect.starts`."""
+        """Delays of 6, 20 and 50 ms."""
         return [np.array([delay]) for delay in (0.006, 0.02, 0.05)]
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises one clock for wrench and joints, or the delay in the recorder, ms."""
         return f"Stamp wrench and joints with one clock, or set a delay of {1e3 * theta[0]:.1f} ms in the recorder."

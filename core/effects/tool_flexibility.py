@@ -41,7 +41,7 @@ class ToolFlexibility(Effect):
     stage = "payload"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
-        """See `Effect.parameters`."""
+        """Two frequencies, Hz, one damping ratio, and two mode shapes (6 each), normalised by mass, sensor frame."""
         highest = min(60.0, 0.45 / scene.period)
         lowest = min(4.0, 0.2 * highest)
         middle = min(20.0, 0.5 * highest)
@@ -52,7 +52,7 @@ class ToolFlexibility(Effect):
         )
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
-        """See `Effect.wrench`."""
+        """`w` plus, for each mode, the inertial wrench `M xi eta''` and the torque `s x (a - g)` of its displaced first moment."""
         M, b = spatial_inertia(scene.phi), scene.motion.a - scene.motion.g
         for k, shape in enumerate(_shapes(theta)):
             force = -(scene.nominal @ shape)[:, None]
@@ -73,7 +73,7 @@ class ToolFlexibility(Effect):
         return starts
 
     def advice(self, scene: Scene, theta: Array) -> str:
-        """See `Effect.advice`."""
+        """Advises a stiffer tool or smoother motion: frequency, Hz, of the mode that moves the larger share, and damping, %."""
         M = spatial_inertia(scene.phi)
         k = int(np.argmax([shape @ M @ shape for shape in _shapes(theta)]))
         return f"Stiffen the tool or smooth the motion: it rings at {theta[k]:.1f} Hz with {100 * theta[MODES]:.0f} % of critical damping."

@@ -59,7 +59,7 @@ def best_windows(
         first, last = first[short], last[short]
     found = _distinct(first, last, gain(first, last), count, N // 20)
     if not open_end:
-        found = [_refined(gain, begin, end, N // COARSE, N) for begin, end in found]
+        found = [_refine_window(gain, begin, end, N // COARSE, N) for begin, end in found]
     return [(float(t[begin]), float(t[end])) for begin, end in found]
 
 
@@ -106,7 +106,7 @@ def _distinct(first: Rows, last: Rows, gain: Array, count: int, near: int) -> li
     return found
 
 
-def _refined(gain: _Gain, begin: int, end: int, cell: int, N: int) -> tuple[int, int]:
+def _refine_window(gain: _Gain, begin: int, end: int, cell: int, N: int) -> tuple[int, int]:
     """The best window whose ends are within a cell of the given ones."""
     around = np.unique(np.linspace(-cell, cell, 21).astype(int))
     first, last = (x.ravel() for x in np.meshgrid(np.clip(begin + around, 0, N - 1), np.clip(end + around, 1, N)))

@@ -40,16 +40,16 @@ def drift_basis(t: Array, parts: Sequence[Part]) -> Array:
         if count >= 2:
             knots = np.linspace(start, stop, count + 1)
             ramps.append(np.clip((t[:, None] - knots[:-1]) / np.diff(knots), 0.0, 1.0))
-    return _centred(np.concatenate(ramps, axis=1))
+    return _centre(np.concatenate(ramps, axis=1))
 
 
 def steps_between(t: Array, parts: Sequence[Part]) -> Array:
     """(K, p) steps of height 1 where a part begins, for those with some of the times t (K,), each with mean zero over them."""
     part = np.searchsorted([start for start, _ in parts], t, side="right")
-    return _centred(np.asarray(part[:, None] >= np.unique(part)[1:], dtype=np.float64))
+    return _centre(np.asarray(part[:, None] >= np.unique(part)[1:], dtype=np.float64))
 
 
-def _centred(columns: Array) -> Array:
+def _centre(columns: Array) -> Array:
     return np.asarray(columns - columns.mean(axis=0)) if len(columns) else columns
 
 

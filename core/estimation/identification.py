@@ -52,7 +52,7 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     static = poses.period > SLOWEST_PERIOD_S or len(recording) < 50
     motion, speed = _motion(poses, static)
     segments = _segments(recording, motion, speed, static)
-    still = _labelled_still(recording, segments) if static else motionless(recording.t, segments)
+    still = _find_labelled_still(recording, segments) if static else motionless(recording.t, segments)
     noise = sensor_noise(wrench, still, segments, nominal_std=recording.sensor.noise_std)
     rows_only = static or (poses.position is None) or not bool((~still).any())
     if rows_only and int(still.sum()) < FEWEST_ROWS:
@@ -61,19 +61,19 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     if len(form) < FEWEST_ROWS:
         return _nothing(segments, f"{recording.t[-1] - recording.t[0]:.2f} s are too short to say anything")
     effects = effects_on(recording, poses, segments, twin, static=static)
-    found, change = _fitted(form, wrench, noise or unknown_noise(), effects)
+    found, change = _fit_wrench(form, wrench, noise or unknown_noise(), effects)
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
     estimate = _estimate(found, motion, static=rows_only, turned=turned)
     paper = _paper(wrench - change, motion, speed, still, found.noise)
     series = None if rows_only else _series(recording.t, wrench, motion, found, change)
     said = warnings_of(recording, estimate, found, static=rows_only)
-    warnings = (*said, *on_transfers_alone(estimate, turned), *_not_accounted(effects))
+    warnings = (*said, *on_transfers_alone(estimate, turned), *_warn_of_effects_left_out(effects))
     verdict = verdict_of(estimate, static=rows_only)
     verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found.noise, segments).verifications
     return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, verified=verified)
 
 
-def _fitted(form: WeakForm, wrench: Array, noise: SensorNoise, effects: TwinEffects) -> tuple[Fit, Array]:
+def _fit_wrench(form: WeakForm, wrench: Array, noise: SensorNoise, effects: TwinEffects) -> tuple[Fit, Array]:
     """The fit, and what the twin's effects add to the wrench (N, 6)."""
     if not effects.ids:
         return fit(form, wrench, noise), np.zeros_like(wrench)
@@ -81,7 +81,7 @@ def _fitted(form: WeakForm, wrench: Array, noise: SensorNoise, effects: TwinEffe
     return corrected.found, corrected.change
 
 
-def _not_accounted(effects: TwinEffects) -> list[Remark]:
+def _warn_of_effects_left_out(effects: TwinEffects) -> list[Remark]:
     said = "the twin's effect could not be accounted for"
     return [Remark("effect_left_out", f"{said}, {reason}", {"effect": reason.partition(":")[0]}) for reason in effects.lacking]
 
@@ -100,7 +100,7 @@ def _segments(recording: Recording, motion: Motion, speed: Array, static: bool) 
     return segments_of_motion(recording.t, motion.omega, speed, motion.g, threshold=np.array([0.01, 0.005]))
 
 
-def _labelled_still(recording: Recording, segments: tuple[Segment, ...]) -> Bools:
+def _find_labelled_still(recording: Recording, segments: tuple[Segment, ...]) -> Bools:
     """Slow samples are poses of their own: every one that is labelled as a hold counts."""
     still = np.zeros(len(recording), dtype=bool)
     for part in segments:

@@ -16,7 +16,7 @@ class Abb(Target):
     says = "kg, mm, kg m2; principal moments about the centre of mass, along axes that a quaternion (w x y z) turns from the flange's"
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`."""
+        """A RAPID `loaddata`: mass (kg), centre of mass (mm), quaternion of the principal axes and their moments (kg m2), flange frame."""
         axes = principal_axes(payload.inertia_com)
         com, turn, moments = digits(payload.com_m, ",", MM), digits(quaternion(axes.rotation), ","), digits(axes.moments, ",")
         return f"PERS loaddata heft_load:=[{payload.phi[0]:.9g},[{com}],[{turn}],{moments}];\n"

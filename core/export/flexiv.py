@@ -20,6 +20,6 @@ class Flexiv(Target):
     says = "kg, m, kg m2; inertia about the centre of mass along the flange's axes: Ixx Iyy Izz Ixy Ixz Iyz"
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`."""
+        """JSON of mass (kg), centre of mass (m) and the six entries of the inertia about it (kg m2, in `ORDER`), flange frame."""
         tool = {"mass": float(payload.phi[0]), "CoM": payload.com_m.tolist(), "inertia": payload.inertia_com[ORDER].tolist()}
         return json.dumps(tool, indent=2) + "\n"

@@ -18,7 +18,7 @@ class Franka(Target):
     says = "kg, m, kg m2; inertia about the centre of mass along the flange's axes, nine values column by column"
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`."""
+        """JSON of mass (kg), centre of mass (m) and the inertia about it as nine values by columns (kg m2), flange frame."""
         load = {
             "load_mass": float(payload.phi[0]),
             "F_x_Cload": payload.com_m.tolist(),

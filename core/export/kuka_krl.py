@@ -16,7 +16,7 @@ class KukaKrl(Target):
     says = "kg, mm, deg, kg m2; principal moments J about the centre of mass, along axes that A B C turn from the flange's"
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`."""
+        """A KRL `LOAD_DATA`: mass (kg), centre of mass (mm) with A B C of the principal axes (deg), moments (kg m2), flange frame."""
         axes = principal_axes(payload.inertia_com)
         place = [*zip("XYZ", MM * payload.com_m, strict=True), *zip("ABC", zyx_degrees(axes.rotation), strict=True)]
         com = ",".join(f"{name} {value:.9g}" for name, value in place)

@@ -17,7 +17,7 @@ class KukaSunrise(Target):
     says = "kg, mm, kg m2; moments about the centre of mass along the flange's axes, without products"
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`."""
+        """Seven lines of name, unit and value: mass (kg), centre of mass (mm), Ixx, Iyy and Izz about it (kg m2), flange frame."""
         rows = [("Mass [kg]", payload.phi[0])]
         rows += [(f"MS {name} [mm]", MM * value) for name, value in zip("XYZ", payload.com_m, strict=True)]
         rows += [(f"J{name} [kg m2]", payload.inertia_com[k]) for name, k in zip("XYZ", (0, 3, 5), strict=True)]

@@ -18,6 +18,6 @@ class MuJoCo(Target):
     says = "kg, m, kg m2; inertia about the centre of mass along the body's axes: 11 22 33 12 13 23"
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`."""
+        """An `inertial` element of MJCF: centre of mass (m), mass (kg), inertia about the centre of mass (kg m2, `ORDER`), body frame."""
         inertia = digits(payload.inertia_com[ORDER], " ")
         return f'<inertial pos="{digits(payload.com_m, " ")}" mass="{payload.phi[0]:.9g}" fullinertia="{inertia}"/>\n'

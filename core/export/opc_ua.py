@@ -22,7 +22,7 @@ class OpcUa(Target):
     says = "kg, mm, deg, kg m2; principal moments about the mounting point, along axes that A B C turn from the mounting point's"
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`."""
+        """JSON of mass (kg), centre of mass (mm), A B C (deg), principal moments about the mounting point (kg m2), each with its unit."""
         axes = principal_axes(payload.phi[4:])
         load = {
             "Mass": {"Value": float(payload.phi[0]), "EngineeringUnits": unit("kg")},

@@ -22,7 +22,7 @@ class UniversalRobots(Target):
     says = "kg, m, kg m2; inertia about the centre of mass along the flange's axes: Ixx Iyy Izz Ixy Ixz Iyz"
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`.
+        """A URScript call with mass (kg), centre of mass (m) and the inertia about it (kg m2, in `ORDER`), flange frame.
 
         Raises:
             BadPayload: an entry of the inertia is larger than the robot takes.

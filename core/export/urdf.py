@@ -15,7 +15,7 @@ class Urdf(Target):
     says = "kg, m, kg m2; inertia about the centre of mass along the link's axes: ixx ixy ixz iyy iyz izz"
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`."""
+        """An `inertial` element of URDF: centre of mass (m), mass (kg), inertia about the centre of mass (kg m2), link frame."""
         inertia = " ".join(f'{name.lower()}="{value:.9g}"' for name, value in zip(INERTIA_NAMES, payload.inertia_com, strict=True))
         lines = (
             f'  <origin xyz="{digits(payload.com_m, " ")}" rpy="0 0 0"/>',

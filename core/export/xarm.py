@@ -18,7 +18,7 @@ class XArm(Target):
     needs = slice(0, 4)
 
     def text(self, payload: UncertainParameters) -> str:
-        """See `Target.text`."""
+        """A call of `set_tcp_load` in Python: mass (kg) and centre of mass (mm), flange frame."""
         return f"arm.set_tcp_load({payload.phi[0]:.9g}, [{digits(payload.com_m, factor=MM)}])\n"
 
     def lacks(self, payload: UncertainParameters) -> Iterator[Lack]:

@@ -95,11 +95,11 @@ def ask(answer: Reader, orders: Sequence[Order]) -> list[Arrays]:
     """
     if _confined or not orders:
         return [answer(order) for order in orders]
-    said = _said(answer.__module__, orders)
+    said = _run_reader(answer.__module__, orders)
     return [_arrays(said, order["where"]) for order in orders]
 
 
-def _said(module: str, orders: Sequence[Order]) -> io.BytesIO:
+def _run_reader(module: str, orders: Sequence[Order]) -> io.BytesIO:
     """What the process wrote before it ended, in whatever way."""
     one_thread = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
     process = subprocess.Popen(

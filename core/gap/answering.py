@@ -36,12 +36,12 @@ UNKNOWN_CONSEQUENCE = "What it does to the payload cannot be told as long as its
 
 def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
     """What the wrench says, and beside it what is plain in the recording itself; that explains no gap, and changes no verdict."""
-    fitted = _fitted(recording, evidence)
+    fitted = _answer_from_wrench(recording, evidence)
     also = observed(recording, evidence.windows, evidence.nominal, evidence.best)
     return fitted.model_copy(update={"also": also, "summary": " ".join([fitted.summary, *leading(also)])})
 
 
-def _fitted(recording: Recording, evidence: Evidence) -> Diagnosis:
+def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
     """What the wrench alone says."""
     windows, nominal, best = evidence.windows, evidence.nominal, evidence.best
     attribution, material, verdict = evidence.attribution, evidence.material, evidence.verdict
@@ -54,7 +54,7 @@ def _fitted(recording: Recording, evidence: Evidence) -> Diagnosis:
         unknown_probability=attribution.unknown if material else LAPSE,
         pairs=[_pair(evidence, fit, p) for fit, p in explained if len(fit.effects) == 2],
         minor=[] if material else _minor(evidence),
-        indistinguishable=[_tied(tie, evidence.proposals) for tie in attribution.ties] if material else [],
+        indistinguishable=[_describe_tie(tie, evidence.proposals) for tie in attribution.ties] if material else [],
         where=_where(recording, Residual(windows, nominal), best),
         gap=_gap(evidence),
         payload=PayloadPart(before=_payload(nominal), after=_payload(best)),
@@ -136,7 +136,7 @@ def _minor(evidence: Evidence) -> list[Minor]:
     return [Minor(id=best.name, parameters=_values(best), sentence="detected, but too small to matter")]
 
 
-def _tied(tie: Tie, proposals: tuple[Proposal, ...]) -> Tied:
+def _describe_tie(tie: Tie, proposals: tuple[Proposal, ...]) -> Tied:
     splitting = [it.motion.sentence for it in proposals if tie in it.ties]
     return Tied(
         ids=(tie.first.name, tie.second.name),

@@ -97,15 +97,15 @@ def probabilities(nominal: EffectFit, fits: list[EffectFit]) -> tuple[float, flo
     """
     single = np.array([len(fit.effects) == 1 for fit in fits], dtype=bool)
     best = _best(nominal, fits)
-    weights = _weighed(nominal, fits, np.ones(len(fits), dtype=bool))
+    weights = _weigh(nominal, fits, np.ones(len(fits), dtype=bool))
     if len(best.effects) > 1:
         doubt = _rise(leftover(nominal, best), UNEXPLAINED_HALF ** len(best.effects))
-        weights = (1.0 - doubt) * weights + doubt * _weighed(nominal, fits, single)
+        weights = (1.0 - doubt) * weights + doubt * _weigh(nominal, fits, single)
     none, unknown, *shares = weights.tolist()
     return none, unknown, shares
 
 
-def _weighed(nominal: EffectFit, fits: list[EffectFit], trusted: NDArray[np.bool_]) -> Array:
+def _weigh(nominal: EffectFit, fits: list[EffectFit], trusted: NDArray[np.bool_]) -> Array:
     """(2 + len(fits),), probabilities of none, of unknown and of each fit; fits that are not trusted have none."""
     best = _best(nominal, [fit for fit, is_trusted in zip(fits, trusted, strict=True) if is_trusted])
     left, scale = leftover(nominal, best), misfit(best)

@@ -30,7 +30,7 @@ def joint_side(recording: Recording, offset: Array) -> list[JointGap]:
     rows = slice(0, None, max(1, len(q) // ROWS))
     moving = np.abs(np.gradient(q, recording.t, axis=0)[rows]) > MOVING_RAD_S
     tracking = None if recording.q_cmd is None else recording.q_cmd - q
-    torque = _unaccounted(recording, RobotModel(robot), rows, offset)
+    torque = _find_unexplained_torque(recording, RobotModel(robot), rows, offset)
     return [
         JointGap(
             joint=name,
@@ -51,7 +51,7 @@ def _noise(error: Array) -> float:
     return float(np.sqrt(np.mean(np.diff(error, n=3) ** 2) / 20.0))
 
 
-def _unaccounted(recording: Recording, robot: RobotModel, rows: slice, offset: Array) -> Array | None:
+def _find_unexplained_torque(recording: Recording, robot: RobotModel, rows: slice, offset: Array) -> Array | None:
     """(M, n), N m, torque less what gravity and motion ask of the arm by its masses and what the wrist's wrench asks of it."""
     if recording.tau is None or recording.q is None or recording.wrench is None:
         return None

@@ -20,7 +20,7 @@ def is_material(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
     """Whether what is there lifts the gap above 2, or moves the payload: by what the best explanation does to the estimate, or, explained
     or not, away from the reference."""
     gap = np.sqrt(max(0.0, 1.0 + (float(nominal.held_out.mean()) - 1.0) / windows.samples_per_row))
-    return bool(gap > GAP) or bool(moved(nominal, best).any()) or _led_astray(windows, nominal, best)
+    return bool(gap > GAP) or bool(moved(nominal, best).any()) or _is_off_reference(windows, nominal, best)
 
 
 def moved(nominal: EffectFit, best: EffectFit) -> NDArray[np.bool_]:
@@ -28,7 +28,7 @@ def moved(nominal: EffectFit, best: EffectFit) -> NDArray[np.bool_]:
     return _apart(best.phi - nominal.phi, best.phi, best.phi_std)
 
 
-def _led_astray(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
+def _is_off_reference(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
     """Whether the estimate is materially off the reference by so little that the gap, which is there for certain, may be why."""
     reference = windows.basis.reference
     if reference is None or not best.effects:

@@ -80,7 +80,7 @@ class _Poses:
         angle = np.arctan2(np.linalg.norm(axis), np.dot(stop.down, to))
         if np.linalg.norm(axis) < 1e-9:
             axis = np.cross(to, np.eye(3)[int(np.argmin(np.abs(to)))])
-        return self.turned(_eased(angle, RATE)[:, None] * axis / np.linalg.norm(axis))
+        return self.turned(_ease(angle, RATE)[:, None] * axis / np.linalg.norm(axis))
 
     def swung(self, swings: Swings) -> Array:
         return self.turned(trapezoids(swings)[:, None] * np.eye(3)["xyz".index(swings.about)])
@@ -122,7 +122,7 @@ class _Joints(_Poses):
         super().towards(stop)
         reached = [self.q, *self._other_postures()]
         self.q = max(reached, key=lambda q: float(np.abs(q - avoided).max()))
-        s = _eased(1.0, RATE / max(float(np.abs(self.q - start).max()), RATE))
+        s = _ease(1.0, RATE / max(float(np.abs(self.q - start).max()), RATE))
         return np.asarray(start + s[:, None] * (self.q - start))
 
     def waved(self, wave: Wave) -> Array:
@@ -169,7 +169,7 @@ def trapezoids(swings: Swings) -> Array:
     return np.asarray(STEP_S * np.cumsum(rate))
 
 
-def _eased(distance: float, speed: float) -> Array:
+def _ease(distance: float, speed: float) -> Array:
     """(K,), from 0 to `distance` with that mean speed, at rest at both ends."""
     s = np.linspace(0.0, 1.0, max(2, round(1.5 * distance / speed / STEP_S)))
     return np.asarray(distance * s**3 * (10.0 - 15.0 * s + 6.0 * s**2))

@@ -40,7 +40,7 @@ def observed(recording: Recording, windows: Windows, nominal: EffectFit, fit: Ef
         if finding is None or finding.sigma < SEEN_SIGMA or acting & set(symptom.resembled_by):
             continue
         doubtful = symptom.side == "reference" and finding.material and is_doubtful(windows, fit)
-        found.append((symptom, _doubted(finding) if doubtful else finding))
+        found.append((symptom, _mark_doubtful(finding) if doubtful else finding))
     behind = {name for symptom, _ in found for name in symptom.explains}
     own = [(symptom, finding) for symptom, finding in found if symptom.id not in behind]
     return [_also(recording, *seen) for seen in sorted(own, key=lambda seen: (not seen[1].material, -seen[1].sigma))]
@@ -51,7 +51,7 @@ def leading(also: list[Also]) -> list[str]:
     return [it.sentence for side in LEADING for it in also if it.side == side and it.material]
 
 
-def _doubted(finding: Finding) -> Finding:
+def _mark_doubtful(finding: Finding) -> Finding:
     """The payload seems to be another one, but so it may because of what is wrong with the wrench."""
     remark = finding.remark
     sentence = f"{remark.sentence} But the gap in the wrench may be why."

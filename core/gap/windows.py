@@ -92,17 +92,17 @@ class Windows:
         self.step = step_of(basis.poses)
         self.centres = window_centres(t, self.step)
         self._to_windows = window_matrix(self.centres, self.step, t)
-        self.y = y = self._windowed(basis.wrench)
+        self.y = y = self._average(basis.wrench)
         """(K, 6), measured, N and N m."""
-        V = self._windowed(basis.V)
+        V = self._average(basis.V)
         phi = self._first_phi(y, V)
         self._factors = self._whiteners(phi)
         nominal = basis.V @ phi
         rate = np.gradient(nominal, t, axis=0)
-        late = self._windowed(np.stack((-rate, 0.5 * np.gradient(rate, t, axis=0)), axis=2))
+        late = self._average(np.stack((-rate, 0.5 * np.gradient(rate, t, axis=0)), axis=2))
         gain = np.einsum("kc,cd->kcd", V @ phi, np.eye(6))
         constant, later = np.split(self._offsets(), [6], axis=2)
-        self.X = self.whiten(np.concatenate((V, constant, self._windowed(self._tilt(phi)), late, gain, later), axis=2))
+        self.X = self.whiten(np.concatenate((V, constant, self._average(self._tilt(phi)), late, gain, later), axis=2))
         """(6, K, 26 + 6 p): columns of the nominal twin with its small imperfections, and what p pauses changed in its offsets."""
         self.target = self.whiten(y[..., None])[..., 0]
         """(6, K)."""
@@ -113,7 +113,7 @@ class Windows:
     def __len__(self) -> int:
         return len(self.centres)
 
-    def _windowed(self, x: Array) -> Array:
+    def _average(self, x: Array) -> Array:
         """(K, ...) windowed means of rows (N, ...)."""
         return np.asarray(self._to_windows @ x.reshape(len(x), -1)).reshape(len(self.centres), *x.shape[1:])
 

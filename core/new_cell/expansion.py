@@ -37,14 +37,14 @@ def description_text(packages: Packages, arguments: dict[str, str]) -> str:
         if arguments:
             raise BadRobot(str(file), "a plain URDF with --xacro-arg", "a xacro file, or none of these arguments")
         return text
-    return _expanded(packages, arguments)
+    return _expand(packages, arguments)
 
 
-def _expanded(packages: Packages, arguments: dict[str, str]) -> str:
+def _expand(packages: Packages, arguments: dict[str, str]) -> str:
     file = packages.description
     order = {
         "file": str(packages.beside / file.name),
-        "packages": {name: str(packages.folder(name)) for name in _named_packages(packages)},
+        "packages": {name: str(packages.folder(name)) for name in _find_named_packages(packages)},
         "arguments": arguments,
         "folders": [str(folder) for folder in packages.open_folders],
     }
@@ -61,7 +61,7 @@ def _expanded(packages: Packages, arguments: dict[str, str]) -> str:
     return done.stdout
 
 
-def _named_packages(packages: Packages) -> list[str]:
+def _find_named_packages(packages: Packages) -> list[str]:
     """Packages that the file and what lies in the packages found so far name; unknown ones are left to whoever uses them."""
     known: list[str] = []
     read: set[Path] = set()

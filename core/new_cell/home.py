@@ -95,7 +95,7 @@ class HomeSearch:
                 f"none of {SAMPLES} configurations free, mostly for {' and '.join(map(repr, scene.names[in_the_way]))}",
                 "shapes that leave the arm room, or links behind the sensor frame declared with --behind-sensor",
             )
-        q = _refined(scene, np.round(self._samples[int(np.argmax(scores))], ROUND), self._low, self._high)
+        q = _refine(scene, np.round(self._samples[int(np.argmax(scores))], ROUND), self._low, self._high)
         found = np.where(overlapping, np.inf, scene.distances(q))
         k = int(np.argmin(found))
         always = [pair for pair, is_so in zip(scene.names, overlapping, strict=True) if is_so and FLOOR not in pair]
@@ -122,7 +122,7 @@ def _ranges(robot: RobotModel) -> tuple[Array, Array]:
     return middle - CENTRAL * half, middle + CENTRAL * half
 
 
-def _refined(scene: _Scene, q: Array, low: Array, high: Array) -> Array:
+def _refine(scene: _Scene, q: Array, low: Array, high: Array) -> Array:
     """Climbs from q, one joint at a time."""
     best = scene.score(q)
     for step in STEPS:

@@ -23,7 +23,7 @@ def fix_others(tree: RobotTree, frames: Frames, notes: list[str]) -> None:
     values = {name: _value(joint) for name, joint in others.items() if not joint.mimic}
     for name, joint in others.items():
         if joint.mimic:
-            values[name] = _followed(tree.joint(name), values)
+            values[name] = _follow(tree.joint(name), values)
     for name, joint in others.items():
         tree.fix(joint, values[name])
         unit = " m" if joint.kind == "prismatic" else " rad"
@@ -37,7 +37,7 @@ def _value(joint: UrdfJoint) -> float:
     return float(np.clip(0.0, joint.lower, joint.upper))
 
 
-def _followed(element: ET.Element, values: dict[str, float]) -> float:
+def _follow(element: ET.Element, values: dict[str, float]) -> float:
     """Where a mimic joint stands when the other stands at its value; beyond the first one, at 0."""
     mimic = element.find("mimic")
     if mimic is None:

@@ -98,14 +98,14 @@ def main() -> int:
         if len(text) > MAX_CHARACTERS:
             raise UnwantedError(f"{len(text)} characters of URDF")
     except Exception as error:  # noqa: BLE001 - whatever a stranger's program ends with becomes a sentence
-        cause = _unwanted(error)
+        cause = _find_unwanted(error)
         sys.stderr.write(" ".join(str(cause or error or type(error).__name__).split())[:300])
         return 3 if cause else 4
     sys.stdout.write(text)
     return 0
 
 
-def _unwanted(error: BaseException | None) -> UnwantedError | None:
+def _find_unwanted(error: BaseException | None) -> UnwantedError | None:
     """Xacro wraps what is raised, in a field of its own."""
     for _ in range(100):
         if error is None or isinstance(error, UnwantedError):

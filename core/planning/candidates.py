@@ -94,13 +94,13 @@ class CandidateSearch:
         vertex = np.repeat(np.arange(len(vertices)), per_vertex)
         solutions = solve_poses(self._robot.chain, self._lower, self._upper, postures.q[which], postures.aligned(which), vertices[vertex])
         q = self._on_nearest_turn(solutions.q[solutions.solved])
-        return self._evaluated(q, vertex[solutions.solved], len(which))
+        return self._evaluate(q, vertex[solutions.solved], len(which))
 
     def of(self, q: Array) -> Candidates:
         """Given configurations (N, n) as candidates."""
-        return self._evaluated(q, np.zeros(len(q), dtype=np.intp), len(q))
+        return self._evaluate(q, np.zeros(len(q), dtype=np.intp), len(q))
 
-    def _evaluated(self, q: Array, vertex: NDArray[np.intp], tried: int) -> Candidates:
+    def _evaluate(self, q: Array, vertex: NDArray[np.intp], tried: int) -> Candidates:
         """Eq. (6) and the way there."""
         weights = self._weights
         distances = self._room.distances(q)

@@ -60,14 +60,14 @@ def commanded_paths(cell: Cell, robot: RobotModel, collision: CollisionModel, mo
         else:
             mover = Playback(motion.along)
         try:
-            paths.append(JointPath(motion.name, _commanded(mover, here)))
+            paths.append(JointPath(motion.name, _collect_set_points(mover, here)))
         except Stopped as error:
             raise PlanDisputed(f"the finished plan cannot be carried out in {motion.name}. Plan again with another seed.") from error
         here = paths[-1].q[-1]
     return paths
 
 
-def _commanded(mover: Mover, here: Array) -> Array:
+def _collect_set_points(mover: Mover, here: Array) -> Array:
     """(N, n), the set points of one motion from standstill at q (n,), which is the first."""
     still = RobotState(t=0.0, q=here, dq=np.zeros(len(here)), q_cmd=here, wrench=np.zeros(6))
     points = [here]

@@ -60,7 +60,7 @@ def plan_experiment(
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
         TooHeavy: the joints have not the torque, with the load or else with a guessed one.
-        PlanDisputed: see `core.planning.plan.confirmed`.
+        PlanDisputed: the second opinion does not confirm the plan, or a motion of it cannot be carried out.
     """
     began = time.perf_counter()
     torques = check_standing(cell, robot, collision, start, load or guessed_load(cell, payload_box, MASS_GUESS_KG), period)
@@ -105,7 +105,7 @@ class _Search:
                 candidates=start.candidates,
             )
             try:
-                leg = self._connected(stop, start, here, iterations)
+                leg = self._connect(stop, start, here, iterations)
             except NoPath as error:
                 failure = error
                 continue
@@ -129,7 +129,7 @@ class _Search:
         ]
         return max(found, key=lambda start: float(np.abs(start.q - avoided).max()))
 
-    def _connected(self, stop: Stop, start: StartConfiguration, here: Array, iterations: int) -> Leg:
+    def _connect(self, stop: Stop, start: StartConfiguration, here: Array, iterations: int) -> Leg:
         """The way there, and the movement at its end."""
         goals = one_turn_away(self.robot, start.q, here)
         transfer = plan_transfer(

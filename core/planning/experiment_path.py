@@ -48,14 +48,14 @@ def _leg(leg: Leg, plan: Plan, robot: RobotModel) -> Iterator[tuple[Array, str]]
     yield leg.transfer.trajectory.q, "transfer"
     yield still(plan.timing.hold_s), hold
     if leg.profile is not None:
-        yield _turned(leg.start.q, leg.profile, leg.about, robot), f"rotate:{leg.about}"
+        yield _trace_rotation(leg.start.q, leg.profile, leg.about, robot), f"rotate:{leg.about}"
     if leg.wave is not None:
         yield leg.wave.q, "transfer"
     if leg.moving_s > 0.0:
         yield still(plan.timing.settle_s), hold
 
 
-def _turned(q: Array, profile: AngularProfile, about: str, robot: RobotModel) -> Array:
+def _trace_rotation(q: Array, profile: AngularProfile, about: str, robot: RobotModel) -> Array:
     """(K, n), along a rotation that runs unscaled, as planning has checked that it can."""
     turn = Turn.of(profile, np.eye(3)["xyz".index(about)])
     found = rotation_path(robot.chain, q, turn)

@@ -79,10 +79,10 @@ class JointTorques:
         self._coulomb = np.zeros(robot.n) if friction is None else np.array(friction.coulomb_n_m)
         self._viscous = np.zeros(robot.n) if friction is None else np.array(friction.viscous_n_m_s)
         masses = np.array([inertia.mass for inertia in robot.model.inertias])[-robot.n :]
-        self._why = [self._unjudged(j, masses) for j in range(robot.n)]
+        self._why = [self._explain_unjudged(j, masses) for j in range(robot.n)]
         self._judged = np.flatnonzero([not why for why in self._why])
 
-    def _unjudged(self, j: int, masses: Array) -> str:
+    def _explain_unjudged(self, j: int, masses: Array) -> str:
         """Why the torque of a joint cannot be judged; nothing where it can."""
         if self._limits[j] <= 0.0:
             return f"{self._joints[j]!r}: the URDF states no effort"

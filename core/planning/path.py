@@ -88,10 +88,10 @@ def plan_path(
 
     lines = sorted((np.stack((start, q)) for q in ends[1:]), key=cost)
     straight = next((line for line in lines if room.has_all(line)), None)
-    found = _searched(room, collision, ends, planner, seed, iterations) if straight is None else [straight]
+    found = _find_paths(room, collision, ends, planner, seed, iterations) if straight is None else [straight]
     rng = np.random.default_rng(seed)
     short = [shortened(q, cost, room.has_all, rng, attempts=_SHORTENING_ATTEMPTS) for q in found]
-    return _described(min(short, key=cost), room.margins, collision)
+    return _describe_path(min(short, key=cost), room.margins, collision)
 
 
 def one_turn_away(robot: RobotModel, q: Array, near: Array, *, room_rad: float = 0.5) -> Array:
@@ -121,7 +121,7 @@ def nearest_names(collision: CollisionModel, least: LeastMargin) -> str:
     return f"{nearest.first} - {nearest.second}"
 
 
-def _described(q: Array, margins: PairMargins, collision: CollisionModel) -> Path:
+def _describe_path(q: Array, margins: PairMargins, collision: CollisionModel) -> Path:
     least = least_margin(margins, q)
     rows = dense(q)
     length = float(np.linalg.norm(np.diff(rows, axis=0), axis=1).sum())
@@ -186,7 +186,7 @@ def check_drop(name: str, q: Array, robot: RobotModel, collision: CollisionModel
         )
 
 
-def _searched(room: Room, collision: CollisionModel, ends: Array, planner: Planner, seed: int, iterations: int) -> list[Array]:
+def _find_paths(room: Room, collision: CollisionModel, ends: Array, planner: Planner, seed: int, iterations: int) -> list[Array]:
     """Paths (M, n) from the first row of `ends` to any other: the first that is found, and one more that may be shorter in time."""
     first = _search(room, ends, planner, seed, iterations)
     if not first.arrived:

@@ -125,7 +125,7 @@ def plan_procedure(
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
         TooHeavy: the joints have not the torque.
-        PlanDisputed: see `confirmed`.
+        PlanDisputed: the second opinion does not confirm the plan, or a motion of it cannot be carried out.
     """
     began = time.perf_counter()
     timing = timing or Timing()
@@ -144,7 +144,13 @@ def plan_procedure(
     turns = sum(axis.endswith("+") for axis in poses)
     budget = (timing.robot_s - moving - timing.hold_s * len(poses)) / max(turns, 1) - timing.settle_s
     legs = tuple(
-        Leg(axis, start, transfer, _repeated(cell, payload_box, axis, once, budget, mass_guess_kg, timing) if rotations else None, axis[0])
+        Leg(
+            axis,
+            start,
+            transfer,
+            _repeat_rotation(cell, payload_box, axis, once, budget, mass_guess_kg, timing) if rotations else None,
+            axis[0],
+        )
         for axis, start, transfer in reached
     )
     found = confirmed(cell, robot, collision, payload_box, legs, back, torques)
@@ -187,7 +193,7 @@ def confirmed(
 
     Raises:
         TooHeavy: a joint has not the torque.
-        PlanDisputed: the second opinion does not confirm them.
+        PlanDisputed: the second opinion does not confirm them, or one of their motions cannot be carried out.
     """
     first = legs[0].transfer if legs else home
     paths = commanded_paths(cell, robot, collision, motions_of(legs, home), first.trajectory.q[0])
@@ -303,7 +309,7 @@ class _Search(NamedTuple):
         return reached
 
 
-def _repeated(
+def _repeat_rotation(
     cell: Cell, payload_box: Box, axis: str, once: AngularProfile, budget: float, mass_guess_kg: float, timing: Timing
 ) -> AngularProfile | None:
     """The rotation as often as the wanted uncertainty needs; None for a pose that is only held."""

@@ -75,11 +75,16 @@ class Procedure:
 
     @property
     def steps(self) -> int:
-        """See `MotionSequence`."""
+        """How many legs there are: one for each pose."""
         return len(self.scope.poses)
 
     def planned(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
-        """See `MotionSequence`. A refusal of the whole says which axes can be planned, where an axis is what has no room."""
+        """A plan through the poses that are left, back to home.
+
+        Raises:
+            Refused: no safe way, not enough torque, or a disputed plan. Where the whole procedure fails because an axis has no room, the
+                refusal says which axes can be planned.
+        """
         try:
             return (yield from self._part(self.scope, asked, robot, collision))
         except Refused as refusal:

@@ -65,7 +65,7 @@ def set_points_of(cell: Cell, robot: RobotModel, collision: CollisionModel, plan
 
     Raises:
         BadInput: another period.
-        PlanDisputed: see `commanded_paths`.
+        PlanDisputed: a rotation stands still, or a trajectory does not start where the motion before it ends.
     """
     own = plan.home.trajectory.period
     every = multiple(period_s, own)

@@ -29,14 +29,14 @@ def shortened(q: Array, cost: Cost, is_clear: Clear, rng: np.random.Generator, *
         attempts: number of changes that are tried.
     """
     best = np.array(q, dtype=float)
-    total = _priced(best, cost)
-    moves = (_straight, _straight_joint, _displaced)
+    total = _price(best, cost)
+    moves = (_straighten, _straighten_joint, _displace_corner)
     for _ in range(attempts):
         move = moves[rng.integers(len(moves))]
         candidate = move(best, rng)
         if candidate is None:
             continue
-        price = _priced(candidate.whole, cost)
+        price = _price(candidate.whole, cost)
         if price < 0.999 * total and is_clear(candidate.changed):
             best, total = candidate.whole, price
     return best
@@ -50,7 +50,7 @@ class _Candidate:
         self.whole = np.concatenate((before, changed, after))
 
 
-def _priced(q: Array, cost: Cost) -> float:
+def _price(q: Array, cost: Cost) -> float:
     return cost(q) + _CORNER_COST * len(q)
 
 
@@ -64,7 +64,7 @@ def _two_places(q: Array, rng: np.random.Generator) -> tuple[int, Array, int, Ar
     return i, points[0], j, points[1]
 
 
-def _straight(q: Array, rng: np.random.Generator) -> _Candidate | None:
+def _straighten(q: Array, rng: np.random.Generator) -> _Candidate | None:
     """The straight line between two points; half of the time they are corners."""
     if len(q) < 3:
         return None
@@ -75,7 +75,7 @@ def _straight(q: Array, rng: np.random.Generator) -> _Candidate | None:
     return _Candidate(q[: i + 1], np.stack((first, last)), q[j + 1 :]) if j > i else None
 
 
-def _straight_joint(q: Array, rng: np.random.Generator) -> _Candidate | None:
+def _straighten_joint(q: Array, rng: np.random.Generator) -> _Candidate | None:
     """One joint on the straight line between two points, the others as they were."""
     i, first, j, last = _two_places(q, rng)
     if j == i:
@@ -89,7 +89,7 @@ def _straight_joint(q: Array, rng: np.random.Generator) -> _Candidate | None:
     return _Candidate(q[: i + 1], changed, q[j + 1 :])
 
 
-def _displaced(q: Array, rng: np.random.Generator) -> _Candidate | None:
+def _displace_corner(q: Array, rng: np.random.Generator) -> _Candidate | None:
     """One corner, or a new one, moved at random."""
     size = 0.5 * 10.0 ** rng.uniform(-1.5, 0.0)
     if len(q) > 2 and rng.random() < 0.7:

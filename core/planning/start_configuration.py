@@ -262,7 +262,7 @@ def find_attitude(
             everything.append(second)
             better = _first_accepted(second, checks, above=float(first.score[best.row]))
             chosen = (first, best) if better is None else (second, better)
-            return _described(axis, *chosen, collision, sum(candidates.tried for candidates in everything))
+            return _describe_start(axis, *chosen, collision, sum(candidates.tried for candidates in everything))
     checks.refuse_too_weak(axis)
     raise _refusal(axis, everything, checks, collision)
 
@@ -279,7 +279,7 @@ def _best_first(candidates: Candidates, above: float) -> Iterator[int]:
         yield int(row)
 
 
-def _described(axis: str, candidates: Candidates, accepted: Accepted, collision: CollisionModel, tried: int) -> StartConfiguration:
+def _describe_start(axis: str, candidates: Candidates, accepted: Accepted, collision: CollisionModel, tried: int) -> StartConfiguration:
     row = accepted.row
     nearest = min((collision.obstacle_distance(q) for q in accepted.path), key=lambda pair: pair.distance_m)
     return StartConfiguration(

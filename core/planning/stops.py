@@ -18,7 +18,7 @@ from core.robot.model import RobotModel
 
 @dataclass(frozen=True)
 class Stops:
-    """See `core.planning.sequence.MotionSequence`: one leg for each stop."""
+    """A `MotionSequence` with one leg for each stop."""
 
     stops: tuple[Stop, ...]
 
@@ -39,7 +39,13 @@ class Stops:
         return len(self.stops)
 
     def planned(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
-        """See `core.planning.sequence.MotionSequence`."""
+        """A plan through the stops that are left, back to home.
+
+        Raises:
+            NoStartConfiguration, NoPath: the cell leaves no safe way.
+            TooHeavy: the joints have not the torque.
+            PlanDisputed: an independent check does not confirm the plan.
+        """
         return plan_experiment(
             asked.cell,
             robot,

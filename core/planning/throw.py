@@ -67,7 +67,7 @@ def loads_of(box: Box, axis: Array, profile: AngularProfile | None) -> Loads:
 
     `None` is a hold: one moment, no velocity. Moments are the extremes of rate and angle and evenly spaced ones.
     """
-    points, radius = _flying(box)
+    points, radius = _list_flying_points(box)
     if profile is None:
         return Loads(np.zeros(1), points[None], np.zeros((1, *points.shape)), radius)
     extremes = [f(values) for f in (np.argmin, np.argmax) for values in (profile.rate, profile.angle)]
@@ -80,12 +80,12 @@ def loads_of(box: Box, axis: Array, profile: AngularProfile | None) -> Loads:
 
 def loads_along(box: Box, rotation: Array, position: Array, period: float) -> Loads:
     """The same for any motion of the sensor, (N, 3, 3) and (N, 3), and in the axes in which that is given; every moment counts."""
-    points, radius = _flying(box)
+    points, radius = _list_flying_points(box)
     there = position[:, None] + points @ np.swapaxes(rotation, 1, 2)
     return Loads(np.arange(len(there), dtype=np.float64) * period, there, np.gradient(there, period, axis=0), radius)
 
 
-def _flying(box: Box) -> tuple[Array, Array]:
+def _list_flying_points(box: Box) -> tuple[Array, Array]:
     """Points of a box (K, 3), its centre first, in the frame it is given in, and the radius that flies with each."""
     centre = box.pose.translation
     points = np.vstack((centre[None], box.corners))
@@ -211,7 +211,7 @@ class ThrowCheck:
         """The nearest flight of a load that comes off at rest, at any of some poses; None when the cell has no zones."""
         if not self._zones:
             return None
-        points, radius = _flying(box)
+        points, radius = _list_flying_points(box)
         centres = sensor.position + sensor.rotation @ points[0]
         return self._nearest(Loads(np.zeros(len(centres)), centres[:, None], np.zeros((len(centres), 1, 3)), radius[:1]))
 

@@ -82,7 +82,7 @@ def time_curve(curve: PPoly, robot: RobotModel, limits: MotionLimits, *, period:
     x = fastest_profile(s, tangent, curvature, limits.acceleration, ceiling)
     slow = 1.0
     for _ in range(_ROUNDS):
-        along = _smoothed(_sampled(s, x, period * slow), round(SMOOTHING_S / period))
+        along = _smooth(_sample(s, x, period * slow), round(SMOOTHING_S / period))
         trajectory = JointTrajectory(period, np.asarray(curve(np.clip(along, 0.0, s[-1]))))
         excess = limit_usage(trajectory, robot, limits)
         if excess <= 1.0:
@@ -115,7 +115,7 @@ def _grid(breaks: Array) -> Array:
     return np.concatenate((*pieces, breaks[-1:]))
 
 
-def _sampled(s: Array, x: Array, period: float) -> Array:
+def _sample(s: Array, x: Array, period: float) -> Array:
     """s at every period for squared speeds x with constant acceleration between the grid points; the last sample is the end."""
     sdot = np.sqrt(x)
     ds = np.diff(s)
@@ -127,7 +127,7 @@ def _sampled(s: Array, x: Array, period: float) -> Array:
     return np.asarray(s[i] + sdot[i] * tau + 0.5 * u[i] * tau**2)
 
 
-def _smoothed(s: Array, window: int) -> Array:
+def _smooth(s: Array, window: int) -> Array:
     """s after a moving average with a Hann window of that many samples; longer by as many, at rest at both ends."""
     weights = np.hanning(window + 2)[1:-1]
     padded = np.concatenate((np.full(window - 1, s[0]), s, np.full(window - 1, s[-1])))

@@ -88,14 +88,14 @@ def plan_transfer(
     throws = ThrowCheck(cell)
     if any(np.array_equal(start, q) for q in np.atleast_2d(goal)):
         check_drop("start", np.array(start, dtype=float), robot, collision, throws)
-        return _resting(collision, start, period)
+        return _stand_still(collision, start, period)
     limits = MotionLimits.of_cell(cell, robot, collision)
     limits = replace(limits, cartesian_speed_m_s=SPEED_FRACTION * limits.cartesian_speed_m_s)
     for attempt in range(_TRIES):
         path = plan_path(cell, robot, collision, start, goal, planner=planner, seed=seed + 1000 * attempt, iterations=iterations)
         room = Room(robot, collision, throws, path.q[[0, -1]], ROUNDING_SPARE_M)
         try:
-            trajectory = _timed(path.q, rounded(path.q, room.has_all), robot, collision, throws, limits, period)
+            trajectory = _time_clear_of_zones(path.q, rounded(path.q, room.has_all), robot, collision, throws, limits, period)
         except NoPath as error:
             failure = error
             continue
@@ -111,7 +111,7 @@ def plan_transfer(
     raise failure
 
 
-def _timed(
+def _time_clear_of_zones(
     path_q: Array, curve: PPoly, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck, limits: MotionLimits, period: float
 ) -> JointTrajectory:
     """The trajectory along a curve, as fast as a load that comes off anywhere stays out of the zones.
@@ -140,7 +140,7 @@ def _between(path_q: Array, trajectory: JointTrajectory) -> JointTrajectory:
     return replace(trajectory, q=q)
 
 
-def _resting(collision: CollisionModel, q: Array, period: float) -> Transfer:
+def _stand_still(collision: CollisionModel, q: Array, period: float) -> Transfer:
     """The transfer of a robot that is there already."""
     nearest = collision.nearest(q)
     if nearest.margin_m < 0.0:

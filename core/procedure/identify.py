@@ -116,13 +116,13 @@ def carried_out(run: Run, plan: Plan, payload: str | None, reference: Payload | 
         with run.session:
             plan = yield from run.moved(plan, log)
     except (Stopped, Refused):
-        yield from _written(log, out)
+        yield from _write_log(log, out)
         raise
     except KeyboardInterrupt:
-        yield from _written(log, out)
+        yield from _write_log(log, out)
         where = "" if out is None else f" and the recording so far closed in {out}"
         raise Interrupted(f"interrupted after {log.seconds:.1f} s of motion; the robot was stopped{where}.") from None
-    yield from _written(log, out)
+    yield from _write_log(log, out)
     recording = log.recording()
     began = time.perf_counter()
     identification = identify_recording(recording, run.twin)
@@ -144,7 +144,7 @@ def carried_out(run: Run, plan: Plan, payload: str | None, reference: Payload | 
     )
 
 
-def _written(log: SampleLog, out: Path | None) -> Generator[Event, None, None]:
+def _write_log(log: SampleLog, out: Path | None) -> Generator[Event, None, None]:
     """The recording on disk, if it is wanted and there is anything to write."""
     if out is None or not len(log):
         return
@@ -188,7 +188,7 @@ class Run:
         return plan
 
     def plan_request(self, start: Array, done: int) -> PlanRequest:
-        """What `planned` plans, for whoever does it."""
+        """What is to be planned from joint positions `start` (n,), rad, after so many legs, for whoever plans it."""
         seed = self.seed + self.restarts
         return PlanRequest(self.cell, self.payload_box, start, done, self.session.period, self.planner, seed, self.load, self.effort)
 
@@ -206,8 +206,8 @@ class Run:
                 yield from self.phase("transfer", "home", Playback(plan.home.trajectory), log, plan, step=self.sequence.steps + 1)
             except Stopped as error:
                 final = self.restarts >= MAX_RESTARTS or not error.may_go_on
-                here = self._braked(log)
-                yield self._told(error, final=final)
+                here = self._record_braking(log)
+                yield self._describe_stop(error, final=final)
                 if final:
                     raise
                 self.restarts += 1
@@ -216,12 +216,12 @@ class Run:
             else:
                 return plan
 
-    def _told(self, error: Stopped, *, final: bool, held: bool = False) -> RobotStopped:
+    def _describe_stop(self, error: Stopped, *, final: bool, held: bool = False) -> RobotStopped:
         restart = self.restarts + (not held)  # a pause costs no attempt
         kind = type(error).__name__
         return RobotStopped(error=kind, message=str(error), restart=restart, final=final, held=held, lateness=error.lateness)
 
-    def _braked(self, log: SampleLog) -> Array:
+    def _record_braking(self, log: SampleLog) -> Array:
         """Records the braking until the command stands still, and returns it."""
         before = None
         while True:
@@ -277,8 +277,8 @@ class Run:
                     known = self.learned(log.extend(batch.states, batch.phase))
                     yield Progress(phase=phase, done_s=log.seconds, total_s=max(plan.robot_s, log.seconds), estimate_phi=known)
             except Held as held:
-                here = self._braked(log)
-                yield self._told(held, final=False, held=True)
+                here = self._record_braking(log)
+                yield self._describe_stop(held, final=False, held=True)
                 mover.resume(here)
                 self.session.release()
             else:

@@ -62,7 +62,7 @@ def read_recording(folder: Path) -> Recording:
         raise BadRecording(samples.where, "neither a wrench (fx .. tz) nor joint torques (tau_1 ..)", "at least one of them")
     phase = samples.texts("phase") if "phase" in samples else None
     return Recording(
-        t=_checked_time(samples),
+        t=_read_time(samples),
         gravity=np.array(manifest.gravity),
         wrench=wrench,
         q=q,
@@ -72,7 +72,7 @@ def read_recording(folder: Path) -> Recording:
         orientation=None if robot else _orientation(samples),
         position=samples.numbers(*POSITION) if robot is None and samples.any_of(POSITION) else None,
         temperature=samples.numbers("temperature")[:, 0] if "temperature" in samples else None,
-        phase=_checked_phase(phase, samples.where),
+        phase=_check_phase(phase, samples.where),
         robot=robot,
         friction=manifest.robot.friction.description if manifest.robot and manifest.robot.friction else None,
         sensor=manifest.sensor.description,
@@ -172,7 +172,7 @@ def _joint_columns(samples: Samples, prefix: str, n: int, *, optional: bool = Tr
     return None if optional and not samples.any_of(names) else samples.numbers(*names)
 
 
-def _checked_time(samples: Samples) -> Array:
+def _read_time(samples: Samples) -> Array:
     t = samples.numbers("t")[:, 0]
     _check_time(t, samples.where)
     return t
@@ -199,7 +199,7 @@ def _orientation(samples: Samples) -> Array:
     return np.asarray(Rotation.from_quat(quaternions).as_matrix())
 
 
-def _checked_phase(phase: NDArray[np.str_] | None, where: str) -> NDArray[np.str_] | None:
+def _check_phase(phase: NDArray[np.str_] | None, where: str) -> NDArray[np.str_] | None:
     if phase is None:
         return None
     for label in np.unique(phase):

@@ -156,9 +156,9 @@ def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_
             lower = figure.add_subplot(grid[1, column], sharex=upper)
             _line(upper, t, measured[:, k], MUTED, width=5.0, alpha=0.45)
             lower.axhspan(-3, 3, color=BAND, linewidth=0)
-            _simulated(upper, lower, t, before[:, k], (measured[:, k] - before[:, k]) / noise_std[k], dashed=changed)
+            _draw_simulation(upper, lower, t, before[:, k], (measured[:, k] - before[:, k]) / noise_std[k], dashed=changed)
             if changed:
-                _simulated(upper, lower, t, after[:, k], (measured[:, k] - after[:, k]) / noise_std[k], dashed=False)
+                _draw_simulation(upper, lower, t, after[:, k], (measured[:, k] - after[:, k]) / noise_std[k], dashed=False)
             upper.set_ylabel(f"{CHANNELS[k]}, {UNITS[k]}")
             upper.tick_params(labelbottom=False)
             lower.margins(y=0.15)
@@ -167,7 +167,7 @@ def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_
         return _svg(figure, "overlay")
 
 
-def _simulated(upper: Axes, lower: Axes, t: Array, values: Array, sigmas: Array, *, dashed: bool) -> None:
+def _draw_simulation(upper: Axes, lower: Axes, t: Array, values: Array, sigmas: Array, *, dashed: bool) -> None:
     """A simulated line with what it leaves below; in alarm colour where that is more than noise can be."""
     colour = ALARM if float(np.sqrt(np.mean(sigmas**2))) > GAP else INK
     for axes, line in ((upper, values), (lower, sigmas)):

@@ -186,17 +186,17 @@ def _mounting_facts(estimate: Estimate) -> list[Fact]:
     tilt, tilt_std = estimate.base_tilt_rad, estimate.base_tilt_std
     if tilt is not None:
         half = np.degrees(np.zeros(2) if tilt_std is None else INTERVAL * tilt_std)
-        value = ", ".join(_signed(float(np.degrees(a)), float(h)) + "°" for a, h in zip(tilt, half, strict=True))
+        value = ", ".join(_format_signed(float(np.degrees(a)), float(h)) + "°" for a, h in zip(tilt, half, strict=True))
         note = "about base x and y, against nominal gravity; ± " + ", ".join(f"{two_digits(float(h))}°" for h in half)
         found.append(Fact("Tilt of the base", value, note))
     if estimate.delay_s is not None:
         half_ms = 0.0 if estimate.delay_std is None else 1000 * INTERVAL * estimate.delay_std
         note = f"against the joints; ± {two_digits(half_ms)} ms (95 %)"
-        found.append(Fact("Delay of the wrench", f"{_signed(1000 * estimate.delay_s, half_ms)} ms", note))
+        found.append(Fact("Delay of the wrench", f"{_format_signed(1000 * estimate.delay_s, half_ms)} ms", note))
     return found
 
 
-def _signed(value: float, uncertainty: float) -> str:
+def _format_signed(value: float, uncertainty: float) -> str:
     return ("+" if value >= 0 else "") + rounded(value, uncertainty)
 
 

@@ -158,15 +158,15 @@ def _hull(corners: Array) -> Any:
 
 def payload_body(robot: RobotModel, box: Box) -> Body:
     """The payload box, given in the sensor frame."""
-    return _carried_box(PAYLOAD, robot, box)
+    return _attach_box(PAYLOAD, robot, box)
 
 
 def tool_bodies(cell: Cell, robot: RobotModel) -> list[Body]:
     """The boxes of the cell's tools, by the tools' names; tools made of links are among `link_bodies`."""
-    return [_carried_box(name, robot, box) for name, box in tool_boxes(cell).items()]
+    return [_attach_box(name, robot, box) for name, box in tool_boxes(cell).items()]
 
 
-def _carried_box(name: str, robot: RobotModel, box: Box) -> Body:
+def _attach_box(name: str, robot: RobotModel, box: Box) -> Body:
     placement = robot.model.frames[robot.sensor_frame_id].placement * pin.SE3(box.pose.rotation, box.pose.translation)
     return Body(name, robot.n, coal.Box(*box.size_m), placement, carried=True)
 

@@ -87,7 +87,7 @@ class CollisionModel:
         self.robot = robot
         self.payload_box = payload_box
         bodies = [*link_bodies(cell, robot), *tool_bodies(cell, robot), payload_body(robot, payload_box)]
-        self._things = {item.name: fixed_body(item.name, item.shape) for item in _standing(cell)}
+        self._things = {item.name: fixed_body(item.name, item.shape) for item in _list_obstacles_and_zones(cell)}
         things = [*self._things.values(), floor_body(cell.floor_z_m)]  # whose name may be an obstacle's as well
         self._zones = [self._things[zone.name] for zone in cell.zones]
         self._base = [body for body in bodies if body.joint == 0]
@@ -339,7 +339,7 @@ def _key(pair: tuple[Body, Body]) -> tuple[int, int]:
     return id(pair[0]), id(pair[1])
 
 
-def _standing(cell: Cell) -> list[Obstacle | Zone]:
+def _list_obstacles_and_zones(cell: Cell) -> list[Obstacle | Zone]:
     """Everything that the robot must keep away from."""
     return [*cell.obstacles, *cell.zones]
 
@@ -369,14 +369,14 @@ def _check_home(cell: Cell, collision: CollisionModel) -> None:
         raise BadCell(
             f"{cell.folder.name}/cell.toml: robot.home_rad",
             f"{nearest.first!r} {nearest.distance_m:.3f} m from {nearest.second!r}",
-            _wanted_at_home(cell, nearest),
+            _describe_requirement_at_home(cell, nearest),
             nearest.second,
         )
 
 
-def _wanted_at_home(cell: Cell, nearest: Nearest) -> str:
-    """With the keys that would change it."""
-    if nearest.second in {FLOOR, *(item.name for item in _standing(cell))}:
+def _describe_requirement_at_home(cell: Cell, nearest: Nearest) -> str:
+    """The distance required of that pair at home, m, with the keys of cell.toml that would change it."""
+    if nearest.second in {FLOOR, *(item.name for item in _list_obstacles_and_zones(cell))}:
         return f"at least {nearest.required_m:.3f} m at home (limits.clearance_m)"
     if nearest.first in {PAYLOAD, *cell.tools, *(link for tool in cell.tools.values() for link in tool.links or ())}:
         return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or a smaller box of payload or tool)"

@@ -53,17 +53,17 @@ def convex_parts(vertices: Array, triangles: Triangles) -> list[Array]:
         return []
     if stand_off(vertices[triangles], whole) <= STANDS_OFF_M:
         return [whole]
-    return _joined(_pieces(vertices[triangles], 0), HARDLY * _volume(whole))
+    return _join_pieces(_pieces(vertices[triangles], 0), HARDLY * _volume(whole))
 
 
 def stand_off(soup: Array, hull: Array) -> float:
     """How far the surface of a hull of points (k, 3) is from triangles (m, 3, 3) at most, m."""
     found = ConvexHull(hull)
     step = max(_STEP_M, float(np.sqrt(found.area / _MOST_POINTS)))
-    return float(np.max(cKDTree(_spread(soup, step)).query(_spread(hull[found.simplices], step))[0]))
+    return float(np.max(cKDTree(_sample_triangles(soup, step)).query(_sample_triangles(hull[found.simplices], step))[0]))
 
 
-def _spread(soup: Array, step: float) -> Array:
+def _sample_triangles(soup: Array, step: float) -> Array:
     """Points of triangles (m, 3, 3), on each a grid that is not coarser than `step`."""
     lengths = np.linalg.norm(np.roll(soup, -1, axis=1) - np.roll(soup, 1, axis=1), axis=2)  # of the edge opposite each corner
     order = (lengths.argmin(axis=1)[:, None] + np.arange(3)) % 3
@@ -97,7 +97,7 @@ def _pieces(soup: Array, depth: int) -> list[Array]:
     if depth == DEPTH or (depth > 0 and stand_off(soup, corners) <= STANDS_OFF_M):
         return [corners]
     axis, height = _best_cut(soup, points)
-    sides = [_clipped(soup, axis, height, sign) for sign in (1.0, -1.0)]
+    sides = [_clip(soup, axis, height, sign) for sign in (1.0, -1.0)]
     return [piece for side in sides if len(side) for piece in _pieces(side, depth + 1)]
 
 
@@ -130,7 +130,7 @@ def _outline(soup: Array, axis: int, height: float) -> Array:
     return np.asarray(a + share[:, None] * (b - a))
 
 
-def _clipped(soup: Array, axis: int, height: float, sign: float) -> Array:
+def _clip(soup: Array, axis: int, height: float, sign: float) -> Array:
     """(k, 3, 3), what triangles (m, 3, 3) have on one side of a plane."""
     above = sign * (soup[:, :, axis] - height)
     inside = above >= 0.0
@@ -148,7 +148,7 @@ def _clipped(soup: Array, axis: int, height: float, sign: float) -> Array:
     return np.concatenate(found)
 
 
-def _joined(pieces: list[Array], room: float) -> list[Array]:
+def _join_pieces(pieces: list[Array], room: float) -> list[Array]:
     """Pieces, of which two are joined as long as that adds at most `room`, one is flat, or they are too many."""
     volumes = [_volume(piece) for piece in pieces]
     here = set(range(len(pieces)))

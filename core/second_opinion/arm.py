@@ -125,10 +125,12 @@ def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
     )
     axes = np.array([_axis(joints[link]) for link in chain])
     lower, upper = limits.T
-    return Arm(tuple(placements), axes, sensor, tuple(bodies), lower, upper, _joined(joints, chain, {body.name for body in bodies}))
+    return Arm(
+        tuple(placements), axes, sensor, tuple(bodies), lower, upper, _find_joined_links(joints, chain, {body.name for body in bodies})
+    )
 
 
-def _joined(joints: dict[str, ET.Element], chain: list[str], solid: set[str]) -> tuple[tuple[str, str], ...]:
+def _find_joined_links(joints: dict[str, ET.Element], chain: list[str], solid: set[str]) -> tuple[tuple[str, str], ...]:
     """Pairs of links with a solid that are joined by one joint of the chain; links without a solid between them do not count."""
     found = []
     for link in solid & set(joints):

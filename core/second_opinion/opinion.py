@@ -199,7 +199,7 @@ def _approach(kind: Kind, pairs: list[AccountedPair], at: Callable[[int, int], P
 
     Args:
         at: where a body, by its number, is at a sample.
-        ways: of each pair, see `least_margin`.
+        ways: of each pair (N,), m, a rising length: its margin changes between two samples by no more than that rises.
     """
 
     def margin(k: int, sample: int) -> float:

@@ -133,7 +133,7 @@ def accounted_pairs(cell: Cell, arm: Arm) -> list[AccountedPair]:
     for i, body in enumerate(arm.bodies):
         for k, thing in enumerate(things):
             if body.joint > 0:
-                asked = _asked_of_standing(cell, arm, body, thing, is_mount=mounts[k])
+                asked = _classify_against_standing(cell, arm, body, thing, is_mount=mounts[k])
                 found.append(AccountedPair(body.name, thing.name, *asked, (i, len(arm.bodies) + k)))
     return [*found, *_own_pairs(cell, arm)]
 
@@ -149,7 +149,7 @@ def _is_mount(arm: Arm, thing: Placed) -> bool:
     return any(distance(base, at) <= MOUNT_M for base in bases)
 
 
-def _asked_of_standing(cell: Cell, arm: Arm, body: Body, thing: Placed, *, is_mount: bool) -> tuple[Kind, float, str]:
+def _classify_against_standing(cell: Cell, arm: Arm, body: Body, thing: Placed, *, is_mount: bool) -> tuple[Kind, float, str]:
     clearance = cell.limits.clearance_m
     if is_mount and body.joint <= FEW_JOINTS and not body.carried and _range(arm, (body, thing))[1] < clearance + CONTACT_M:
         return Kind.MOUNT, -CONTACT_M, "never as far apart as the clearance: the robot is mounted there"
@@ -161,10 +161,10 @@ def _own_pairs(cell: Cell, arm: Arm) -> Iterator[AccountedPair]:
     for i, first in enumerate(arm.bodies):
         for k, second in enumerate(arm.bodies):
             if (first.joint, i) > (second.joint, k):
-                yield AccountedPair(first.name, second.name, *_asked(cell, arm, (first, second)), (i, k))
+                yield AccountedPair(first.name, second.name, *_classify_own_pair(cell, arm, (first, second)), (i, k))
 
 
-def _asked(cell: Cell, arm: Arm, pair: tuple[Body, Body]) -> tuple[Kind, float, str]:
+def _classify_own_pair(cell: Cell, arm: Arm, pair: tuple[Body, Body]) -> tuple[Kind, float, str]:
     """What two bodies of the arm are to each other, what they have to keep, and why."""
     first, second = pair
     names = {first.name, second.name}

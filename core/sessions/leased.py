@@ -223,11 +223,11 @@ class LeasedSession(RobotSession):
         self.inner.__exit__(kind, error, traceback)
 
     def state(self) -> RobotState:
-        """See `RobotSession.state`."""
+        """Waits for the next period and returns the robot's state at it; needs no lease."""
         return self.inner.state()
 
     def command(self, q: Array) -> None:
-        """See `RobotSession.command`.
+        """Sets the joint positions (n,) to be reached by the next period, rad, if the lease allows it.
 
         Raises:
             Held, Commanded, ControlLost: the lease does not allow it; the robot was stopped.
@@ -256,10 +256,10 @@ class LeasedSession(RobotSession):
             self._sleep(0.001)
 
     def stop(self) -> None:
-        """See `RobotSession.stop`; needs no lease."""
+        """Brakes the robot to standstill within its own limits; needs no lease."""
         self.inner.stop()
 
     def release(self) -> None:
-        """See `RobotSession.release`. The next command needs a lease all the same."""
+        """Allows commands again after a stop, from the position the robot stands at. The next command needs a lease all the same."""
         self.inner.release()
         self.lease.begin()

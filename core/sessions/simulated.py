@@ -92,7 +92,7 @@ class SimulatedSession(RobotSession):
         self._open = False
 
     def state(self) -> RobotState:
-        """Advances the virtual robot by one period. See `RobotSession.state`."""
+        """Advances the virtual robot by one period and returns its state then."""
         if not self._open:
             raise RuntimeError("state() outside of the session; use it inside `with session:`")
         target = self._braking.popleft() if self._braking else self._q_next
@@ -103,7 +103,7 @@ class SimulatedSession(RobotSession):
         return RobotState(sample.t, sample.q, sample.dq, sample.q_cmd, wrench, sample.tau)
 
     def command(self, q: Array) -> None:
-        """See `RobotSession.command`.
+        """Sets the joint positions (n,) that the drives reach by the next period, rad.
 
         Raises:
             BadState: the session is stopped, or q is not n finite numbers.
@@ -128,7 +128,10 @@ class SimulatedSession(RobotSession):
         self._q_next = q
 
     def stop(self) -> None:
-        """See `RobotSession.stop`. A command that was given for the next period is dropped."""
+        """Makes the drives brake to standstill in the periods that follow, at the joints' acceleration limits.
+
+        A command that was given for the next period is dropped; further ones are refused until a new entry or `release()`.
+        """
         if not self._stopped:
             dq = (self._q_now - self._q_last) / PERIOD
             self._braking.extend(braking_positions(self._q_now, dq, self._acceleration, period=PERIOD))
@@ -136,7 +139,7 @@ class SimulatedSession(RobotSession):
             self._stopped = True
 
     def release(self) -> None:
-        """See `RobotSession.release`. Waits for the end of the braking; go on from the next state's `q_cmd`."""
+        """Waits for the end of the braking and allows commands again; go on from the next state's `q_cmd`."""
         self._stand()
         self._stopped = False
 

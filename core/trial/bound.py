@@ -73,21 +73,21 @@ def bound_of(ids: tuple[str, ...], recording: Recording, evidence: Evidence, cle
         return Bound()
     windows = Windows(basis_of(clean))
     if set(ids) <= {symptom.id for symptom in symptoms()}:
-        return Bound(added_noise=_added_noise(recording, clean, windows.basis.noise.std))
+        return Bound(added_noise=_measure_added_noise(recording, clean, windows.basis.noise.std))
     if len(windows) != len(evidence.windows):  # the guard has stopped one of them: other motions, nothing to compare
-        return _fitted(ids, evidence, None)
+        return _derive_bound(ids, evidence, None)
     seen = copy(evidence.windows)  # its kinematics, which a fault may have made wrong
     change = seen.whiten((_residual(seen, nominal) - _residual(windows, nominal))[..., None])[..., 0]
     seen.target = change + seen.X[:, :, PHI] @ nominal
     fooled = fit_nominal(seen)
     sigma = _root(fooled.cost)
     std = next((fit.phi_std for fit in evidence.singles if fit.name in ids), fooled.phi_std)
-    found = _fitted(ids, evidence, fit_nominal(windows).cost)
+    found = _derive_bound(ids, evidence, fit_nominal(windows).cost)
     material = sigma / max(_materiality(seen, fooled, payload, std), 1e-12)
     return found.model_copy(update={"fault_sigma": sigma, "material_sigma": material})
 
 
-def _added_noise(recording: Recording, clean: Recording, noise_std: Array) -> float | None:
+def _measure_added_noise(recording: Recording, clean: Recording, noise_std: Array) -> float | None:
     """What a fault adds to the readings of a run; None where the guard has stopped one of the two.
 
     Args:
@@ -116,7 +116,7 @@ def _materiality(windows: Windows, fooled: EffectFit, payload: Array, std: Array
     return max(_root(gap), float((np.abs(fooled.phi - payload) / limit).max()))
 
 
-def _fitted(ids: tuple[str, ...], evidence: Evidence, clean_cost: float | None) -> Bound:
+def _derive_bound(ids: tuple[str, ...], evidence: Evidence, clean_cost: float | None) -> Bound:
     """What the fits tell."""
     fits = {fit.name: fit for fit in evidence.singles}
     true = [fits[name] for name in ids if name in fits]

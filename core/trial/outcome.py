@@ -111,7 +111,7 @@ def answered(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Parameters],
         sealed=sealed,
         stopped=None,
         verdict=diagnosis.verdict,
-        effects=tuple(_named(effect, kept) for effect in diagnosis.effects),
+        effects=tuple(_summarise_effect(effect, kept) for effect in diagnosis.effects),
         pairs=tuple((pair.ids, pair.probability) for pair in diagnosis.pairs),
         none_probability=diagnosis.none_probability,
         unknown_probability=diagnosis.unknown_probability,
@@ -133,7 +133,7 @@ def unanswered(sealed: Sealed, reason: str) -> Outcome:
     return Outcome(sealed=sealed, stopped=reason, verdict="stopped", version=release())
 
 
-def _named(effect: Explanation, kept: set[str]) -> Named:
+def _summarise_effect(effect: Explanation, kept: set[str]) -> Named:
     parameters = _estimates(effect.parameters) if effect.id in kept else {}
     return Named(id=effect.id, probability=effect.probability, closure=effect.closure, parameters=parameters)
 

@@ -66,7 +66,7 @@ def _pictures(outcomes: Sequence[Outcome]) -> dict[str, tuple[str, str]]:
 
 def confusions(outcomes: Sequence[Outcome]) -> Counter[tuple[str, str]]:
     """Planted and answered of single faults that count; without a name the verdict."""
-    return Counter((o.sealed.ids[0], _said(o)) for o in outcomes if o.sealed.kind == "single" and counts(o))
+    return Counter((o.sealed.ids[0], _describe_answer(o)) for o in outcomes if o.sealed.kind == "single" and counts(o))
 
 
 def detections(outcomes: Sequence[Outcome]) -> dict[str, list[tuple[float, bool]]]:
@@ -79,7 +79,7 @@ def detections(outcomes: Sequence[Outcome]) -> dict[str, list[tuple[float, bool]
     }
 
 
-def _said(outcome: Outcome) -> str:
+def _describe_answer(outcome: Outcome) -> str:
     return "+".join(sorted(named(outcome) or outcome.also)) or outcome.verdict
 
 

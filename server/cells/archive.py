@@ -36,9 +36,9 @@ def unpack(archive: Path, folder: Path) -> None:
     with opened_zip(archive, BadCell, "a plain zip of a cell's folder") as opened:
         files = [entry for entry in opened.infolist() if not entry.is_dir()]
         _check_amount(files)
-        names = [_checked_name(entry) for entry in files]
+        names = [_parse_name(entry) for entry in files]
         _check_unique(names)
-        shared = _shared_folder(names)
+        shared = _find_shared_folder(names)
         folder.mkdir()
         for entry, name in zip(files, names, strict=True):
             _write(opened, entry, folder / name.relative_to(shared))
@@ -52,7 +52,7 @@ def _check_amount(files: list[zipfile.ZipInfo]) -> None:
         raise BadCell("upload", f"{total} bytes when unpacked", f"at most {MAX_BYTES}")
 
 
-def _checked_name(entry: zipfile.ZipInfo) -> PurePosixPath:
+def _parse_name(entry: zipfile.ZipInfo) -> PurePosixPath:
     where, name = f"upload: {entry.filename[:80]!r}", PurePosixPath(entry.filename)
     kind = stat.S_IFMT(entry.external_attr >> 16)
     if kind not in (0, stat.S_IFREG):
@@ -77,14 +77,14 @@ def _check_unique(names: list[PurePosixPath]) -> None:
             raise BadCell(f"upload: {name!r}", f"{count} files of that name, letter case aside", "one")
 
 
-def _shared_folder(names: list[PurePosixPath]) -> PurePosixPath:
+def _find_shared_folder(names: list[PurePosixPath]) -> PurePosixPath:
     for place in (PurePosixPath(), *{PurePosixPath(name.parts[0]) for name in names if len(name.parts) > 1}):
         if place / CELL_FILE in names and all(name.is_relative_to(place) for name in names):
             return place
     raise BadCell("upload", f"no {CELL_FILE} at the top or in the one folder", f"{CELL_FILE} and the files that it names")
 
 
-def _write(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, target: Path) -> None:
+def _write(zip_file: zipfile.ZipFile, entry: zipfile.ZipInfo, target: Path) -> None:
     target.parent.mkdir(parents=True, exist_ok=True)
     lie = BadCell(f"upload: {entry.filename[:80]!r}", "more bytes than the zip says", f"{entry.file_size}")
-    write_entry(opened, entry, target, most=entry.file_size, too_much=lie)
+    write_entry(zip_file, entry, target, max_bytes=entry.file_size, too_much=lie)

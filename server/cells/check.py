@@ -30,10 +30,10 @@ MEMORY = 512_000_000  # bytes of private data
 MOST_FLAWS = 50  # told of one cell
 FORBIDDEN = ("socket.", "subprocess.", "os.exec", "os.fork", "os.posix_spawn", "os.system", "ctypes.", "os.symlink", "os.link")
 
-Answer = dict[str, Any]
+CheckAnswer = dict[str, Any]
 
 
-def check(folder: Path) -> Answer:
+def check(folder: Path) -> CheckAnswer:
     """Unpacks and loads the cell, up to the models that planning would use and the effects of its twin."""
     try:
         unpack(folder / UPLOAD, folder / CELL)
@@ -69,7 +69,7 @@ def confine(folder: Path) -> None:
     def watch(event: str, arguments: tuple[Any, ...]) -> None:
         if event == "open" and isinstance(arguments[0], str | bytes | os.PathLike):
             path = Path(os.fsdecode(arguments[0])).resolve()
-            if not path.is_relative_to(inside) and not _is_of_the_program(path, arguments):
+            if not path.is_relative_to(inside) and not _belongs_to_program(path, arguments):
                 raise BadInput(str(path), "a file outside the upload's folder", "files inside it")
         elif event.startswith(FORBIDDEN):
             raise BadInput("upload", f"an attempt at {event}", "a cell, which is data only")
@@ -77,7 +77,7 @@ def confine(folder: Path) -> None:
     sys.addaudithook(watch)
 
 
-def _is_of_the_program(path: Path, arguments: tuple[Any, ...]) -> bool:
+def _belongs_to_program(path: Path, arguments: tuple[Any, ...]) -> bool:
     """What Python itself may still have to read: modules, compiled code."""
     flags = arguments[2] if len(arguments) > 2 and isinstance(arguments[2], int) else 0
     writes = flags & (os.O_WRONLY | os.O_RDWR | os.O_CREAT)
@@ -87,45 +87,45 @@ def _is_of_the_program(path: Path, arguments: tuple[Any, ...]) -> bool:
 PROGRAM = tuple({Path(place).resolve() for place in (sys.prefix, sys.base_prefix, Path(__file__).parents[2] / "core")})
 
 
-def check_in_child(folder: Path) -> Answer:
+def check_in_child(folder: Path) -> CheckAnswer:
     """`check`, in a fork that is given up after its time."""
-    reading, writing = os.pipe()
+    read_fd, write_fd = os.pipe()
     child = os.fork()
     if child == 0:
-        os.close(reading)
-        _be_the_child(folder, writing)
-    os.close(writing)
-    return _outcome(child, reading)
+        os.close(read_fd)
+        _run_child(folder, write_fd)
+    os.close(write_fd)
+    return _read_outcome(child, read_fd)
 
 
-def _be_the_child(folder: Path, writing: int) -> None:
+def _run_child(folder: Path, write_fd: int) -> None:
     status = 1
     try:
         confine(folder)
         answer = check(folder)
-        os.write(writing, json.dumps(answer).encode())
+        os.write(write_fd, json.dumps(answer).encode())
         status = 0
     finally:
         os._exit(status)  # never back into the parent's code
 
 
-def _outcome(child: int, reading: int) -> Answer:
+def _read_outcome(child: int, read_fd: int) -> CheckAnswer:
     said = b""
-    with os.fdopen(reading, "rb") as pipe:
+    with os.fdopen(read_fd, "rb") as pipe:
         if select.select([pipe], [], [], SECONDS)[0]:
             said = pipe.read()
         else:
             os.kill(child, signal.SIGKILL)
     _, status = os.waitpid(child, 0)
     if said:
-        answer: Answer = json.loads(said)
+        answer: CheckAnswer = json.loads(said)
         return answer
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGKILL, signal.SIGXCPU):
         return _refusal(f"more than can be checked in {SECONDS:g} s")
     return _refusal("something that ended the check (out of memory, or a mesh that cannot be read)")
 
 
-def _refusal(found: str) -> Answer:
+def _refusal(found: str) -> CheckAnswer:
     return {"refused": "BadCell", "flaws": [("upload", found, "a cell of ordinary size")]}
 
 

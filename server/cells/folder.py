@@ -12,7 +12,7 @@ from typing import Annotated
 from core.cell.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cells, read_cell
 from core.errors import BadCell, BadInput, BadTwin, refuse, together
 from core.files.whole_file import write_whole
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.http.errors import Conflict, NotFound
 
 OLD, NEW = ".old-", ".new-"
@@ -90,7 +90,7 @@ class CellFolder:
         try:
             cell, robot_flaws = read_cell(self.folder / name)
         except BadInput as error:
-            raise together([self._told(each) for each in (error, *error.others)]) from error
+            raise together([self._shorten_paths(each) for each in (error, *error.others)]) from error
         if cell.name == name:
             return CellRead(cell, robot_flaws)
         misnamed = BadCell(f"{name}/{CELL_FILE}: name", repr(cell.name), f"the name of its folder, {name!r}")
@@ -98,9 +98,9 @@ class CellFolder:
 
     def flaws(self, found: CellRead) -> list[BadInput]:
         """What speaks against using a cell, with its zones where `found` has them."""
-        return [self._told(each) for each in found.flaws]
+        return [self._shorten_paths(each) for each in found.flaws]
 
-    def _told(self, flaw: BadInput) -> BadInput:
+    def _shorten_paths(self, flaw: BadInput) -> BadInput:
         """A flaw whose files are named from the folder of the cells on: no screen needs to say where that is."""
         where, found, expected = (text.replace(f"{self.folder}/", "") for text in (flaw.where, flaw.found, flaw.expected))
         told = type(flaw)(where, found, expected)
@@ -163,4 +163,4 @@ def _files(folder: Path) -> list[Path]:
     return sorted(each for each in folder.rglob("*") if each.suffix != ".part" and each.is_file())
 
 
-CellsDep = Annotated[CellFolder, part("cells")]
+CellsDep = Annotated[CellFolder, depend_on("cells")]

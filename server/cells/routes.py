@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Request, Response
-from fastapi import Path as InPath
 from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell, CellRead
@@ -21,16 +20,14 @@ from server.cells.now import read_now
 from server.cells.twin_answer import twin_of
 from server.cells.uploads import CheckerDep, take_in, upload_folder
 from server.cells.zones import ZonePosition
-from server.http.dependencies import MetricsDep, NowDep, StoreDep
+from server.http.dependencies import MetricsDep, NamePath, NowDep, StoreDep
 from server.http.problems import Flaw, flaws_of
-from server.http.schemas import Answer, Name
+from server.http.schemas import Answer
 from server.http.zip_body import ZIP, check_is_zip, write_body
 from server.people import audit
 from server.people.auth import CallerDep
 
 router = APIRouter(prefix="/api/cells", tags=["cells"])
-
-CellName = Annotated[Name, InPath()]
 
 
 class CellListed(Answer):
@@ -87,7 +84,7 @@ class CellTaken(Answer):
     sha256: str | None
 
 
-async def _uploaded(request: Request, cells: CellsDep) -> AsyncIterator[Path]:
+async def _receive_upload(request: Request, cells: CellsDep) -> AsyncIterator[Path]:
     """The folder with the request's body in it, while the request lasts."""
     check_is_zip(request, "cell")
     with upload_folder(cells) as folder:
@@ -95,28 +92,28 @@ async def _uploaded(request: Request, cells: CellsDep) -> AsyncIterator[Path]:
         yield folder
 
 
-Uploaded = Annotated[Path, Depends(_uploaded)]
+UploadDep = Annotated[Path, Depends(_receive_upload)]
 
 
 @router.get("")
 def list_cells(cells: CellsDep, store: StoreDep) -> list[CellListed]:
     """All cells, also those in which nothing can be planned."""
     with store.read() as db:
-        return [_listed(name, *_looked_at(cells, db, name)) for name in cells.names()]
+        return [_summarise(name, *_inspect(cells, db, name)) for name in cells.names()]
 
 
 @router.get("/{cell}")
-def read_cell(cell: CellName, cells: CellsDep, store: StoreDep, now: NowDep) -> CellShown:
+def read_cell(cell: NamePath, cells: CellsDep, store: StoreDep, now: NowDep) -> CellShown:
     """A cell, its protected zones where they are now, and what speaks against planning in it."""
     with store.read() as db:
-        there, flaws = _looked_at(cells, db, cell)
+        cell_read, flaws = _inspect(cells, db, cell)
         known = zones.positions(db, cell)
-    in_file = {} if there is None else {each.name: each.shape.pose for each in cells.read(cell).cell.zones}
+    in_file = {} if cell_read is None else {each.name: each.shape.pose for each in cells.read(cell).cell.zones}
     return CellShown(
-        cell=None if there is None else there.cell,
+        cell=None if cell_read is None else cell_read.cell,
         flaws=flaws_of(flaws),
         in_the_way=[flaw.in_the_way for flaw in flaws if flaw.in_the_way is not None],
-        drawn=there is not None and not there.robot_flaws,
+        drawn=cell_read is not None and not cell_read.robot_flaws,
         sha256=cells.digest(cell),
         moved=[_place(row, in_file[zone]) for zone, row in known.items() if zone in in_file],
         read_at=now,
@@ -124,7 +121,7 @@ def read_cell(cell: CellName, cells: CellsDep, store: StoreDep, now: NowDep) -> 
 
 
 @router.post("/validate", openapi_extra=ZIP)
-def validate_cell(folder: Uploaded, checker: CheckerDep) -> CellTaken:
+def validate_cell(folder: UploadDep, checker: CheckerDep) -> CellTaken:
     """Checks a zip of a cell and keeps nothing."""
     name = checker.check(folder)
     return CellTaken(name=name, sha256=None)
@@ -132,7 +129,7 @@ def validate_cell(folder: Uploaded, checker: CheckerDep) -> CellTaken:
 
 @router.post("", status_code=201, openapi_extra=ZIP)
 def create_cell(
-    folder: Uploaded,
+    folder: UploadDep,
     store: StoreDep,
     cells: CellsDep,
     metrics: MetricsDep,
@@ -149,8 +146,8 @@ def create_cell(
 
 @router.put("/{cell}", openapi_extra=ZIP)
 def replace_cell(
-    cell: CellName,
-    folder: Uploaded,
+    cell: NamePath,
+    folder: UploadDep,
     store: StoreDep,
     cells: CellsDep,
     metrics: MetricsDep,
@@ -162,26 +159,26 @@ def replace_cell(
     return _take_in(store, cells, metrics, checker, folder, cell, caller, now)
 
 
-def _looked_at(cells: CellFolder, db: Session, name: str) -> tuple[CellRead | None, list[BadInput]]:
+def _inspect(cells: CellFolder, db: Session, name: str) -> tuple[CellRead | None, list[BadInput]]:
     """A cell as it is now, None where it cannot be read, and all that is wrong with it and its twin.
 
     Raises:
         NotFound: there is none of that name.
     """
     try:
-        there = read_now(cells, db, name)
+        cell_read = read_now(cells, db, name)
     except BadInput as error:
         return None, [error, *error.others]
-    flaws = cells.flaws(there)
+    flaws = cells.flaws(cell_read)
     try:
-        twin_of(there.cell)
+        twin_of(cell_read.cell)
     except BadTwin as error:
         flaws.append(error)
-    return there, flaws
+    return cell_read, flaws
 
 
-def _listed(name: str, there: CellRead | None, flaws: list[BadInput]) -> CellListed:
-    title = None if there is None else there.cell.title
+def _summarise(name: str, cell_read: CellRead | None, flaws: list[BadInput]) -> CellListed:
+    title = None if cell_read is None else cell_read.cell.title
     return CellListed(name=name, title=title, flaw=str(flaws[0]) if flaws else None, flaws=flaws_of(flaws))
 
 

@@ -19,7 +19,7 @@ from core import errors
 from core.errors import BadInput
 from server.cells.archive import CELL
 from server.cells.folder import NEW, CellFolder
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.http.errors import Unprocessable
 
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
@@ -116,4 +116,4 @@ def take_in(checker: CellChecker, cells: CellFolder, folder: Path, *, name: str 
     return found
 
 
-CheckerDep = Annotated[CellChecker, part("checker")]
+CheckerDep = Annotated[CellChecker, depend_on("checker")]

@@ -105,18 +105,18 @@ def _put(row: ZonePosition, pose: Pose, who: str, now: datetime) -> None:
     row.moves, row.moved_by, row.received_at = row.moves + 1, who, now
 
 
-def with_zones_where_they_are(cell: Cell, known: dict[str, ZonePosition]) -> Cell:
+def with_zones_where_they_are(cell: Cell, rows: dict[str, ZonePosition]) -> Cell:
     """The cell with each zone at its latest place; what the place contradicts says `core.cell.cell.contradictions_of`."""
-    places = {zone: Pose.model_validate_json(row.pose) for zone, row in known.items()}
+    places = {zone: Pose.model_validate_json(row.pose) for zone, row in rows.items()}
     return with_zones_at(cell, places)
 
 
 def with_zones_at(cell: Cell, places: dict[str, Pose]) -> Cell:
     """The cell with some zones elsewhere."""
-    zones = tuple(_moved(zone, places[zone.name]) if zone.name in places else zone for zone in cell.zones)
+    zones = tuple(_with_pose(zone, places[zone.name]) if zone.name in places else zone for zone in cell.zones)
     return cell.model_copy(update={"zones": zones})
 
 
-def _moved(zone: Zone, pose: Pose) -> Zone:
+def _with_pose(zone: Zone, pose: Pose) -> Zone:
     shape = {**zone.shape.model_dump(), "pose": pose}
     return Zone(name=zone.name, shape=type(zone.shape).model_validate(shape))  # made anew: a copy would keep its cached corners

@@ -7,7 +7,7 @@ from typing import Annotated
 
 from fastapi.responses import FileResponse, HTMLResponse, Response
 
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.http.errors import NotFound
 
 PLACES = (Path(__file__).parents[1] / "console", Path(__file__).parents[2] / "web" / "dist")
@@ -74,4 +74,4 @@ class Console:
         raise NotFound("file of the console", path)
 
 
-ConsoleDep = Annotated[Console, part("console")]
+ConsoleDep = Annotated[Console, depend_on("console")]

@@ -8,16 +8,17 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Annotated, Any
 
-from fastapi import Depends, Query, Response
+from fastapi import Depends, Path, Query, Response
 from starlette.requests import HTTPConnection
 
+from server.http.schemas import Name
 from server.settings import Settings
 from server.store.store import Store
 from server.telemetry.metrics import Metrics
 
 
-def part(name: str) -> Any:
-    """A dependency on a part of the running `server.service.Service`, by its name there."""
+def depend_on(name: str) -> Any:
+    """A `Depends` that finds an attribute of the running `server.service.Service` by its name."""
 
     def find(connection: HTTPConnection) -> Any:
         return getattr(connection.app.state.service, name)
@@ -25,27 +26,29 @@ def part(name: str) -> Any:
     return Depends(find)
 
 
-def read_clock(connection: HTTPConnection) -> datetime:
+def get_now(connection: HTTPConnection) -> datetime:
     """The service's time."""
     now: datetime = connection.app.state.service.now()
     return now
 
 
-def client_address(connection: HTTPConnection) -> str:
+def get_client_address(connection: HTTPConnection) -> str:
     """Where a request comes from."""
     return "unknown" if connection.client is None else connection.client.host
 
 
-StoreDep = Annotated[Store, part("store")]
-SettingsDep = Annotated[Settings, part("settings")]
-MetricsDep = Annotated[Metrics, part("metrics")]
-NowDep = Annotated[datetime, Depends(read_clock)]
-AddressDep = Annotated[str, Depends(client_address)]
-Limit = Annotated[int, Query(ge=1, le=200)]
-"""How many of a list are answered."""
+StoreDep = Annotated[Store, depend_on("store")]
+SettingsDep = Annotated[Settings, depend_on("settings")]
+MetricsDep = Annotated[Metrics, depend_on("metrics")]
+NowDep = Annotated[datetime, Depends(get_now)]
+ClientAddressDep = Annotated[str, Depends(get_client_address)]
+LimitQuery = Annotated[int, Query(ge=1, le=200)]
+"""How many items of a list are answered."""
+NamePath = Annotated[Name, Path()]
+"""A name in the path, such as that of a cell or a zone."""
 
 
-def accepted(response: Response, location: str, ask_again_s: int) -> None:
+def accepted(response: Response, location: str, retry_after_s: int) -> None:
     """The headers of a 202: where what was asked for is, and when it is worth a look."""
     response.headers["Location"] = location
-    response.headers["Retry-After"] = str(ask_again_s)
+    response.headers["Retry-After"] = str(retry_after_s)

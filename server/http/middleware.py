@@ -41,7 +41,7 @@ class Requests:
         token = request_id.set(secrets.token_hex(8))
         began, status = time.perf_counter(), 0
 
-        async def sending(message: Message) -> None:
+        async def send_with_headers(message: Message) -> None:
             nonlocal status
             if message["type"] in ("http.response.start", "websocket.http.response.start"):
                 status = message["status"]
@@ -54,7 +54,7 @@ class Requests:
             await send(message)
 
         try:
-            await self.app(scope, receive, sending)
+            await self.app(scope, receive, send_with_headers)
         finally:
             self._note(scope, status, time.perf_counter() - began)
             request_id.reset(token)
@@ -85,7 +85,7 @@ class BodyLimit:
         limit = self.settings.upload_max_bytes if kind.startswith(UPLOADS) else self.settings.body_max_bytes
         taken = 0
 
-        async def receiving() -> Message:
+        async def receive_limited() -> Message:
             nonlocal taken
             message = await receive()
             taken += len(message.get("body", b""))
@@ -93,4 +93,4 @@ class BodyLimit:
                 raise HTTPException(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, f"the body exceeds {limit} bytes")
             return message
 
-        await self.app(scope, receiving, send)
+        await self.app(scope, receive_limited, send)

@@ -33,11 +33,11 @@ def describe(app: FastAPI, authority: Authority) -> Json:
         authority: who may call what, see `server.people.authority`.
     """
     if app.openapi_schema is None:
-        app.openapi_schema = _described(app, authority)
+        app.openapi_schema = _build_description(app, authority)
     return app.openapi_schema
 
 
-def _described(app: FastAPI, authority: Authority) -> Json:
+def _build_description(app: FastAPI, authority: Authority) -> Json:
     found: Json = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
     for endpoint, operation in operations(found):
         operation["responses"].pop("422", None)
@@ -54,8 +54,8 @@ def _described(app: FastAPI, authority: Authority) -> Json:
     return found
 
 
-def operations(described: Json) -> Iterator[tuple[str, Json]]:
+def operations(description: Json) -> Iterator[tuple[str, Json]]:
     """Each operation under its name in the table of authority, "GET /api/cells/{cell}"."""
-    for path, methods in described["paths"].items():
+    for path, methods in description["paths"].items():
         for method, operation in methods.items():
             yield f"{method.upper()} {path}", operation

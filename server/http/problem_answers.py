@@ -31,20 +31,20 @@ NEXT_STEPS = {
 
 def answer_with_problems(app: FastAPI) -> None:
     """Registers what answers each kind of error."""
-    app.add_exception_handler(HeftError, _heft_error)
-    app.add_exception_handler(RequestValidationError, _validation_error)
-    app.add_exception_handler(HTTPException, _http_error)
-    app.add_exception_handler(OperationalError, _store_error)
-    app.add_exception_handler(InterfaceError, _store_error)
-    app.add_exception_handler(Exception, _unexpected)
+    app.add_exception_handler(HeftError, _answer_heft_error)
+    app.add_exception_handler(RequestValidationError, _answer_validation_error)
+    app.add_exception_handler(HTTPException, _answer_http_error)
+    app.add_exception_handler(OperationalError, _answer_store_error)
+    app.add_exception_handler(InterfaceError, _answer_store_error)
+    app.add_exception_handler(Exception, _answer_unexpected_error)
 
 
-async def _heft_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_heft_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     assert isinstance(error, HeftError)
     return await _send(connection, problem_of(error))
 
 
-async def _validation_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_validation_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     assert isinstance(error, RequestValidationError)
     flaws = flaws_of(error.errors())
     kind = HTTP_KINDS["bad-request"]
@@ -54,7 +54,7 @@ async def _validation_error(connection: HTTPConnection, error: Exception) -> JSO
     return await _send(connection, problem("bad-request", kind, detail, flaws=flaws))
 
 
-async def _http_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_http_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     assert isinstance(error, HTTPException)
     status = HTTPStatus(error.status_code)
     name, next_step = NEXT_STEPS.get(status, ("http-error", str(error.detail)))
@@ -66,13 +66,13 @@ async def _http_error(connection: HTTPConnection, error: Exception) -> JSONRespo
     return await _send(connection, found, dict(error.headers or {}))
 
 
-async def _store_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_store_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     log.error("store", exc_info=error)
     detail = "the database is locked, full or away; nothing was changed. Try again; if it stays so, see the service's log"
     return await _send(connection, problem_of(StoreUnavailable(detail)))
 
 
-async def _unexpected(connection: HTTPConnection, error: Exception) -> JSONResponse:
+async def _answer_unexpected_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     log.error("unexpected", exc_info=error)
     detail = "an error that was not foreseen; the service's log has it under request_id"
     return await _send(connection, problem("internal-error", HTTP_KINDS["internal-error"], detail))

@@ -29,11 +29,11 @@ class Answer(BaseModel):
     model_config = ConfigDict(frozen=True, allow_inf_nan=False, from_attributes=True)
 
 
-def _aware(moment: datetime) -> datetime:
+def _check_aware(moment: datetime) -> datetime:
     if moment.tzinfo is None:
         raise ValueError("a time without its offset from UTC; write 2026-01-31T12:00:00Z")
     return moment
 
 
-Moment = Annotated[datetime, AfterValidator(_aware)]
+Moment = Annotated[datetime, AfterValidator(_check_aware)]
 """A time with its offset from UTC, ISO 8601."""

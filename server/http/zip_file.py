@@ -32,17 +32,17 @@ def opened_zip(archive: Path, kind: type[BadInput], expected: str) -> Iterator[z
         raise kind("upload", f"a zip that cannot be unpacked ({str(error)[:120]})", expected) from error
 
 
-def write_entry(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, target: Path, *, most: int, too_much: BadInput) -> int:
+def write_entry(zip_file: zipfile.ZipFile, entry: zipfile.ZipInfo, target: Path, *, max_bytes: int, too_much: BadInput) -> int:
     """Unpacks one entry into a new file and returns how many bytes it has.
 
     Args:
-        too_much: raised where there are more than `most`, whatever the zip's own index says.
+        too_much: raised where there are more than `max_bytes`, whatever the zip's own index says.
     """
     written = 0
-    with opened.open(entry) as source, target.open("xb") as sink:
+    with zip_file.open(entry) as source, target.open("xb") as sink:
         while chunk := source.read(CHUNK):
             written += len(chunk)
-            if written > most:
+            if written > max_bytes:
                 raise too_much
             sink.write(chunk)
     return written

@@ -14,7 +14,7 @@ from starlette.status import HTTP_202_ACCEPTED
 from core.gap.answer import Diagnosis, Verdict
 from server.cells.folder import CellsDep
 from server.http import downloads
-from server.http.dependencies import Limit, NowDep, SettingsDep, StoreDep, accepted
+from server.http.dependencies import LimitQuery, NowDep, SettingsDep, StoreDep, accepted
 from server.http.errors import Conflict
 from server.http.schemas import Body, Name
 from server.http.zip_body import ZIP, check_is_zip, write_body
@@ -63,7 +63,7 @@ class DiagnosisAnswer(JobAnswer):
     result: Diagnosis | None
 
 
-async def _uploaded(request: Request, settings: SettingsDep, now: NowDep) -> AsyncIterator[Path]:
+async def _receive_recording(request: Request, settings: SettingsDep, now: NowDep) -> AsyncIterator[Path]:
     """The folder of an uploaded recording, unpacked; kept, as a run's is."""
     check_is_zip(request, "recording")
     place = settings.recordings_folder / f"upload-{run_ledger.new_id(now)}"
@@ -92,12 +92,12 @@ def diagnose_run(
     row = conductor.row_of(body.run)
     if not folder.is_dir():
         raise Conflict(f"run {body.run}: has no recording, it is in {row.state}; wait for its end")
-    return _queued(store, diagnoses, DiagnosisOrder(recording=folder.absolute(), run=body.run, cell=row.cell), caller.who, now, response)
+    return _queue(store, diagnoses, DiagnosisOrder(recording=folder.absolute(), run=body.run, cell=row.cell), caller.who, now, response)
 
 
 @router.post("/uploads", status_code=HTTP_202_ACCEPTED, openapi_extra=ZIP)
 def diagnose_upload(
-    folder: Annotated[Path, Depends(_uploaded)],
+    folder: Annotated[Path, Depends(_receive_recording)],
     response: Response,
     store: StoreDep,
     cells: CellsDep,
@@ -109,11 +109,11 @@ def diagnose_upload(
     """The same of a recording folder as a zip; with the cell it was made in, where that is one of ours."""
     if cell is not None:
         cells.load(cell)
-    return _queued(store, diagnoses, DiagnosisOrder(recording=folder.absolute(), cell=cell), caller.who, now, response)
+    return _queue(store, diagnoses, DiagnosisOrder(recording=folder.absolute(), cell=cell), caller.who, now, response)
 
 
 @router.get("")
-def list_diagnoses(store: StoreDep, diagnoses: DiagnosesDep, limit: Limit = 50) -> list[DiagnosisAnswer]:
+def list_diagnoses(store: StoreDep, diagnoses: DiagnosesDep, limit: LimitQuery = 50) -> list[DiagnosisAnswer]:
     """Newest first, each with its summary alone."""
     with store.read() as db:
         return [_answer(diagnoses, row, whole=False) for row in jobs.listed(db, DIAGNOSIS, limit)]
@@ -157,7 +157,7 @@ def download_diagnosis_report(diagnosis: str, store: StoreDep, settings: Setting
     return downloads.page(report_of(settings, diagnosis), f"diagnosis-{diagnosis}", missing)
 
 
-def _queued(store: Store, diagnoses: Worker, order: DiagnosisOrder, who: str, now: datetime, response: Response) -> DiagnosisAnswer:
+def _queue(store: Store, diagnoses: Worker, order: DiagnosisOrder, who: str, now: datetime, response: Response) -> DiagnosisAnswer:
     with store.write() as db:
         row = jobs.queue(db, DIAGNOSIS, order, order.run, who, now)
         audit.record(db, who, "diagnosis.queue", {"diagnosis": row.id, "run": order.run}, now=now)
@@ -176,14 +176,14 @@ def _answer(diagnoses: Worker, row: JobRow, *, whole: bool = True) -> DiagnosisA
         run=row.about,
         cell=DiagnosisOrder.model_validate_json(row.order).cell,
         verdict=None if result is None else result.verdict,
-        named=None if result is None else _named(result),
+        named=None if result is None else _find_most_probable(result),
         also=[] if result is None else [each.id for each in result.also if each.material],
         summary=None if result is None else result.summary,
         result=result if whole else None,
     )
 
 
-def _named(result: Diagnosis) -> str | None:
+def _find_most_probable(result: Diagnosis) -> str | None:
     """What is most probable of the effects and pairs that an answer names."""
     single = [(effect.probability, effect.id) for effect in result.effects]
     both = [(pair.probability, "+".join(pair.ids)) for pair in result.pairs]

@@ -16,7 +16,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from core.errors import HeftError
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.http.errors import Conflict, NotFound
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.work import Work
@@ -43,7 +43,7 @@ class JobStatus(StrEnum):
 UNDER_WAY = (JobStatus.waiting, JobStatus.running)
 
 
-def _nothing(_db: Session, _row: JobRow) -> None:
+def _record_nothing(_db: Session, _row: JobRow) -> None:
     """Nothing else is written down."""
 
 
@@ -61,7 +61,7 @@ class Kind:
     name: str
     module: str
     arguments: Callable[[JobRow], tuple[object, ...]]
-    also: Callable[[Session, JobRow], object] = _nothing
+    also: Callable[[Session, JobRow], object] = _record_nothing
 
 
 def queue(db: Session, kind: str, order: BaseModel, about: str | None, who: str, now: datetime) -> JobRow:
@@ -121,7 +121,7 @@ class Worker:
     async def start(self) -> None:
         """Goes on until `close`."""
         self._loop = asyncio.get_running_loop()
-        self._task = asyncio.create_task(self._forever())
+        self._task = asyncio.create_task(self._run_forever())
 
     async def close(self) -> None:
         """What is not done is begun again by the next service."""
@@ -145,7 +145,7 @@ class Worker:
         if self._running is not None:
             self._running[1].kill()
 
-    async def _forever(self) -> None:
+    async def _run_forever(self) -> None:
         while not self._closing:
             self._wake.clear()
             try:
@@ -208,6 +208,6 @@ class Worker:
             self._kind.also(db, row)
 
 
-DiagnosesDep = Annotated[Worker, part("diagnoses")]
-AdditionsDep = Annotated[Worker, part("additions")]
-TrialsDep = Annotated[Worker, part("trials")]
+DiagnosesDep = Annotated[Worker, depend_on("diagnoses")]
+AdditionsDep = Annotated[Worker, depend_on("additions")]
+TrialsDep = Annotated[Worker, depend_on("trials")]

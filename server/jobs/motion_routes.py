@@ -14,7 +14,7 @@ from server.jobs.proposed_motion import MotionBody, motion_of, order_of
 from server.people.auth import CallerDep
 from server.runs import ledger as run_ledger
 from server.runs.conductor import ConductorDep
-from server.runs.queue import IdempotencyKey, Request, queued
+from server.runs.queue import IdempotencyKeyHeader, RunRequest, queued
 from server.runs.schemas import RunAnswer
 
 router = APIRouter(prefix="/api/diagnoses", tags=["diagnoses"])
@@ -30,7 +30,7 @@ def queue_motion(
     conductor: ConductorDep,
     caller: CallerDep,
     now: NowDep,
-    idempotency_key: IdempotencyKey = None,
+    idempotency_key: IdempotencyKeyHeader = None,
 ) -> RunAnswer:
     """Queues the motion that a diagnosis proposes as a run, to be released like any other; its recording continues the diagnosed one."""
     with store.read() as db:
@@ -42,4 +42,4 @@ def queue_motion(
         raise Conflict(f"diagnosis {diagnosis}: its recording was made in no cell of this service; upload it again with ?cell=")
     order = order_of(motion, continued, cells.read(cell).cell, body)
     same = f"{diagnosis} {body.model_dump_json()}".encode()
-    return queued(store, conductor, response, Request(caller.who, now, idempotency_key, same), order, motion)
+    return queued(store, conductor, response, RunRequest(caller.who, now, idempotency_key, same), order, motion)

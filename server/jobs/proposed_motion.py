@@ -94,7 +94,7 @@ def _stops(diagnosed: JobRow) -> tuple[Stop, ...]:
 def _check_same_robot(motion: ProposedMotion, manifest: Manifest, cell: Cell) -> None:
     """As `core.recording.recording.check_same_robot`, without reading the samples."""
     changed = f"diagnosis {motion.diagnosis}: cell {cell.name!r} has changed since the recording"
-    if manifest.robot is None or _described(motion.recording, manifest.robot) != (
+    if manifest.robot is None or _read_robot(motion.recording, manifest.robot) != (
         cell.urdf, cell.robot.base_frame, cell.robot.sensor_frame,
     ):  # fmt: skip
         raise Conflict(f"{changed}: it has another robot; make a new run there")
@@ -103,6 +103,6 @@ def _check_same_robot(motion: ProposedMotion, manifest: Manifest, cell: Cell) ->
         raise Conflict(f"{changed}: gravity at the base is {now.tolist()} m/s2, it was {list(manifest.gravity)}; make a new run there")
 
 
-def _described(recording: Path, robot: RobotPart) -> tuple[str, str, str]:
+def _read_robot(recording: Path, robot: RobotPart) -> tuple[str, str, str]:
     text = read_inside(recording, robot.urdf, BadRecording, max_bytes=MAX_URDF_BYTES)
     return text, robot.base_frame, robot.sensor_frame

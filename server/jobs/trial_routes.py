@@ -6,7 +6,7 @@ from fastapi import APIRouter, Response
 from pydantic import Field
 from starlette.status import HTTP_202_ACCEPTED
 
-from server.http.dependencies import Limit, NowDep, StoreDep, accepted
+from server.http.dependencies import LimitQuery, NowDep, StoreDep, accepted
 from server.http.schemas import Body
 from server.jobs import jobs
 from server.jobs.answer import JobAnswer
@@ -58,7 +58,7 @@ def queue_trials(body: TrialsBody, response: Response, store: StoreDep, worker: 
 
 
 @router.get("")
-def list_trials(store: StoreDep, worker: TrialsDep, limit: Limit = 50) -> list[TrialsAnswer]:
+def list_trials(store: StoreDep, worker: TrialsDep, limit: LimitQuery = 50) -> list[TrialsAnswer]:
     """Newest first, without their answers."""
     with store.read() as db:
         return [_answer(worker, row, whole=False) for row in jobs.listed(db, TRIALS, limit)]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Annotated
 
 from fastapi import APIRouter, Response
-from fastapi import Path as InPath
 from pydantic import Field
 from sqlalchemy import select
 from sqlalchemy.orm import Session
@@ -15,9 +14,9 @@ from core.cell.cell import Cell
 from core.gap.answer import Diagnosis
 from server.cells.folder import CellsDep
 from server.cells.twin_answer import TwinAnswer, twin_of
-from server.http.dependencies import NowDep, StoreDep, accepted
+from server.http.dependencies import NamePath, NowDep, StoreDep, accepted
 from server.http.errors import Conflict, NotFound, Unprocessable
-from server.http.schemas import Body, Name
+from server.http.schemas import Body
 from server.jobs import jobs
 from server.jobs.answer import JobAnswer
 from server.jobs.jobs import UNDER_WAY, AdditionsDep, Worker
@@ -30,7 +29,6 @@ from server.runs.tables import JobRow
 
 router = APIRouter(prefix="/api/cells/{cell}/twin", tags=["cells"])
 
-PathName = Annotated[Name, InPath()]
 TYPICAL_S = 30
 
 
@@ -52,14 +50,14 @@ class AdditionAnswer(JobAnswer):
 
 
 @router.get("")
-def read_twin(cell: PathName, cells: CellsDep) -> TwinAnswer:
+def read_twin(cell: NamePath, cells: CellsDep) -> TwinAnswer:
     """The effects that simulated runs, identification and diagnosis of the cell count with."""
     return twin_of(cells.read(cell).cell)
 
 
 @router.post("", status_code=HTTP_202_ACCEPTED)
 def add_effect(
-    cell: PathName,
+    cell: NamePath,
     body: AdditionBody,
     response: Response,
     store: StoreDep,
@@ -84,7 +82,7 @@ def add_effect(
 
 
 @router.get("/additions/{addition}")
-def read_addition(cell: PathName, addition: str, additions: AdditionsDep, store: StoreDep) -> AdditionAnswer:
+def read_addition(cell: NamePath, addition: str, additions: AdditionsDep, store: StoreDep) -> AdditionAnswer:
     """How far an addition is, and why it was refused."""
     with store.read() as db:
         row = _load(db, cell, addition)
@@ -93,7 +91,7 @@ def read_addition(cell: PathName, addition: str, additions: AdditionsDep, store:
 
 @router.delete("/additions/{addition}")
 def cancel_addition(
-    cell: PathName, addition: str, store: StoreDep, additions: AdditionsDep, caller: CallerDep, now: NowDep
+    cell: NamePath, addition: str, store: StoreDep, additions: AdditionsDep, caller: CallerDep, now: NowDep
 ) -> AdditionAnswer:
     """Ends an addition that waits or runs; the twin stays as it is."""
     with store.write() as db:
@@ -106,14 +104,14 @@ def cancel_addition(
 
 
 @router.delete("/{effect}")
-def remove_effect(cell: PathName, effect: PathName, store: StoreDep, cells: CellsDep, caller: CallerDep, now: NowDep) -> TwinAnswer:
+def remove_effect(cell: NamePath, effect: NamePath, store: StoreDep, cells: CellsDep, caller: CallerDep, now: NowDep) -> TwinAnswer:
     """Takes an effect out of the cell's twin."""
     loaded = cells.load(cell)
     if effect not in [entry.effect for entry in twin_of(loaded).effects]:
         raise NotFound("effect in the twin", effect)
     with store.write() as db:
         _check_nothing_under_way(db, cell)
-        left = _removed(loaded, effect)
+        left = _remove_from_twin(loaded, effect)
         audit.record(db, caller.who, "twin.remove", {"cell": cell, "effect": effect, "sha256": sha256_of(left)}, now=now)
         cells.put_twin(cell, left)  # last, as in `server.jobs.kinds`
     return TwinAnswer.model_validate_json(left)
@@ -126,7 +124,7 @@ def _load(db: Session, cell: str, addition: str) -> JobRow:
     return row
 
 
-def _removed(cell: Cell, effect: str) -> str:
+def _remove_from_twin(cell: Cell, effect: str) -> str:
     """The twin that is left, as JSON, from a process that knows the effects."""
     for word in said("server.runner.twin_removing", cell, effect):
         match word:

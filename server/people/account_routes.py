@@ -5,11 +5,11 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Annotated
 
-from fastapi import APIRouter, Path, Response
+from fastapi import APIRouter, Response
 from pydantic import Field
 from sqlalchemy import select
 
-from server.http.dependencies import NowDep, StoreDep
+from server.http.dependencies import NamePath, NowDep, StoreDep
 from server.http.schemas import Answer, Body, Name, NewPassword
 from server.people import accounts, audit
 from server.people.accounts import Account
@@ -47,7 +47,7 @@ class AccountShown(Answer):
     created_at: datetime
 
 
-def _shown(account: Account) -> AccountShown:
+def _answer(account: Account) -> AccountShown:
     return AccountShown(name=account.name, roles=sorted(account.roles), disabled=account.disabled, created_at=account.created_at)
 
 
@@ -55,7 +55,7 @@ def _shown(account: Account) -> AccountShown:
 def list_accounts(store: StoreDep) -> list[AccountShown]:
     """All accounts."""
     with store.read() as db:
-        return [_shown(account) for account in db.scalars(select(Account).order_by(Account.name))]
+        return [_answer(account) for account in db.scalars(select(Account).order_by(Account.name))]
 
 
 @router.post(
@@ -63,29 +63,29 @@ def list_accounts(store: StoreDep) -> list[AccountShown]:
     status_code=201,
     responses={201: {"links": {"change": {"operationId": "change_account", "parameters": {"account": "$response.body#/name"}}}}},
 )
-def create_account(new: NewAccount, response: Response, caller: CallerDep, store: StoreDep, now: NowDep) -> AccountShown:
+def create_account(body: NewAccount, response: Response, caller: CallerDep, store: StoreDep, now: NowDep) -> AccountShown:
     """Adds an account."""
-    password_hash = accounts.hashed(new.password.get_secret_value())
+    password_hash = accounts.hashed(body.password.get_secret_value())
     with store.write() as db:
-        account = accounts.add_account(db, new.name, password_hash, new.roles, now)
-        audit.record(db, caller.who, "account.create", {"account": new.name, "roles": account.roles_text}, now=now)
-    response.headers["Location"] = f"/api/accounts/{new.name}"
-    return _shown(account)
+        account = accounts.add_account(db, body.name, password_hash, body.roles, now)
+        audit.record(db, caller.who, "account.create", {"account": body.name, "roles": account.roles_text}, now=now)
+    response.headers["Location"] = f"/api/accounts/{body.name}"
+    return _answer(account)
 
 
 @router.patch("/{account}")
 def change_account(
-    account: Annotated[Name, Path()],
-    change: AccountChange,
+    account: NamePath,
+    body: AccountChange,
     caller: CallerDep,
     store: StoreDep,
     recent_callers: RecentCallersDep,
     now: NowDep,
 ) -> AccountShown:
     """Changes an account and signs it out everywhere."""
-    password_hash = None if change.password is None else accounts.hashed(change.password.get_secret_value())
+    password_hash = None if body.password is None else accounts.hashed(body.password.get_secret_value())
     with store.write() as db:
-        changed = accounts.change_account(db, account, password_hash=password_hash, roles=change.roles, disabled=change.disabled)
+        changed = accounts.change_account(db, account, password_hash=password_hash, roles=body.roles, disabled=body.disabled)
         said: Detail = {
             "account": account,
             "roles": changed.roles_text,
@@ -94,4 +94,4 @@ def change_account(
         }
         audit.record(db, caller.who, "account.change", said, now=now)
     recent_callers.forget(f"account:{account}")
-    return _shown(changed)
+    return _answer(changed)

@@ -35,10 +35,10 @@ def list_audit(
     """The latest entries, newest first; `before` a number, for those further back."""
     with store.read() as db:
         rows = db.scalars(select(AuditEntry).where(AuditEntry.number < before).order_by(AuditEntry.number.desc()).limit(limit))
-        return [_shown(row) for row in rows]
+        return [_answer(row) for row in rows]
 
 
-def _shown(row: AuditEntry) -> AuditEntryShown:
+def _answer(row: AuditEntry) -> AuditEntryShown:
     return AuditEntryShown(
         number=row.number,
         at=row.at,

@@ -16,7 +16,7 @@ from fastapi import Depends
 from sqlalchemy.orm import Session
 from starlette.requests import HTTPConnection
 
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.http.errors import NotAllowed, NotSignedIn
 from server.http.openapi import COOKIE, CSRF_HEADER
 from server.people.accounts import KEY_PREFIX, Account, ApiKey, SignIn, sha256
@@ -65,7 +65,7 @@ class RecentCallers:
 
     def remember(self, connection: HTTPConnection, caller: Caller, now: datetime) -> None:
         """The database has just said who it is."""
-        shown = _shown(connection)
+        shown = _hash_credentials(connection)
         if shown is not None:
             self._known[shown] = (caller, now)
             for old in [each for each, (_, at) in self._known.items() if now - at > RECENT]:
@@ -73,7 +73,7 @@ class RecentCallers:
 
     def recall(self, connection: HTTPConnection, now: datetime) -> Caller | None:
         """Who it was, where that is not long ago."""
-        caller, at = self._known.get(_shown(connection) or "", (None, now))
+        caller, at = self._known.get(_hash_credentials(connection) or "", (None, now))
         return caller if now - at <= RECENT else None
 
     def forget(self, who: str) -> None:
@@ -81,7 +81,7 @@ class RecentCallers:
         self._known = {shown: known for shown, known in self._known.items() if known[0].who != who}
 
 
-def _shown(connection: HTTPConnection) -> str | None:
+def _hash_credentials(connection: HTTPConnection) -> str | None:
     """Hash of the key or cookie that is shown."""
     secret = connection.headers.get("authorization") or connection.cookies.get(COOKIE)
     return None if secret is None else sha256(secret)
@@ -95,19 +95,19 @@ def identify(db: Session, connection: HTTPConnection, settings: Settings, now: d
     """
     scheme, _, key = connection.headers.get("authorization", "").partition(" ")
     if scheme.lower() == "bearer":
-        return _by_key(db, key.strip(), now)
+        return _identify_by_key(db, key.strip(), now)
     token = connection.cookies.get(COOKIE)
-    return NOBODY if token is None else _by_cookie(db, token, settings, now)
+    return NOBODY if token is None else _identify_by_cookie(db, token, settings, now)
 
 
-def _by_key(db: Session, key: str, now: datetime) -> Caller:
+def _identify_by_key(db: Session, key: str, now: datetime) -> Caller:
     row = db.get(ApiKey, key[:KEY_PREFIX])
     if row is None or not secrets.compare_digest(row.key_hash, sha256(key)) or (row.expires_at is not None and row.expires_at <= now):
         raise NotSignedIn("key: unknown, expired or revoked; ask whoever keeps the accounts for a new one")
     return Caller(f"key:{row.name}", frozenset({Role(row.role)}))
 
 
-def _by_cookie(db: Session, token: str, settings: Settings, now: datetime) -> Caller:
+def _identify_by_cookie(db: Session, token: str, settings: Settings, now: datetime) -> Caller:
     row = db.get(SignIn, sha256(token))
     account = None if row is None else db.get(Account, row.account)
     if (
@@ -161,10 +161,10 @@ def check_authority(endpoint: str, caller: Caller) -> None:
         raise NotAllowed(f"{endpoint}: {caller.who} is {has}; it takes one of {needs}")
 
 
-def _caller(connection: HTTPConnection) -> Caller:
+def _get_caller(connection: HTTPConnection) -> Caller:
     found: Caller = connection.state.caller
     return found
 
 
-RecentCallersDep = Annotated[RecentCallers, part("recent_callers")]
-CallerDep = Annotated[Caller, Depends(_caller)]
+RecentCallersDep = Annotated[RecentCallers, depend_on("recent_callers")]
+CallerDep = Annotated[Caller, Depends(_get_caller)]

@@ -13,7 +13,7 @@ from sqlalchemy import update
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.requests import HTTPConnection
 
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.http.errors import NotAllowed
 from server.people import audit
 from server.people.accounts import SignIn
@@ -88,9 +88,13 @@ class Door:
             log.warning("the last use of a session could not be written down")
 
 
-DoorDep = Annotated[Door, part("door")]
+DoorDep = Annotated[Door, depend_on("door")]
 
 
 def let_in(connection: HTTPConnection, door: DoorDep) -> None:
-    """Every request and every websocket goes through here first; see `Door.let_in`."""
+    """Dependency of the whole application: every request and every websocket goes through it first.
+
+    Raises:
+        NotSignedIn, NotAllowed: the caller may not.
+    """
     door.let_in(connection)

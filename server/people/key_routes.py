@@ -5,11 +5,11 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Annotated
 
-from fastapi import APIRouter, Path, Response
+from fastapi import APIRouter, Response
 from pydantic import Field
 from sqlalchemy import select
 
-from server.http.dependencies import NowDep, StoreDep
+from server.http.dependencies import NamePath, NowDep, StoreDep
 from server.http.schemas import Answer, Body, Name
 from server.people import accounts, audit
 from server.people.accounts import ApiKey
@@ -57,17 +57,17 @@ def list_keys(store: StoreDep) -> list[KeyShown]:
     status_code=201,
     responses={201: {"links": {"revoke": {"operationId": "revoke_key", "parameters": {"key": "$response.body#/name"}}}}},
 )
-def create_key(new: NewKey, response: Response, caller: CallerDep, store: StoreDep, now: NowDep) -> KeyMade:
+def create_key(body: NewKey, response: Response, caller: CallerDep, store: StoreDep, now: NowDep) -> KeyMade:
     """Makes a key and shows it once."""
     with store.write() as db:
-        key, row = accounts.add_key(db, new.name, new.role, caller.who, now, new.valid_days)
-        audit.record(db, caller.who, "key.create", {"key": new.name, "role": new.role.value, "prefix": row.prefix}, now=now)
-    response.headers["Location"] = f"/api/keys/{new.name}"
+        key, row = accounts.add_key(db, body.name, body.role, caller.who, now, body.valid_days)
+        audit.record(db, caller.who, "key.create", {"key": body.name, "role": body.role.value, "prefix": row.prefix}, now=now)
+    response.headers["Location"] = f"/api/keys/{body.name}"
     return KeyMade(**KeyShown.model_validate(row).model_dump(), key=key)
 
 
 @router.delete("/{key}", status_code=204)
-def revoke_key(key: Annotated[Name, Path()], caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep) -> None:
+def revoke_key(key: NamePath, caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep) -> None:
     """Makes a key worthless, at once."""
     with store.write() as db:
         accounts.revoke_key(db, key)

@@ -7,7 +7,7 @@ from datetime import timedelta
 from fastapi import APIRouter, Response
 from sqlalchemy import delete
 
-from server.http.dependencies import AddressDep, MetricsDep, NowDep, SettingsDep, StoreDep
+from server.http.dependencies import ClientAddressDep, MetricsDep, NowDep, SettingsDep, StoreDep
 from server.http.errors import NotAllowed, NotSignedIn
 from server.http.openapi import COOKIE
 from server.http.schemas import Answer, Body, Name, NewPassword, Password
@@ -43,20 +43,20 @@ class Session(Answer):
 
 @router.post("")
 def sign_in(
-    credentials: Credentials,
+    body: Credentials,
     response: Response,
     store: StoreDep,
     settings: SettingsDep,
     metrics: MetricsDep,
-    address: AddressDep,
+    address: ClientAddressDep,
     now: NowDep,
 ) -> Session:
     """Signs a browser in; the answer sets its cookie. Failures make the next try wait."""
-    name = credentials.name
+    name = body.name
     with store.read() as db:
         login_limit.check(db, name, address, now)
         account = db.get(Account, name)
-    if not accounts.password_is_right(account, credentials.password.get_secret_value()) or account is None:
+    if not accounts.password_is_right(account, body.password.get_secret_value()) or account is None:
         with store.write() as db:
             login_limit.failed(db, name, address, now)
             audit.record(db, "nobody", "session.refuse", {"account": name, "address": address}, now=now)
@@ -92,7 +92,7 @@ def sign_out(response: Response, caller: CallerDep, store: StoreDep, recent_call
 
 @router.put("/password", status_code=204)
 def change_password(
-    change: PasswordChange, caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep, address: AddressDep
+    body: PasswordChange, caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep, address: ClientAddressDep
 ) -> None:
     """Changes one's own password and signs out everywhere."""
     if caller.session is None:
@@ -100,11 +100,11 @@ def change_password(
     with store.read() as db:
         login_limit.check(db, caller.name, address, now)
         account = db.get(Account, caller.name)
-    if not accounts.password_is_right(account, change.password.get_secret_value()):
+    if not accounts.password_is_right(account, body.password.get_secret_value()):
         with store.write() as db:
             login_limit.failed(db, caller.name, address, now)
         raise NotAllowed("password: not the one until now")
-    new_hash = accounts.hashed(change.new_password.get_secret_value())
+    new_hash = accounts.hashed(body.new_password.get_secret_value())
     with store.write() as db:
         accounts.change_account(db, caller.name, password_hash=new_hash)
         audit.record(db, caller.who, "account.password", {"account": caller.name}, now=now)

@@ -36,7 +36,7 @@ from server.runner.run_folder import RECORDING, REPORT, RESULT, locked
 from server.runner.served_run import ServedRun
 from server.runner.shown_plan import shown
 
-Told = Speaker[FromChild]
+ChildSpeaker = Speaker[FromChild]
 Array = NDArray[np.float64]
 
 
@@ -44,13 +44,13 @@ def main(order: Order, connection: Connection) -> None:
     """Entry point of the process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
     planning = PlanningProcess(_sequence_of(order), connection)  # before there are threads
-    speaker: Told = Speaker(connection, Sampled)
+    speaker: ChildSpeaker = Speaker(connection, Sampled)
     _lock = locked(order.folder)  # as long as we live: who recovers the run's samples waits for it
     take(Priority.CONTROL if order.pace == "real_time" else Priority.PLANNING)  # one that never waits would take it from the server
     try:
         _carry_out(order, connection, planning, speaker)
     except HeftError as error:
-        speaker.tell(error.failed if isinstance(error, PlanRefused) else _failed(error))
+        speaker.tell(error.failed if isinstance(error, PlanRefused) else _report_failure(error))
     except OSError as error:
         speaker.tell(Failed("NoRoom", f"the run's folder could not be written ({error.strerror}); the robot was stopped. Make room."))
     finally:
@@ -59,7 +59,7 @@ def main(order: Order, connection: Connection) -> None:
         os._exit(0)  # libraries take their time to tidy up, and OMPL prints what it leaks; everything of ours is closed
 
 
-def _failed(error: HeftError) -> Failed:
+def _report_failure(error: HeftError) -> Failed:
     lateness = error.lateness if isinstance(error, Stopped) else None
     return Failed(type(error).__name__, str(error), error.in_the_way, lateness)
 
@@ -70,24 +70,24 @@ def _sequence_of(order: Order) -> MotionSequence:
     return Stops(order.continues.stops)
 
 
-def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, speaker: Told) -> None:
+def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, speaker: ChildSpeaker) -> None:
     lease = Lease(order.cell.control.lease_s)
     listener = Listener(connection, lease)
     carried = order.cell.payloads[order.payload]
     pace = RealTime() if order.pace == "real_time" else AsFastAsPossible()
     twin = read_twin(order.cell)
     before = None if order.continues is None else read_recording(order.continues.recording)
-    start = _start(order, before)
+    start = _find_start(order, before)
     robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin, start=start)
     run = ServedRun(order, LeasedSession(robot, lease), planning, listener, speaker)
     run.twin, run.load, run.effort = twin, known_load(order.cell, order.payload), order.effort
     if order.continues is not None and before is not None:
         check_same_robot(before, run.robot.description, order.cell.gravity_in_base)
         run.before, run.done = before, order.continues.done or 0
-    plan = _released(run, start, order, listener, speaker)
+    plan = _wait_for_release(run, start, order, listener, speaker)
     procedure = carried_out(run, plan, order.payload, carried, order.folder / RECORDING)
     try:
-        outcome = _pumped(procedure, run, lease, listener, speaker)
+        outcome = _pump(procedure, run, lease, listener, speaker)
     finally:
         if isinstance(pace, RealTime):
             speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s, pace.median_s))
@@ -98,7 +98,7 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     speaker.tell(Done(result))
 
 
-def _start(order: Order, before: Recording | None) -> Array:
+def _find_start(order: Order, before: Recording | None) -> Array:
     """Where the robot is: at home, where the order says, or where the run ended that this one goes on with."""
     if order.continues is None and order.start_rad is not None:
         return np.array(order.start_rad)
@@ -107,7 +107,7 @@ def _start(order: Order, before: Recording | None) -> Array:
     return np.asarray(before.q_cmd[-1])
 
 
-def _planned(run: ServedRun, start: Array, speaker: Told) -> Plan:
+def _plan(run: ServedRun, start: Array, speaker: ChildSpeaker) -> Plan:
     planning = run.planned(start, run.done)
     while True:
         try:
@@ -116,32 +116,32 @@ def _planned(run: ServedRun, start: Array, speaker: Told) -> Plan:
             return cast("Plan", end.value)
 
 
-def _released(run: ServedRun, start: Array, order: Order, listener: Listener, speaker: Told) -> Plan:
+def _wait_for_release(run: ServedRun, start: Array, order: Order, listener: Listener, speaker: ChildSpeaker) -> Plan:
     """Plans, shows the plan and waits until exactly that is released; a zone that moves meanwhile makes it plan anew.
 
     Raises:
         Commanded: the run was ended instead.
     """
     while True:
-        plan = _planned(run, start, speaker)
+        plan = _plan(run, start, speaker)
         ready = shown(run.cell, order.payload_box, plan)
         speaker.tell(Ready(ready))
         while not listener.zones:
             if listener.released == ready.sha256:
-                _quiet()
+                _pause_garbage_collection()
                 return plan
             if listener.ended.wait(0.01):
                 raise run.ending()
 
 
-def _quiet() -> None:
+def _pause_garbage_collection() -> None:
     """One sample is one object: a collection of them all would make the control loop late."""
     gc.collect()
     gc.freeze()
     gc.disable()
 
 
-def _pumped(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: Lease, listener: Listener, speaker: Told) -> Outcome:
+def _pump(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: Lease, listener: Listener, speaker: ChildSpeaker) -> Outcome:
     """Tells the procedure's events; while the robot is on hold it is simply not asked for the next one."""
     while True:
         try:
@@ -157,7 +157,7 @@ def _pumped(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: L
             _wait(procedure, run, lease, listener, speaker)
 
 
-def _wait(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: Lease, listener: Listener, speaker: Told) -> None:
+def _wait(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: Lease, listener: Listener, speaker: ChildSpeaker) -> None:
     """Waits while the robot is on hold; an end that comes meanwhile is thrown in where the procedure is."""
     while lease.waits(run.cell.control.hold_limit_s):
         listener.ended.wait(0.01)

@@ -50,7 +50,7 @@ class ControlProcess:
         while (message := await self._heard.get()) is not None:
             last = message
             yield message
-        code = await asyncio.to_thread(self._ended)
+        code = await asyncio.to_thread(self._join)
         if code != 0 and not isinstance(last, Failed):
             yield Failed("ControlProcessLost", f"the control process ended with code {code}; its robot got no more commands. See the log.")
 
@@ -61,7 +61,7 @@ class ControlProcess:
             if self._process is not None:
                 self._process.kill()
 
-    def _ended(self) -> int | None:
+    def _join(self) -> int | None:
         """The exit code; None of a process that could not be started."""
         if self._process is None:
             return None

@@ -49,7 +49,9 @@ class ServedRun(Run):
         self._sent_s, self._began_s = -np.inf, np.inf
 
     def planned(self, start: Array, done: int = 0) -> Generator[Event, None, Plan]:
-        """See `Run.planned`. Where a zone that moves has stopped the robot and leaves no way, it stands and waits until the zone moves on.
+        """Has the planning process plan what is left to do after `done` steps, from `start` (n,), rad; returns the plan.
+
+        Where a zone that moves has stopped the robot and leaves no way, it stands and waits until the zone moves on.
 
         Raises:
             PlanRefused: there is no safe way, and nothing has moved yet.
@@ -59,7 +61,7 @@ class ServedRun(Run):
             self.look_at_zones()
             cell = self.cell
             try:
-                plan = yield from self._asked(start, done)
+                plan = yield from self._ask(start, done)
             except PlanRefused as refusal:
                 if self._written == 0 or not self.cell.zones:
                     raise
@@ -71,7 +73,7 @@ class ServedRun(Run):
                 self.plan_s += plan.plan_s
                 return plan
 
-    def _asked(self, start: Array, done: int) -> Generator[Event, None, Plan]:
+    def _ask(self, start: Array, done: int) -> Generator[Event, None, Plan]:
         """One answer of the planning process."""
         asked = self._planning.ask(self.plan_request(start, done))
         while True:
@@ -90,7 +92,10 @@ class ServedRun(Run):
         return refusal if isinstance(refusal, Commanded) else Commanded("the run was ended.", value=1.0, limit=0.0)
 
     def moved(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
-        """See `Run.moved`; every batch is on disk before it is told of."""
+        """Carries the plan out, after a stop by the guard its rest anew, and returns the last plan.
+
+        Every batch of samples is on disk before its event is yielded; `log` takes them too.
+        """
         moving = super().moved(plan, log)
         with self._stream:
             while True:
@@ -120,23 +125,23 @@ class ServedRun(Run):
             self._stream.append(log.states[self._written :], log.phases[self._written :])
             self._written = len(log)
 
-    def _show(self, log: SampleLog, now_at: Progress) -> None:
+    def _show(self, log: SampleLog, progress: Progress) -> None:
         """The newest samples to who watches, at most every `LIVE_PERIOD_S` of the wall clock."""
         now = time.monotonic()
         self._began_s = min(self._began_s, now)
         if now - self._sent_s < 0.9 * LIVE_PERIOD_S or not len(log):
             return
         self._sent_s = now
-        self._speaker.tell(Sampled(self._batch(log, now_at, wall_s=now - self._began_s)))
+        self._speaker.tell(Sampled(self._batch(log, progress, wall_s=now - self._began_s)))
 
-    def _batch(self, log: SampleLog, now_at: Progress, *, wall_s: float) -> LiveBatch:
+    def _batch(self, log: SampleLog, progress: Progress, *, wall_s: float) -> LiveBatch:
         states = log.states[-LIVE_ROWS:]
         estimate, motion = self.online.so_far, self.online.motion
         known = np.where(np.isfinite(estimate.phi), estimate.phi, 0.0)  # the paper leaves the products of inertia out
         expected = wrench(motion, known)[0] + estimate.offset
         nearest = self.collision.obstacle_distance(states[-1].q)
         return LiveBatch(
-            phase=now_at.phase,
+            phase=progress.phase,
             t_s=[round(state.t, 6) for state in states],
             wrench=np.round([state.wrench for state in states], 6).tolist(),
             reconstructed=np.round(expected, 6).tolist() if np.isfinite(expected).all() and np.isfinite(estimate.phi[0]) else None,
@@ -152,6 +157,6 @@ class ServedRun(Run):
             )
             if np.isfinite(nearest.distance_m)
             else None,
-            progress=now_at.done_s / now_at.total_s,
-            eta_s=round((now_at.total_s / now_at.done_s - 1.0) * wall_s, 1) if now_at.done_s > 0.0 else None,
+            progress=progress.done_s / progress.total_s,
+            eta_s=round((progress.total_s / progress.done_s - 1.0) * wall_s, 1) if progress.done_s > 0.0 else None,
         )

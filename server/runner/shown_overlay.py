@@ -22,9 +22,9 @@ def shown_overlay(overlay: Overlay, points: int = POINTS) -> OverlayAnswer:
             ChannelOverlay(
                 channel=name,
                 unit=unit,
-                measured=_rounded(overlay.measured[rows, c]),
-                before=_rounded(overlay.before[rows, c]),
-                after=_rounded(overlay.after[rows, c]),
+                measured=_round(overlay.measured[rows, c]),
+                before=_round(overlay.before[rows, c]),
+                after=_round(overlay.after[rows, c]),
                 std=float(overlay.noise_std[c]),
             )
             for c, (name, unit) in enumerate(CHANNELS.items())
@@ -41,6 +41,6 @@ def _worst_of_each(overlay: Overlay, points: int) -> NDArray[np.intp]:
     return np.asarray(np.arange(len(padded)) * every + np.argmax(padded, axis=1))
 
 
-def _rounded(values: NDArray[np.float64]) -> list[float]:
+def _round(values: NDArray[np.float64]) -> list[float]:
     found: list[float] = np.round(values, 5).tolist()
     return found

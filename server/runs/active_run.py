@@ -72,7 +72,7 @@ class ActiveRun:
 
     Args:
         row: of the run, in Resetting.
-        told: its events so far, with their sequence numbers.
+        events: its events so far, with their sequence numbers.
         cell: with its zones where they are now.
         folder: of the run; made here.
         broadcast: to who watches it.
@@ -83,7 +83,7 @@ class ActiveRun:
         self,
         store: Store,
         row: RunRow,
-        told: list[tuple[int, str]],
+        events: list[tuple[int, str]],
         cell: Cell,
         folder: Path,
         broadcast: Broadcast,
@@ -91,7 +91,7 @@ class ActiveRun:
         metrics: RunMetrics,
     ) -> None:
         self.id, self.cell, self.folder = row.id, cell.name, folder
-        self.row, self.events, self.broadcast = row, told, broadcast
+        self.row, self.events, self.broadcast = row, events, broadcast
         self.newest: Sampled | None = None
         self.plan: RunPlan | None = None
         self.changed_at: datetime = now()
@@ -124,13 +124,13 @@ class ActiveRun:
         finally:
             looking.cancel()
 
-    async def keep(self, closing: Callable[[], bool]) -> None:
+    async def keep(self, is_closing: Callable[[], bool]) -> None:
         """Until the database has everything; a service that ends does not wait long for that."""
         while self._commands:
             await asyncio.sleep(0.01)
         given_s = 0.0
         while not await self._follower.caught_up(1.0):
-            given_s += closing()
+            given_s += is_closing()
             if given_s >= SHUTDOWN_PATIENCE_S:
                 log.warning("the database lacks what happened to run %s; it is taken from its journal at the next start", self.id)
                 break
@@ -157,11 +157,11 @@ class ActiveRun:
         self._ended_for = self._ended_for or reason
         self._process.tell(End(reason.sentence))
 
-    def zone_moved(self, moved: ZoneMoved) -> None:
+    def zone_moved(self, message: ZoneMoved) -> None:
         """Hands a zone's new place on."""
-        self._process.tell(moved)
+        self._process.tell(message)
 
-    async def release(self, plan_sha256: str, who: str, done: Deed) -> None:
+    async def release(self, plan_sha256: str, who: str, deed: Deed) -> None:
         """Lets the plan begin, once the database has that it may.
 
         Raises:
@@ -176,14 +176,14 @@ class ActiveRun:
         def change(row: RunRow) -> None:
             row.released, row.released_by, row.released_at = True, who, self._now()
 
-        await self._step(lambda _: [Command.START], change=change, done=[done])
+        await self._step(lambda _: [Command.START], change=change, deeds=[deed])
         if self._unwritten or not await self._follower.caught_up(RELEASE_PATIENCE_S):
             sentence = "the release could not be written, so nothing has moved; look at the database and the disk, then make a new run."
             self._end(Reason(NOT_KEPT, sentence))
             raise StoreUnavailable("release: the database did not take it, so nothing moves; the run was ended")
         self._process.tell(Release(plan_sha256))
 
-    async def command(self, command: Command, reason: Reason, done: Deed) -> None:
+    async def command(self, command: Command, reason: Reason, deed: Deed) -> None:
         """Holds, resumes, stops or aborts; the robot hears of it before anything is written.
 
         Raises:
@@ -192,11 +192,11 @@ class ActiveRun:
         """
         self._commands += 1
         try:
-            await self._command(command, reason, done)
+            await self._command(command, reason, deed)
         finally:
             self._commands -= 1
 
-    async def _command(self, command: Command, reason: Reason, done: Deed) -> None:
+    async def _command(self, command: Command, reason: Reason, deed: Deed) -> None:
         if command is Command.UNHOLD and self.state is State.HELD and not await self._follower.caught_up(RELEASE_PATIENCE_S):
             raise StoreUnavailable(
                 "resume: the database is locked, full or away, and nothing begins to move without it; resume when it is back"
@@ -211,7 +211,7 @@ class ActiveRun:
             because(row, None if command is Command.UNHOLD else reason)
             row.lateness = None
 
-        await self._step(lambda _: [command], change=change, done=[done])
+        await self._step(lambda _: [command], change=change, deeds=[deed])
         if command is Command.UNHOLD:
             self._process.tell(Resume())
 
@@ -238,7 +238,7 @@ class ActiveRun:
             case Happened(event=Progress()):
                 pass  # stands in the samples
             case Happened(event=event):
-                await self._happened(event)
+                await self._handle_event(event)
             case Ready(plan=plan):
                 self.plan = plan
                 shown = PlanShown(sha256=plan.sha256, robot_s=plan.summary.robot_s)
@@ -254,7 +254,7 @@ class ActiveRun:
             case Failed():
                 await self._fail(message)
 
-    async def _happened(self, event: Event) -> None:
+    async def _handle_event(self, event: Event) -> None:
         def change(row: RunRow) -> None:
             row.in_the_way = in_the_way(event, row.in_the_way)
             match event:
@@ -286,7 +286,7 @@ class ActiveRun:
         path: Callable[[State], Iterable[Step]],
         events: Sequence[Event] = (),
         change: Callable[[RunRow], object] = lambda _: None,
-        done: Sequence[Deed] = (),
+        deeds: Sequence[Deed] = (),
     ) -> None:
         """The change, the events, the states on the path: into the journal, then to the watchers and after them to the database."""
         async with self._steps:
@@ -294,11 +294,11 @@ class ActiveRun:
             change(row)
             messages = run_ledger.tell(row, events, self._now()) + run_ledger.advance(row, path(State(row.state)), self._now())
             changed = RunChange.between(self.row, row)
-            if not (messages or done or changed.model_fields_set):
+            if not (messages or deeds or changed.model_fields_set):
                 return
             self._number += 1
             ended = self.row.ended_at is None and row.ended_at is not None
-            await self._note(Entry(number=self._number, change=changed, messages=messages, deeds=list(done), ended=ended))
+            await self._note(Entry(number=self._number, change=changed, messages=messages, deeds=list(deeds), ended=ended))
             if row.state != self.row.state:
                 self.changed_at = self._now()
             self.row = row

@@ -22,7 +22,7 @@ from core.payload.shapes import Pose
 from core.sessions.leased import Renewal
 from server.cells.folder import CellFolder
 from server.cells.now import read_now
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.http.errors import Conflict
 from server.people import audit
 from server.people.audit import Deed
@@ -32,7 +32,7 @@ from server.runner.run_folder import free
 from server.runs import ledger as run_ledger
 from server.runs.active_run import ActiveRun
 from server.runs.broadcast import Broadcast
-from server.runs.crashed_runs import Left, close_crashed, forget_journals, recover, take_from_journals, unrecovered
+from server.runs.crashed_runs import RecoveryInput, close_crashed, forget_journals, recover, take_from_journals, unrecovered
 from server.runs.idle import IdleRuns
 from server.runs.metrics import RunMetrics
 from server.runs.packml import Command, IllegalCommandError, State
@@ -78,7 +78,7 @@ class Conductor:
         threading.Thread(target=self._beat, name="beat", daemon=True).start()
         await asyncio.to_thread(self._catch_up)
         for run in await asyncio.to_thread(unrecovered, self.folder):
-            self._spawn(asyncio.to_thread(recover, self.folder / run, partial(self._left_of, run)))
+            self._spawn(asyncio.to_thread(recover, self.folder / run, partial(self._load_recovery_input, run)))
         self._spawn(self._queue())
 
     def _catch_up(self) -> None:
@@ -134,7 +134,7 @@ class Conductor:
         """To who watches a run that is not over."""
         return self._broadcasts.setdefault(run, Broadcast())
 
-    def _over(self, run: str) -> None:
+    def _finish(self, run: str) -> None:
         self._broadcasts.pop(run, Broadcast()).end()
         self._wake.set()
 
@@ -170,11 +170,11 @@ class Conductor:
         with self.store.read() as db:
             return self.cell_now(db, name)
 
-    def _left_of(self, run: str) -> Left:
+    def _load_recovery_input(self, run: str) -> RecoveryInput:
         with self.store.read() as db:
             row = run_ledger.load(db, run)
             motion = run_ledger.motion_of(row)
-            return Left(self.cell_now(db, row.cell), None if motion is None else motion.recording)
+            return RecoveryInput(self.cell_now(db, row.cell), None if motion is None else motion.recording)
 
     def row_of(self, run: str) -> RunRow:
         """A run as it is now: from memory where it has its cell, else from the database.
@@ -195,7 +195,7 @@ class Conductor:
             time.sleep(0.02)
         return self.of_run(run) is None
 
-    async def command(self, run: str, command: Command, reason: Reason, done: Deed) -> None:
+    async def command(self, run: str, command: Command, reason: Reason, deed: Deed) -> None:
         """Passes a command on; a run that has no process is changed in the store alone.
 
         Raises:
@@ -207,19 +207,19 @@ class Conductor:
             raise Conflict(f"run {run}: its control process still closes the recording; ask again in some seconds", ["clear"])
         try:
             if active is None:
-                active = await self._changed(run, command, reason, done)
+                active = await self._command_idle(run, command, reason, deed)
             if active is not None:
-                await active.command(command, reason, done)
+                await active.command(command, reason, deed)
         except IllegalCommandError:
             raise run_ledger.refusal(await asyncio.to_thread(self.row_of, run), run_ledger.OFFERED.get(command, command)) from None
 
-    async def _changed(self, run: str, command: Command, reason: Reason, done: Deed) -> ActiveRun | None:
+    async def _command_idle(self, run: str, command: Command, reason: Reason, deed: Deed) -> ActiveRun | None:
         """Changes a run in the store, unless it has just got its cell: then it is returned."""
         async with self._taking:
             active = self.of_run(run)
             if active is None:
-                await asyncio.to_thread(self._idle.command, run, command, reason, done)
-                self._over(run)
+                await asyncio.to_thread(self._idle.command, run, command, reason, deed)
+                self._finish(run)
             return active
 
     async def _queue(self) -> None:
@@ -240,16 +240,16 @@ class Conductor:
 
     async def _begin(self, row: RunRow) -> None:
         try:
-            cell, told = await asyncio.to_thread(self._known, row)
-            active = ActiveRun(self.store, row, told, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
+            cell, events = await asyncio.to_thread(self._load_cell_and_events, row)
+            active = ActiveRun(self.store, row, events, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
         except (HeftError, OSError) as error:
             await asyncio.to_thread(self._idle.end, row.id, of_error(error))
-            self._over(row.id)
+            self._finish(row.id)
             return
         self.active[row.cell] = active
         self._spawn(self._carry(active))
 
-    def _known(self, row: RunRow) -> tuple[Cell, list[tuple[int, str]]]:
+    def _load_cell_and_events(self, row: RunRow) -> tuple[Cell, list[tuple[int, str]]]:
         """The run's cell, and what has happened to it."""
         with self.store.read() as db:
             return self.plannable(db, row.cell), run_ledger.told(db, row.id, 0)
@@ -261,7 +261,7 @@ class Conductor:
             await active.keep(lambda: self._closing)
         finally:
             del self.active[active.cell]
-            self._over(active.id)
+            self._finish(active.id)
 
     def _spawn(self, work: Coroutine[None, None, None]) -> None:
         task = asyncio.create_task(work)
@@ -269,4 +269,4 @@ class Conductor:
         task.add_done_callback(self._tasks.discard)
 
 
-ConductorDep = Annotated[Conductor, part("conductor")]
+ConductorDep = Annotated[Conductor, depend_on("conductor")]

@@ -26,7 +26,7 @@ from server.runs.tables import RunRow
 log = logging.getLogger("heft.runs")
 
 
-class Left(NamedTuple):
+class RecoveryInput(NamedTuple):
     """The cell of a run, and the folder of the recording that it continued."""
 
     cell: Cell
@@ -64,15 +64,15 @@ def close_crashed(db: Session, now: datetime) -> None:
             keep_steps(db, row, [None] if row.state == State.ABORTING else [Command.ABORT, None], now)
 
 
-def recover(folder: Path, left: Callable[[], Left]) -> None:
+def recover(folder: Path, load_input: Callable[[], RecoveryInput]) -> None:
     """The samples of a run whose control process died with its server, as a recording; where that cannot be, the log says why.
 
     Args:
         folder: of the run, named like it.
-        left: what is known of the run, as far as its cell can still be read.
+        load_input: tells what is known of the run, as far as its cell can still be read.
     """
     try:
-        words = list(said("server.runner.recovery", folder, *left()))
+        words = list(said("server.runner.recovery", folder, *load_input()))
     except HeftError as error:
         words = [Failed(type(error).__name__, str(error))]
     for word in words:

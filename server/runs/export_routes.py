@@ -20,7 +20,7 @@ from server.runs.conductor import Conductor, ConductorDep
 router = APIRouter(prefix="/api/runs/{run}/exports", tags=["results"])
 
 
-TargetName = Annotated[str, Path(json_schema_extra={"enum": [target.name for target in TARGETS]})]
+TargetPath = Annotated[str, Path(json_schema_extra={"enum": [target.name for target in TARGETS]})]
 
 
 class Lost(Answer):
@@ -61,11 +61,11 @@ class ExportsAnswer(Answer):
 def list_exports(run: str, cells: CellsDep, conductor: ConductorDep) -> ExportsAnswer:
     """How the result can be written, and what each way cannot hold."""
     payload, cell = _payload(cells, conductor, run)
-    return ExportsAnswer(frame=frame_of(cell), targets=[_listed(target, payload) for target in TARGETS])
+    return ExportsAnswer(frame=frame_of(cell), targets=[_describe(target, payload) for target in TARGETS])
 
 
 @router.get("/{target}", response_class=Response, responses=downloads.TEXT)
-def download_export(run: str, target: TargetName, cells: CellsDep, conductor: ConductorDep) -> Response:
+def download_export(run: str, target: TargetPath, cells: CellsDep, conductor: ConductorDep) -> Response:
     """The result as a file that a controller or a simulator takes."""
     chosen = target_of(target)
     payload, _ = _payload(cells, conductor, run)
@@ -78,7 +78,7 @@ def _payload(cells: CellFolder, conductor: Conductor, run: str) -> tuple[Uncerta
     return payload_of(run_ledger.result_of(row), cell), cell
 
 
-def _listed(target: Target, payload: UncertainParameters) -> ExportListed:
+def _describe(target: Target, payload: UncertainParameters) -> ExportListed:
     refused: str | None = None
     try:
         target.written(payload)

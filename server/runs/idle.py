@@ -26,11 +26,11 @@ class IdleRuns:
         self._store, self._now, self._metrics = store, now, metrics
 
     def first(self) -> list[RunRow]:
-        """Of each cell the one that comes next, see `run_ledger.waiting`."""
+        """Of each cell the one that comes next, of the runs that are not over; an aborted one is not over before it is cleared."""
         with self._store.read() as db:
             return run_ledger.waiting(db)
 
-    def command(self, run: str, command: Command, reason: Reason, done: Deed) -> None:
+    def command(self, run: str, command: Command, reason: Reason, deed: Deed) -> None:
         """A command and what follows from it; that it was given goes into the audit log in the same transaction.
 
         Raises:
@@ -42,10 +42,10 @@ class IdleRuns:
             if row.reason is None:
                 because(row, reason)
             told = run_ledger.keep_steps(db, row, [command, None], self._now())
-            audit.record_deed(db, done)
+            audit.record_deed(db, deed)
         self._metrics.told(told, row)
 
     def end(self, run: str, reason: Reason) -> None:
-        """The end of a run that did not come through, see `run_ledger.end`."""
+        """Closes a run that did not come through: as it was told to end; Stopped before any motion; else Aborted."""
         with self._store.write() as db:
             run_ledger.end(db, run_ledger.load(db, run), reason, self._now())

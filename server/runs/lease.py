@@ -14,7 +14,7 @@ from typing import Annotated
 from sqlalchemy.orm import Session
 
 from core.sessions.leased import FUTURE_S, Renewal
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.http.errors import Conflict
 from server.runs.link import Link
 from server.runs.tables import ControlFence
@@ -142,4 +142,4 @@ def next_fence(db: Session, cell: str) -> int:
     return row.fence
 
 
-ControlDep = Annotated[Control, part("control")]
+ControlDep = Annotated[Control, depend_on("control")]

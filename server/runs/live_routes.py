@@ -22,17 +22,17 @@ router = APIRouter(tags=["runs"])
 
 NORMAL, POLICY_VIOLATION, TRY_AGAIN = 1000, 1008, 1013
 
-After = Annotated[int, Query(ge=0, le=2**53)]
+AfterQuery = Annotated[int, Query(ge=0, le=2**53)]
 """Sequence number of the last message that is known already."""
 
 
 @router.websocket("/api/runs/{run}/live")
-async def watch_run(websocket: WebSocket, run: str, store: StoreDep, conductor: ConductorDep, after: After = 0) -> None:
+async def watch_run(websocket: WebSocket, run: str, store: StoreDep, conductor: ConductorDep, after: AfterQuery = 0) -> None:
     """Events behind `after`, then everything as it happens; closed with 1013 when it is not read, with 1000 at the end."""
     await websocket.accept()
     try:
         sending = asyncio.create_task(_send(websocket, run, store, conductor, after))
-        gone = asyncio.create_task(_until_gone(websocket))
+        gone = asyncio.create_task(_wait_until_gone(websocket))
         await asyncio.wait((sending, gone), return_when=asyncio.FIRST_COMPLETED)
         gone.cancel()
         if not sending.done():
@@ -51,10 +51,10 @@ async def watch_run(websocket: WebSocket, run: str, store: StoreDep, conductor: 
 
 @router.get("/api/runs/{run}/events")
 def read_events(
-    run: str, store: StoreDep, conductor: ConductorDep, after: After = 0, kind: Literal["event", "samples"] | None = None
+    run: str, store: StoreDep, conductor: ConductorDep, after: AfterQuery = 0, kind: Literal["event", "samples"] | None = None
 ) -> list[LiveMessage]:
     """What has happened behind a sequence number, and the newest samples: the same messages as on the websocket `live`."""
-    _, told = _told(store, conductor, run, after)
+    _, told = _load_events(store, conductor, run, after)
     messages: list[LiveMessage] = [EventMessage.model_validate_json(text) for _, text in told]
     active = conductor.of_run(run)
     if active is not None and active.newest is not None:
@@ -67,7 +67,7 @@ async def _send(websocket: WebSocket, run: str, store: Store, conductor: Conduct
     broadcast = conductor.broadcast(run)
     subscription = broadcast.subscribe()
     try:
-        over, told = await asyncio.to_thread(_told, store, conductor, run, after)
+        over, told = await asyncio.to_thread(_load_events, store, conductor, run, after)
         for sequence, text in told:
             async with asyncio.timeout(PATIENCE_S):
                 await websocket.send_text(text)
@@ -83,7 +83,7 @@ async def _send(websocket: WebSocket, run: str, store: Store, conductor: Conduct
         broadcast.unsubscribe(subscription)
 
 
-def _told(store: Store, conductor: Conductor, run: str, after: int) -> tuple[bool, list[tuple[int, str]]]:
+def _load_events(store: Store, conductor: Conductor, run: str, after: int) -> tuple[bool, list[tuple[int, str]]]:
     """Whether nothing more can come, and what has come, with sequence numbers: from memory where the run has its cell."""
     active = conductor.of_run(run)
     if active is not None:
@@ -94,7 +94,7 @@ def _told(store: Store, conductor: Conductor, run: str, after: int) -> tuple[boo
         return over, run_ledger.told(db, run, after)
 
 
-async def _until_gone(websocket: WebSocket) -> None:
+async def _wait_until_gone(websocket: WebSocket) -> None:
     """Nobody commands here; what comes is not looked at."""
     with suppress(WebSocketDisconnect):
         while True:

@@ -8,7 +8,7 @@ from typing import Annotated
 from prometheus_client import CollectorRegistry, Counter, Histogram
 
 from core.events import RobotStopped
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.runner.messages import Paced
 from server.runs.event_schemas import EventMessage, StateChanged
 from server.runs.packml import FINAL, State
@@ -83,4 +83,4 @@ class RunMetrics:
         self._median.observe(paced.median_s)
 
 
-RunMetricsDep = Annotated[RunMetrics, part("run_metrics")]
+RunMetricsDep = Annotated[RunMetrics, depend_on("run_metrics")]

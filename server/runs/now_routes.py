@@ -6,21 +6,19 @@ Nothing here waits for the database. To stop a robot nobody has to be somebody; 
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Annotated, Literal
+from typing import Literal
 
 from fastapi import APIRouter
-from fastapi import Path as InPath
 
-from server.http.dependencies import AddressDep, NowDep
+from server.http.dependencies import ClientAddressDep, NamePath, NowDep
 from server.http.errors import Conflict
-from server.http.schemas import Answer, Name
+from server.http.schemas import Answer
 from server.people import audit
 from server.runs.conductor import Conductor, ConductorDep
 from server.runs.packml import MOVING, Command, State
 from server.runs.reason import asked
 
 router = APIRouter(prefix="/api/now", tags=["now"])
-PathName = Annotated[Name, InPath()]
 
 COMES_TO_REST = frozenset({State.HELD, State.SUSPENDED})
 """The robot is not commanded in these states, although its run may go on."""
@@ -51,7 +49,7 @@ async def read_now(conductor: ConductorDep) -> list[CellNow]:
 
 
 @router.post("/{cell}/stop")
-async def stop_now(cell: PathName, conductor: ConductorDep, address: AddressDep, now: NowDep) -> CellNow:
+async def stop_now(cell: NamePath, conductor: ConductorDep, address: ClientAddressDep, now: NowDep) -> CellNow:
     """Stops the cell's robot. Anybody may, and it is recorded from where. It is no emergency stop."""
     active = conductor.active.get(cell)
     if active is None:

@@ -16,25 +16,25 @@ from server.runs.tables import RunRow
 
 def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
     """What the control process is told."""
-    asked = RunOrder.model_validate_json(row.order)
+    order = RunOrder.model_validate_json(row.order)
     motion = motion_of(row)
-    payload = asked.payload or next(iter(cell.payloads))  # orders of older services may name none
+    payload = order.payload or next(iter(cell.payloads))  # orders of older services may name none
     limit = cell.limits.cartesian_speed_m_s  # may have become lower since it was asked for
     return Order(
         run=row.id,
-        cell=slowed(cell, min(asked.speed_m_s or limit, limit), "speed_m_s"),
+        cell=slowed(cell, min(order.speed_m_s or limit, limit), "speed_m_s"),
         payload=payload,
-        payload_box=asked.payload_box or cell.payloads[payload].box,
-        timing=Timing(hold_s=asked.hold_s, settle_s=asked.settle_s, robot_s=asked.robot_s, inertia_std=asked.inertia_std),
-        planner=asked.planner,
-        seed=asked.seed,
-        mass_guess_kg=asked.mass_guess_kg,
-        pace=asked.pace,
+        payload_box=order.payload_box or cell.payloads[payload].box,
+        timing=Timing(hold_s=order.hold_s, settle_s=order.settle_s, robot_s=order.robot_s, inertia_std=order.inertia_std),
+        planner=order.planner,
+        seed=order.seed,
+        mass_guess_kg=order.mass_guess_kg,
+        pace=order.pace,
         folder=folder,
         continues=None if motion is None else _continuation(motion),
-        scope=asked.scope,
-        effort=asked.effort,
-        start_rad=asked.start_rad,
+        scope=order.scope,
+        effort=order.effort,
+        start_rad=order.start_rad,
     )
 
 

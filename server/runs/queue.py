@@ -19,12 +19,12 @@ from server.runs.schemas import Motion, RestOfRun, RunAnswer, RunOrder
 from server.runs.tables import RunRow
 from server.store.store import Store
 
-IdempotencyKey = Annotated[str | None, Header(alias="Idempotency-Key", min_length=1, max_length=128)]
+IdempotencyKeyHeader = Annotated[str | None, Header(alias="Idempotency-Key", min_length=1, max_length=128)]
 PLANNING_S = 5
 """When to ask again after queueing."""
 
 
-class Request(NamedTuple):
+class RunRequest(NamedTuple):
     """Who asks for a run, and what makes two requests the same."""
 
     who: str
@@ -34,7 +34,7 @@ class Request(NamedTuple):
 
 
 def queued(
-    store: Store, conductor: Conductor, response: Response, asked: Request, order: RunOrder, motion: Motion | None = None
+    store: Store, conductor: Conductor, response: Response, request: RunRequest, order: RunOrder, motion: Motion | None = None
 ) -> RunAnswer:
     """The run that the request makes, or has made already.
 
@@ -45,22 +45,22 @@ def queued(
     """
     try:
         with store.write() as db:
-            made = None if asked.key is None else idempotency.made_before(db, asked.who, asked.key, asked.body)
-            row = _made(conductor, db, asked, order, motion) if made is None else run_ledger.load(db, made)
+            made = None if request.key is None else idempotency.made_before(db, request.who, request.key, request.body)
+            row = _make(conductor, db, request, order, motion) if made is None else run_ledger.load(db, made)
             found = run_ledger.answer(row)
     except IntegrityError as error:
-        raise Conflict(f"Idempotency-Key {asked.key!r}: the first request is still under way; ask again") from error
+        raise Conflict(f"Idempotency-Key {request.key!r}: the first request is still under way; ask again") from error
     conductor.wake()
     accepted(response, f"/api/runs/{found.run}", PLANNING_S)
     return found
 
 
-def _made(conductor: Conductor, db: Session, asked: Request, order: RunOrder, motion: Motion | None) -> RunRow:
+def _make(conductor: Conductor, db: Session, request: RunRequest, order: RunOrder, motion: Motion | None) -> RunRow:
     conductor.plannable(db, order.cell)
-    row = run_ledger.queue(db, order, asked.who, asked.now, motion)
-    if asked.key is not None:
-        idempotency.once(db, asked.who, asked.key, asked.body, row.id, asked.now)
-    audit.record(db, asked.who, "run.queue", {"run": row.id, "cell": order.cell, **_origin(motion)}, now=asked.now)
+    row = run_ledger.queue(db, order, request.who, request.now, motion)
+    if request.key is not None:
+        idempotency.once(db, request.who, request.key, request.body, row.id, request.now)
+    audit.record(db, request.who, "run.queue", {"run": row.id, "cell": order.cell, **_origin(motion)}, now=request.now)
     return row
 
 

@@ -41,9 +41,9 @@ def cancelled(who: str) -> Reason:
     return Reason("cancelled", f"cancelled by {who}.")
 
 
-def failed(told: Failed) -> Reason:
+def failed(failure: Failed) -> Reason:
     """What a process says."""
-    return Reason(kind_of(told.error, told.lateness), told.message)
+    return Reason(kind_of(failure.error, failure.lateness), failure.message)
 
 
 def kind_of(error: str, lateness: Lateness | None) -> str:

@@ -27,17 +27,17 @@ def unpack(archive: Path, folder: Path) -> None:
     part.mkdir()
     try:
         with opened_zip(archive, BadRecording, "a plain zip of a recording folder") as opened:
-            _write_all(opened, _wanted(opened), part)
+            _write_all(opened, _select_entries(opened), part)
         part.replace(folder)
     finally:
         shutil.rmtree(part, ignore_errors=True)
 
 
-def _wanted(opened: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
+def _select_entries(zip_file: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
     """The recording's files by their bare names: where they lie in the zip does not matter, so no name leads anywhere."""
     from core.recording.samples import FILES as SAMPLES  # noqa: PLC0415  the service starts sooner without Arrow
 
-    entries = [entry for entry in opened.infolist() if not entry.is_dir()]
+    entries = [entry for entry in zip_file.infolist() if not entry.is_dir()]
     if len(entries) > MAX_FILES:
         raise BadRecording("upload", f"{len(entries)} files", f"at most {MAX_FILES}")
     wanted: dict[str, zipfile.ZipInfo] = {}
@@ -52,8 +52,8 @@ def _wanted(opened: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
     return wanted
 
 
-def _write_all(opened: zipfile.ZipFile, wanted: dict[str, zipfile.ZipInfo], folder: Path) -> None:
+def _write_all(zip_file: zipfile.ZipFile, entries: dict[str, zipfile.ZipInfo], folder: Path) -> None:
     left = MAX_BYTES
     too_much = BadRecording("upload", f"more than {MAX_BYTES} bytes when unpacked", "a recording of a plausible size")
-    for name, entry in wanted.items():
-        left -= write_entry(opened, entry, folder / name, most=left, too_much=too_much)
+    for name, entry in entries.items():
+        left -= write_entry(zip_file, entry, folder / name, max_bytes=left, too_much=too_much)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Annotated
 
 from core.sessions.leased import Renewal
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.http.errors import Conflict, NoRoom
 from server.people import audit
 from server.people.audit import Detail
@@ -46,7 +46,7 @@ class Offers:
     def make(self, run: str, plan_sha256: str) -> str:
         """For a plan that is shown now."""
         shown_s = f"{self._clock():.3f}"
-        return f"{shown_s}.{self._signed(run, plan_sha256, shown_s)}"
+        return f"{shown_s}.{self._sign(run, plan_sha256, shown_s)}"
 
     def check(self, run: str, plan_sha256: str, offer: str) -> None:
         """It was made for this plan, and not too long ago.
@@ -55,13 +55,13 @@ class Offers:
             Conflict: look at the plan again.
         """
         shown_s, _, signature = offer.rpartition(".")
-        if not hmac.compare_digest(signature.encode(), self._signed(run, plan_sha256, shown_s).encode()):
+        if not hmac.compare_digest(signature.encode(), self._sign(run, plan_sha256, shown_s).encode()):
             raise Conflict("offer: not made for this plan by this service; look at the plan again (GET plan) and release what it shows")
         age = self._clock() - float(shown_s)
         if age > self.length_s:
             raise Conflict(f"offer: {age:.0f} s old (limit {self.length_s:.0f} s); look at the plan again and release what it shows")
 
-    def _signed(self, run: str, plan_sha256: str, shown_s: str) -> str:
+    def _sign(self, run: str, plan_sha256: str, shown_s: str) -> str:
         return hmac.new(self._secret, f"{run} {plan_sha256} {shown_s}".encode(), sha256).hexdigest()
 
 
@@ -114,5 +114,5 @@ def check_room(folder: Path, robot_s: float) -> None:
         )
 
 
-ReleasesDep = Annotated[Releases, part("releases")]
-OffersDep = Annotated[Offers, part("offers")]
+ReleasesDep = Annotated[Releases, depend_on("releases")]
+OffersDep = Annotated[Offers, depend_on("offers")]

@@ -21,7 +21,7 @@ from server.runs.conductor import ConductorDep
 from server.runs.lease import ControlDep
 from server.runs.order import check_order
 from server.runs.packml import Command, State
-from server.runs.queue import IdempotencyKey, Request, queued
+from server.runs.queue import IdempotencyKeyHeader, RunRequest, queued
 from server.runs.reason import cancelled
 from server.runs.rest_of_run import rest_of
 from server.runs.schemas import RunAnswer, RunOrder
@@ -39,14 +39,14 @@ def queue_run(
     conductor: ConductorDep,
     caller: CallerDep,
     now: NowDep,
-    idempotency_key: IdempotencyKey = None,
+    idempotency_key: IdempotencyKeyHeader = None,
 ) -> RunAnswer:
     """Queues a run; nothing moves before an operator at the cell has released its plan. The same `Idempotency-Key` makes one run."""
     body = order.model_dump_json().encode()
     cell = cells.read(order.cell).cell
     check_order(order, cell)
     order = with_payload(order, cell)
-    return queued(store, conductor, response, Request(caller.who, now, idempotency_key, body), order)
+    return queued(store, conductor, response, RunRequest(caller.who, now, idempotency_key, body), order)
 
 
 @router.get("")
@@ -101,13 +101,13 @@ def continue_run(
     settings: SettingsDep,
     caller: CallerDep,
     now: NowDep,
-    idempotency_key: IdempotencyKey = None,
+    idempotency_key: IdempotencyKeyHeader = None,
 ) -> RunAnswer:
     """Queues the rest of a run that ended before it was through, as a new run: its finished holds and rotations count."""
     ended = conductor.row_of(run)
     rest = rest_of(ended, settings.recordings_folder / run)
     order = RunOrder.model_validate_json(ended.order)
-    return queued(store, conductor, response, Request(caller.who, now, idempotency_key, f"continuation of {run}".encode()), order, rest)
+    return queued(store, conductor, response, RunRequest(caller.who, now, idempotency_key, f"continuation of {run}".encode()), order, rest)
 
 
 def with_payload(order: RunOrder, cell: Cell) -> RunOrder:

@@ -57,13 +57,13 @@ class StoreFollower:
     def add(self, entry: Entry) -> None:
         """Is written when all before it are. Returns at once."""
         self._entries.append(entry)
-        self._behind()
+        self._mark_behind()
 
     def probe(self) -> None:
         """Asks, although nothing is to be written, whether the database could be."""
-        self._behind()
+        self._mark_behind()
 
-    def _behind(self) -> None:
+    def _mark_behind(self) -> None:
         self._caught_up.clear()
         self._something.set()
         if self._behind_since_s is None:
@@ -94,7 +94,7 @@ class StoreFollower:
             with suppress(TimeoutError):
                 await asyncio.wait_for(self._something.wait(), PROBE_S)
             if not self._something.is_set():
-                self._behind()  # a look at a store that nobody writes to
+                self._mark_behind()  # a look at a store that nobody writes to
             self._something.clear()
             try:
                 if self._entries:

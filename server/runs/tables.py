@@ -29,7 +29,7 @@ class RunRow(Table):
     """The job failed, whatever the machine's state is by now."""
     reason: Mapped[str | None] = mapped_column(Text)
     reason_kind: Mapped[str | None] = mapped_column(String(32))
-    """See `server.runs.reason`."""
+    """Of `reason`: kind of a problem (`server.http.problems`), or one of `server.runs.reason.OWN`. None without a reason."""
     in_the_way: Mapped[str | None] = mapped_column(String(64))
     plan: Mapped[str | None] = mapped_column(Text)
     result: Mapped[str | None] = mapped_column(Text)
@@ -128,7 +128,7 @@ class JobRow(Table):
     result: Mapped[str | None] = mapped_column(Text)
     reason: Mapped[str | None] = mapped_column(Text)
     reason_kind: Mapped[str | None] = mapped_column(String(32))
-    """See `server.runs.reason`."""
+    """Of `reason`: kind of a problem (`server.http.problems`), or one of `server.runs.reason.OWN`. None without a reason."""
     requested_by: Mapped[str] = mapped_column(String(80))
     requested_at: Mapped[datetime]
     ended_at: Mapped[datetime | None]

@@ -79,7 +79,7 @@ def list_webhooks(store: StoreDep) -> list[WebhookAnswer]:
 def remove_webhook(webhook: str, store: StoreDep, caller: CallerDep, now: NowDep) -> None:
     """Nothing is sent there any more, also not what is still due."""
     with store.write() as db:
-        row = _found(db.get(Webhook, webhook), webhook)
+        row = _require(db.get(Webhook, webhook), webhook)
         for delivery in db.scalars(select(Delivery).where(Delivery.webhook == webhook)):
             db.delete(delivery)
         db.flush()
@@ -91,12 +91,12 @@ def remove_webhook(webhook: str, store: StoreDep, caller: CallerDep, now: NowDep
 def list_deliveries(webhook: str, store: StoreDep) -> list[DeliveryAnswer]:
     """The newest hundred."""
     with store.read() as db:
-        _found(db.get(Webhook, webhook), webhook)
+        _require(db.get(Webhook, webhook), webhook)
         query = select(Delivery).where(Delivery.webhook == webhook).order_by(Delivery.id.desc()).limit(100)
         return [DeliveryAnswer.model_validate(row) for row in db.scalars(query)]
 
 
-def _found(row: Webhook | None, name: str) -> Webhook:
+def _require(row: Webhook | None, name: str) -> Webhook:
     if row is None:
         raise NotFound("webhook", name)
     return row

@@ -58,7 +58,7 @@ class Deliverer:
 
     async def start(self) -> None:
         """Goes on until `close`."""
-        self._task = asyncio.create_task(self._forever())
+        self._task = asyncio.create_task(self._run_forever())
 
     async def close(self) -> None:
         """What is not delivered stays in the store."""
@@ -68,7 +68,7 @@ class Deliverer:
         if "_client" in vars(self):  # there was something to send
             await self._client.aclose()
 
-    async def _forever(self) -> None:
+    async def _run_forever(self) -> None:
         while True:
             try:
                 await self.deliver_due()
@@ -92,7 +92,7 @@ class Deliverer:
         timestamp = str(round(self._now().timestamp()))
         signed = f"sha256={signature(webhook.secret, timestamp, delivery.body)}"
         headers = {"Content-Type": "application/json", DELIVERY: delivery.id, TIMESTAMP: timestamp, SIGNATURE: signed}
-        import httpx2  # noqa: PLC0415  see `_client`
+        import httpx2  # noqa: PLC0415  nothing may ever be due
 
         try:
             answer = await self._client.post(webhook.url, content=delivery.body, headers=headers)

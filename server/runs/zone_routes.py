@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from datetime import datetime, timedelta
-from typing import Annotated
 
 from fastapi import APIRouter
-from fastapi import Path as InPath
 from sqlalchemy.orm import Session
 
 from core.payload.shapes import Pose
@@ -15,10 +13,10 @@ from server.cells.folder import CellFolder, CellsDep
 from server.cells.now import read_now
 from server.cells.zone_check import flaws_of_bodies
 from server.cells.zones import ZonePosition
-from server.http.dependencies import NowDep, StoreDep
+from server.http.dependencies import NamePath, NowDep, StoreDep
 from server.http.errors import Conflict
 from server.http.problems import Flaw, flaws_of
-from server.http.schemas import Answer, Body, Moment, Name
+from server.http.schemas import Answer, Body, Moment
 from server.people import audit
 from server.people.auth import CallerDep
 from server.runs.conductor import ConductorDep
@@ -26,7 +24,6 @@ from server.runs.conductor import ConductorDep
 router = APIRouter(prefix="/api/cells/{cell}/zones", tags=["cells"])
 
 AHEAD = timedelta(seconds=1)  # by how much a measuring clock may go before ours
-PathName = Annotated[Name, InPath()]
 
 
 class ZoneMove(Body):
@@ -84,9 +81,9 @@ class ZoneChecked(Answer):
 
 @router.put("/{zone}")
 def move_zone(
-    cell: PathName,
-    zone: PathName,
-    moved: ZoneMove,
+    cell: NamePath,
+    zone: NamePath,
+    body: ZoneMove,
     caller: CallerDep,
     store: StoreDep,
     cells: CellsDep,
@@ -94,35 +91,35 @@ def move_zone(
     now: NowDep,
 ) -> ZoneShown:
     """Keeps a zone's new place. A place that makes planning impossible is kept too: people are where they are."""
-    if moved.measured_at > now + AHEAD:
+    if body.measured_at > now + AHEAD:
         raise Conflict(
-            f"measured_at: {moved.measured_at.isoformat()} is ahead of the service's clock, {now.isoformat()}; set the measuring clock"
+            f"measured_at: {body.measured_at.isoformat()} is ahead of the service's clock, {now.isoformat()}; set the measuring clock"
         )
     loaded = cells.read(cell).cell
     with store.write() as db:
-        row = zones.move(db, loaded, zone, moved.pose, moved.measured_at, caller.who, now)
-        said = {"cell": cell, "zone": zone, "pose": row.pose, "measured_at": moved.measured_at.isoformat()}
+        row = zones.move(db, loaded, zone, body.pose, body.measured_at, caller.who, now)
+        said = {"cell": cell, "zone": zone, "pose": row.pose, "measured_at": body.measured_at.isoformat()}
         audit.record(db, caller.who, "zone.move", said, now=now)
-        shown = _shown(cells, db, row)
-    conductor.zone_moved(cell, zone, moved.pose)
+        shown = _answer(cells, db, row)
+    conductor.zone_moved(cell, zone, body.pose)
     return shown
 
 
 @router.post("/{zone}/check")
-def check_zone(cell: PathName, zone: PathName, tried: ZoneTry, store: StoreDep, cells: CellsDep) -> ZoneChecked:
+def check_zone(cell: NamePath, zone: NamePath, body: ZoneTry, store: StoreDep, cells: CellsDep) -> ZoneChecked:
     """What a zone would contradict at a place, the whole arm at home included, before anybody moves it there."""
     with store.read() as db:
         found = read_now(cells, db, cell)
     zones.place_in_file(found.cell, zone)
-    there = zones.with_zones_at(found.cell, {zone: tried.pose})
+    there = zones.with_zones_at(found.cell, {zone: body.pose})
     flaws = cells.flaws(found._replace(cell=there)) or flaws_of_bodies(there)
-    return ZoneChecked(cell=cell, zone=zone, pose=tried.pose, flaws=flaws_of(flaws))
+    return ZoneChecked(cell=cell, zone=zone, pose=body.pose, flaws=flaws_of(flaws))
 
 
 @router.post("/{zone}/undo")
 def put_zone_back(
-    cell: PathName,
-    zone: PathName,
+    cell: NamePath,
+    zone: NamePath,
     caller: CallerDep,
     store: StoreDep,
     cells: CellsDep,
@@ -131,17 +128,17 @@ def put_zone_back(
     back: ZoneBack | None = None,
 ) -> ZoneShown:
     """Puts a zone back to where it was before, or to where the cell's file has it; a later measurement moves it as ever."""
-    asked = back or ZoneBack()
+    undo = back or ZoneBack()
     loaded = cells.read(cell).cell
     with store.write() as db:
-        row = zones.put_back(db, loaded, zone, asked.to, asked.moves, caller.who, now)
-        audit.record(db, caller.who, "zone.undo", {"cell": cell, "zone": zone, "to": asked.to, "pose": row.pose}, now=now)
-        shown = _shown(cells, db, row)
+        row = zones.put_back(db, loaded, zone, undo.to, undo.moves, caller.who, now)
+        audit.record(db, caller.who, "zone.undo", {"cell": cell, "zone": zone, "to": undo.to, "pose": row.pose}, now=now)
+        shown = _answer(cells, db, row)
     conductor.zone_moved(cell, zone, shown.pose)
     return shown
 
 
-def _shown(cells: CellFolder, db: Session, row: ZonePosition) -> ZoneShown:
+def _answer(cells: CellFolder, db: Session, row: ZonePosition) -> ZoneShown:
     flaws = cells.flaws(read_now(cells, db, row.cell))
     return ZoneShown(
         cell=row.cell,

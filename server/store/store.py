@@ -118,12 +118,12 @@ def _engine(url: str) -> Engine:
     if not url.startswith("sqlite"):
         return create_engine(url, pool_pre_ping=True, connect_args={"timeout": AWAY_S})
     engine = create_engine(url, connect_args={"timeout": BUSY_S, "check_same_thread": False})
-    event.listen(engine, "connect", _durable)
+    event.listen(engine, "connect", _make_durable)
     event.listen(engine, "begin", _begin)
     return engine
 
 
-def _durable(connection: SqliteConnection, _record: object) -> None:
+def _make_durable(connection: SqliteConnection, _record: object) -> None:
     connection.isolation_level = None  # the driver would begin transactions by itself, and too late
     for pragma in ("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON", f"busy_timeout={round(BUSY_S * 1000)}"):
         connection.execute(f"PRAGMA {pragma}")

@@ -10,7 +10,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from core.cell.cell import Cell
 from core.errors import HeftError
 from core.payload.shapes import Pose
-from server.http.dependencies import part
+from server.http.dependencies import depend_on
 from server.runs import ledger as run_ledger
 from server.runs.conductor import Conductor
 from server.viewer.process import InTheWay, Moved, Planned, ViewerProcess, Zones
@@ -53,7 +53,7 @@ class Gallery:
             self._viewers.pop(cell).close()
             del self._ports[cell]
         if cell not in self._ports:
-            loaded = await asyncio.to_thread(self._cell, cell)
+            loaded = await asyncio.to_thread(self._load_cell, cell)
             if cell not in self._ports:
                 self._begin(loaded)
         return await asyncio.shield(self._ports[cell])
@@ -65,11 +65,11 @@ class Gallery:
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
-    def _cell(self, name: str) -> Cell:
+    def _load_cell(self, name: str) -> Cell:
         with self._conductor.store.read() as db:
             return self._conductor.cell_now(db, name)
 
-    def _standing(self, name: str) -> tuple[Cell, str | None]:
+    def _read_standing(self, name: str) -> tuple[Cell, str | None]:
         """The cell as it is now, and what its run has in its way."""
         with self._conductor.store.read() as db:
             return self._conductor.cell_now(db, name), run_ledger.in_the_way(db, name)
@@ -90,17 +90,17 @@ class Gallery:
             ticks += 1
             if ticks * PERIOD_S >= STORE_S:
                 ticks = 0
-                cell, in_the_way = await self._told_changes(cell, in_the_way, viewer)
+                cell, in_the_way = await self._tell_changes(cell, in_the_way, viewer)
             await asyncio.sleep(PERIOD_S)
 
-    async def _told_changes(self, cell: Cell, in_the_way: str | None, viewer: ViewerProcess) -> tuple[Cell, str | None]:
+    async def _tell_changes(self, cell: Cell, in_the_way: str | None, viewer: ViewerProcess) -> tuple[Cell, str | None]:
         """Tells the viewer what has changed; returns how it stands.
 
         Where the robot or an obstacle is another one by now, the viewer ends: the next look begins one anew.
         """
         try:
-            now, named = await asyncio.to_thread(self._standing, cell.name)
-            same = _never_redrawn(now) == _never_redrawn(cell)
+            now, named = await asyncio.to_thread(self._read_standing, cell.name)
+            same = _select_static(now) == _select_static(cell)
         except (HeftError, SQLAlchemyError):  # what was drawn stays until the cell can be read again
             return cell, in_the_way
         if not same:
@@ -113,7 +113,7 @@ class Gallery:
         return now, named
 
 
-def _never_redrawn(cell: Cell) -> tuple[object, ...]:
+def _select_static(cell: Cell) -> tuple[object, ...]:
     """What a viewer draws once: all but where the zones are."""
     return (
         cell.model_copy(update={"zones": ()}),
@@ -122,4 +122,4 @@ def _never_redrawn(cell: Cell) -> tuple[object, ...]:
     )
 
 
-GalleryDep = Annotated[Gallery, part("gallery")]
+GalleryDep = Annotated[Gallery, depend_on("gallery")]

@@ -64,9 +64,9 @@ class ViewerProcess:
         """Where it listens, on 127.0.0.1."""
         return int(await asyncio.to_thread(self._connection.recv))
 
-    def tell(self, shown: Shown) -> None:
+    def tell(self, message: Shown) -> None:
         """Returns at once; of positions only the newest is drawn."""
-        self._speaker.tell(shown)
+        self._speaker.tell(message)
 
     @property
     def alive(self) -> bool:

@@ -53,7 +53,7 @@ async def viewer_socket(websocket: WebSocket, cell: str, gallery: GalleryDep) ->
     offered = [Subprotocol(name) for name in websocket.scope.get("subprotocols", [])]
     async with connect(f"ws://127.0.0.1:{port}", subprotocols=offered or None, max_size=None, compression=None, proxy=None) as inner:
         await websocket.accept(inner.subprotocol)
-        ways = [asyncio.create_task(_inward(websocket, inner)), asyncio.create_task(_outward(websocket, inner))]
+        ways = [asyncio.create_task(_pass_inward(websocket, inner)), asyncio.create_task(_pass_outward(websocket, inner))]
         await asyncio.wait(ways, return_when=asyncio.FIRST_COMPLETED)
         for way in ways:
             way.cancel()
@@ -62,13 +62,13 @@ async def viewer_socket(websocket: WebSocket, cell: str, gallery: GalleryDep) ->
         await websocket.close(GOING_AWAY)
 
 
-async def _inward(websocket: WebSocket, inner: ClientConnection) -> None:
+async def _pass_inward(websocket: WebSocket, inner: ClientConnection) -> None:
     with suppress(WebSocketDisconnect, ConnectionClosed, KeyError):
         while True:
             await inner.send(await websocket.receive_bytes())
 
 
-async def _outward(websocket: WebSocket, inner: ClientConnection) -> None:
+async def _pass_outward(websocket: WebSocket, inner: ClientConnection) -> None:
     with suppress(WebSocketDisconnect, ConnectionClosed, RuntimeError):
         async for message in inner:
             await (websocket.send_text(message) if isinstance(message, str) else websocket.send_bytes(message))

@@ -28,15 +28,15 @@ class Background(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.02 deg of tilt in any direction, normal gains of 0.03 % and a jitter of 0.1 ms, each times `size`."""
         return cls(tilt_of(rng, 0.02 * size), six(3e-4 * size * rng.standard_normal(6)), 1e-4 * size, seed_of(rng))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Turns gravity by `tilt_rad` in the base frame."""
         spec.option.gravity = tilted(np.array(spec.option.gravity), setting, self.tilt_rad)
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Scales each channel by its gain and shifts the wrench's instant at random, along its last change."""
         rng = np.random.default_rng(self.seed)
         gain, early = 1 + np.array(self.gain_share), self.jitter_s / machine.period
         chance: list[float] = []

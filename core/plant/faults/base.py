@@ -49,11 +49,11 @@ class TiltedBase(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Tilt of 0.1 to 3 deg in any direction."""
         return cls(tilt_of(rng, size * spread(rng, 0.1, 3.0)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Turns gravity by `tilt_rad` in the base frame."""
         spec.option.gravity = tilted(np.array(spec.option.gravity), setting, self.tilt_rad)
 
 
@@ -67,11 +67,11 @@ class SoftFloor(TiltedBase):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Tilt of 0.1 to 3 deg in any direction, floor of 1e-5 to 1e-4 rad/(N m)."""
         return cls(tilt_of(rng, size * spread(rng, 0.1, 3.0)), size * spread(rng, 1e-5, 1e-4))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`. The base tips towards the arm's centre of mass as it would quasi-statically."""
+        """Turns gravity as the base tips towards the arm's centre of mass, quasi-statically."""
         model, data, base = machine.model, machine.data, machine.setting.cell.robot.base
         R, origin = base.rotation, base.translation
         g0 = R.T @ model.opt.gravity
@@ -99,13 +99,13 @@ class WobblyBase(TiltedBase):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Tilt of 0.1 to 3 deg, rock of 0.2 to 0.6 of it, each in any direction, and an edge within 3 cm of its place at home."""
         degrees = size * spread(rng, 0.1, 3.0)
         rock = tilt_of(rng, degrees * float(rng.uniform(0.2, 0.6)))
         return cls(tilt_of(rng, degrees), rock, float(rng.uniform(-0.03, 0.03)))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Turns gravity by `rock_rad` to either side, by a tanh over 5 mm of the way of the arm's centre of mass across the edge."""
         model, data, base = machine.model, machine.data, machine.setting.cell.robot.base
         x, y = self.rock_rad
         # tipping towards `down` turns gravity, as seen from the base, about the axis across it

@@ -39,11 +39,11 @@ class SpringCable(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.5 to 10 N/m, friction of 0.1 to 1 N, anchor 0.3 to 0.9 m from the payload at home, grip 3 to 10 cm from the sensor."""
         return cls(size * spread(rng, 0.5, 10.0), size * spread(rng, 0.1, 1.0), anchor(rng), grip_of(rng))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Pulls the grip by `pull` and rubs against its velocity by at most `friction_n`."""
         grip = Grip(machine, np.array(self.grip_m))
         fixed = grip.place() + np.array(self.anchor_from_home_m)
 
@@ -70,13 +70,13 @@ class SlackCable(SpringCable):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """5 to 50 N/m, friction of 0.05 to 0.2 N, slack of 0.85 to 1.05 of the anchor's distance at home."""
         away = anchor(rng)
         slack = float(np.linalg.norm(away)) * float(rng.uniform(0.85, 1.05))
         return cls(size * spread(rng, 5.0, 50.0), size * spread(rng, 0.05, 0.2), away, grip_of(rng), slack)
 
     def pull(self, away: Array) -> Array:
-        """See `SpringCable.pull`."""
+        """(3,), N, of a spring that begins at `slack_m`; zero for a nearer fixed point."""
         length = math.sqrt(float(away @ away))
         return max(1 - self.slack_m / length, 0.0) * self.stiffness_n_per_m * away
 
@@ -94,11 +94,11 @@ class TwistedHose(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.05 to 0.5 N m/rad, neutral within 1.5 rad of zero, friction of 0.01 to 0.05 N m."""
         return cls(size * spread(rng, 0.05, 0.5), float(rng.uniform(-1.5, 1.5)), size * spread(rng, 0.01, 0.05))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Twists the payload about the last joint's axis by a hardening spring and by Dahl's friction, which builds up over 0.05 rad."""
         data, body = machine.data, machine.body("payload")
         wrist = int(np.arange(machine.model.nv)[machine.motors][-1])
         last = float(data.qpos[wrist])
@@ -131,11 +131,11 @@ class Reel(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Pull of 0.5 to 5 N, friction of 10 to 30 % of it, anchor and grip as of a `SpringCable`."""
         return cls(size * spread(rng, 0.5, 5.0), float(rng.uniform(0.1, 0.3)), anchor(rng), grip_of(rng))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Pulls the grip towards the fixed point by `pull_n`, `friction_share` more where it is wound off and less where it winds up."""
         grip = Grip(machine, np.array(self.grip_m))
         fixed = grip.place() + np.array(self.anchor_from_home_m)
 

@@ -33,12 +33,12 @@ class Touch(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Force of 1 to 15 N in any direction, 3 to 10 cm from the sensor, for 3 to 20 % of the run."""
         force = size * spread(rng, 1.0, 15.0) * direction(rng)
         return cls(three(force), grip_of(rng), *window_of(rng, setting))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Pushes at the grip by `force_n` times `strength` while the touch lasts."""
         grip, force, strength = Grip(machine, np.array(self.at_m)), np.array(self.force_n), self.strength()
 
         def lean(t: float) -> None:
@@ -63,12 +63,12 @@ class GrowingTouch(Touch):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """A touch as `Touch` draws it, with ramps of 15 to 50 % of its time."""
         force = size * spread(rng, 1.0, 15.0) * direction(rng)
         return cls(three(force), grip_of(rng), *window_of(rng, setting), float(rng.uniform(0.15, 0.5)))
 
     def strength(self) -> Callable[[float], float]:
-        """See `Touch.strength`."""
+        """Rises from 0 to 1 within `ramp_share`, and falls likewise at the end."""
         return lambda x: min(x / self.ramp_share, (1 - x) / self.ramp_share, 1.0)
 
 
@@ -83,13 +83,13 @@ class Bumps(Touch):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """A touch as `Touch` draws it, of two to five bumps."""
         force = size * spread(rng, 1.0, 15.0) * direction(rng)
         begin, duration = window_of(rng, setting)
         return cls(three(force), grip_of(rng), begin, duration, int(rng.integers(2, 6)), seed_of(rng))
 
     def strength(self) -> Callable[[float], float]:
-        """See `Touch.strength`."""
+        """Half sines of height 0.5 to 1 at random places, which `seed` fixes; 0 between them."""
         rng = np.random.default_rng(self.seed)
         centres = (np.arange(self.count) + rng.uniform(0.3, 0.7, self.count)) / self.count
         sizes = rng.uniform(0.5, 1.0, self.count)
@@ -113,12 +113,12 @@ class Cushion(Touch):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """A touch as `Touch` draws it, against a cushion 2 to 20 cm deep."""
         force = size * spread(rng, 1.0, 15.0) * direction(rng)
         return cls(three(force), grip_of(rng), *window_of(rng, setting), spread(rng, 0.02, 0.2))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Pushes at the grip by `force_n` times 1 where the touch begins, more against the force and less along it, from 0 to 2."""
         grip, force = Grip(machine, np.array(self.at_m)), np.array(self.force_n)
         inward = -force / (math.sqrt(float(force @ force)) * self.depth_m)
         first: Array | None = None

@@ -27,11 +27,11 @@ class HeldWrench(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """10 to 60 % of the readings, never more than 95 %."""
         return cls(min(size * spread(rng, 0.1, 0.6), 0.95), seed_of(rng))
 
     def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
+        """Repeats the last reading with a probability of `lost_share`."""
         rng = np.random.default_rng(self.seed)
         last: Array | None = None
 
@@ -58,14 +58,14 @@ class LostBursts(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """10 to 60 % of the samples, never more than 80 %, in bursts of 3 to 12 ms."""
         return cls(min(size * spread(rng, 0.1, 0.6), 0.8), spread(rng, 0.003, 0.012), seed_of(rng))
 
     def _schedule(self, period: float) -> LossSchedule:
         return LossSchedule(self.lost_share, self.burst_s / period, self.seed, round(LONGEST_BURST_S / period))
 
     def encode(self, machine: Machine) -> Joints | None:
-        """See `Fault.encode`."""
+        """Repeats positions and velocities while samples are lost."""
         schedule = self._schedule(machine.period)
         last: tuple[Array, Array] | None = None
 
@@ -78,7 +78,7 @@ class LostBursts(Fault):
         return hold
 
     def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
+        """Repeats the wrench while samples are lost, at the same instants as the joints."""
         schedule = self._schedule(machine.period)
         last: Array | None = None
 
@@ -122,11 +122,11 @@ class SlowSensor(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """A fresh reading every 2 to 20 samples."""
         return cls(1 + round(size * (spread(rng, 2.0, 20.0) - 1)))
 
     def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
+        """Takes one reading of `every` and repeats it for the others."""
         tick = count()
         last = np.zeros(6)
 
@@ -152,11 +152,11 @@ class PreemptedBus(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """10 to 60 % of each cycle, never more than 90 %, with cycles of 6 to 40 ms."""
         return cls(min(size * spread(rng, 0.1, 0.6), 0.9), spread(rng, 0.006, 0.04))
 
     def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
+        """Repeats the last reading in the last `lost_share` of each cycle."""
         tick = count()
         last: Array | None = None
 

@@ -26,12 +26,12 @@ class EncoderOffsets(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.1 to 2 deg with either sign in one to three joints."""
         offset = size * some_joints(rng, setting.n, 3) * np.radians(scattered(rng, 0.1, 2.0, setting.n))
         return cls(tuple(offset.tolist()))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Turns the body of each joint by its offset about the joint's axis."""
         for joint, offset in zip(arm_joints(spec), self.offset_rad, strict=True):
             body = joint.parent
             body.quat = turned(body.quat, offset * np.array(joint.axis))
@@ -47,11 +47,11 @@ class EccentricEncoders(EncoderOffsets):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Offsets as `EncoderOffsets` draws them, and a seed for the phases."""
         return cls(EncoderOffsets.draw(rng, size, setting).offset_rad, seed_of(rng))
 
     def gear(self, machine: Machine) -> Joints | None:
-        """See `Fault.gear`."""
+        """Shows `q - e sin(q + phase)` and its rate, with phases that `seed` fixes."""
         error = np.array(self.offset_rad)
         phase = np.random.default_rng(self.seed).uniform(0, 2 * np.pi, len(error))
         # q_encoder = q - e sin(q + phase): the joint is farther by this than the encoder says
@@ -69,12 +69,12 @@ class WarmingArm(EncoderOffsets):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Offsets as `EncoderOffsets` draws them, growth of 0.4 to 1 of them, time constant of 0.2 to 1 of the run."""
         offset = EncoderOffsets.draw(rng, size, setting).offset_rad
         return cls(offset, float(rng.uniform(0.4, 1.0)), setting.seconds * spread(rng, 0.2, 1.0))
 
     def gear(self, machine: Machine) -> Joints | None:
-        """See `Fault.gear`."""
+        """Shows `q - growth (1 - exp(-t / tau))` and its rate."""
         grown, tau = self.growth_share * np.array(self.offset_rad), self.time_constant_s
         return lambda t, q, dq: (q + grown * math.expm1(-t / tau), dq - grown / tau * math.exp(-t / tau))
 

@@ -29,13 +29,13 @@ class Ripple(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.25 to 1 arcmin in all joints, gear ratios of 50 to 160 with two waves each, any phase."""
         A = [size * math.radians(spread(rng, 0.25, 1.0) / 60) for _ in range(setting.n)]
         N = [2 * int(rng.choice([50, 80, 100, 120, 160])) for _ in range(setting.n)]
         return cls(tuple(A), tuple(N), tuple(rng.uniform(0, 2 * np.pi, setting.n).tolist()))
 
     def gear(self, machine: Machine) -> Joints | None:
-        """See `Fault.gear`."""
+        """Shows `q + A sin(N q + phase)` and its rate."""
         A, N, phase = np.array(self.amplitude_rad), np.array(self.waves_per_turn), np.array(self.phase_rad)
         return lambda _, q, dq: (q + A * np.sin(N * q + phase), dq * (1 + A * N * np.cos(N * q + phase)))
 
@@ -47,7 +47,7 @@ class UnevenRipple(Ripple):
     variant = "modulated"
 
     def gear(self, machine: Machine) -> Joints | None:
-        """See `Fault.gear`."""
+        """Shows `q + A (1 + 0.7 sin(q + 2 phase)) (sin(N q + phase) + sin(2 N q) / 2)` and its rate."""
         A, N, phase = np.array(self.amplitude_rad), np.array(self.waves_per_turn), np.array(self.phase_rad)
 
         def ahead(_: float, q: Array, dq: Array) -> tuple[Array, Array]:
@@ -78,12 +78,12 @@ class DryFriction(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 15 N m in one to all joints, and 0.3 to 2 N m s/rad per N m of it."""
         dry = draw_friction(rng, size, setting)
         return cls(dry, tuple(value * float(rng.uniform(0.3, 2.0)) for value in dry))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Adds dry and viscous friction to the joints of the model."""
         for joint, dry, viscous in zip(arm_joints(spec), self.dry_n_m, self.viscous_n_m_s_per_rad, strict=True):
             joint.frictionloss += dry
             joint.damping = np.asarray(joint.damping) + np.eye(np.size(joint.damping))[0] * viscous
@@ -104,11 +104,11 @@ class LuGre(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 15 N m in one to all joints, stiction 20 to 80 % above, Stribeck velocity 0.01 to 0.05 rad/s, 3e3 to 1e4 N m/rad."""
         return cls(draw_friction(rng, size, setting), float(rng.uniform(0.2, 0.8)), spread(rng, 0.01, 0.05), spread(rng, 3e3, 1e4))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`. The bristles' equation is solved exactly for a velocity that is constant over the period."""
+        """Takes the bristles' torque off the joints; their equation is solved exactly for a velocity that is constant over the period."""
         dry, s = np.array(self.dry_n_m), self.bristle_n_m_per_rad
         rubbing = np.flatnonzero(dry)
         dry = dry[rubbing]
@@ -146,13 +146,13 @@ class DamagedTooth(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.5 to 2 arcmin with either sign in one to three joints, gear ratios of 50 to 160, any phase, sharpness 3 to 10."""
         A = size * some_joints(rng, setting.n, 3) * np.radians(scattered(rng, 0.5, 2.0, setting.n) / 60)
         N = [int(rng.choice([50, 80, 100, 120, 160])) for _ in range(setting.n)]
         return cls(tuple(A.tolist()), tuple(N), tuple(rng.uniform(0, 2 * np.pi, setting.n).tolist()), spread(rng, 3.0, 10.0))
 
     def gear(self, machine: Machine) -> Joints | None:
-        """See `Fault.gear`."""
+        """Shows `q + A exp(k (cos(N q + phase) - 1))` and its rate."""
         A, N, phase, k = np.array(self.height_rad), np.array(self.turns_per_turn), np.array(self.phase_rad), self.sharpness
 
         def ahead(_: float, q: Array, dq: Array) -> tuple[Array, Array]:
@@ -176,13 +176,13 @@ class FrictionByLoad(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.5 to 7.5 N m in one to all joints, and 3 to 12 % of the load there."""
         dry = np.array(draw_friction(rng, size, setting))
         share = size * (dry > 0) * np.abs(scattered(rng, 0.03, 0.12, setting.n))
         return cls(tuple((0.5 * dry).tolist()), tuple(share.tolist()))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Sets the dry friction of each joint to the drive's own plus `dry + share |torque|`, with the drive's torque of now."""
         model, data = machine.model, machine.data
         dofs = np.arange(model.nv)[machine.motors]
         least, share = model.dof_frictionloss[dofs] + np.array(self.dry_n_m), np.array(self.load_share)

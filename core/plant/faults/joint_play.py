@@ -36,18 +36,18 @@ class DeadZone(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.01 to 0.05 deg to either side in one joint or two, teeth of 1.5e4 to 3e4 N m/rad."""
         return cls(draw_play(rng, size, setting), spread(rng, 1.5e4, 3e4))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Puts a damper without a spring between motor and link of each joint with play."""
         for joint, play in zip(arm_joints(spec), self.half_play_rad, strict=True):
             if play > 0:
                 # grease damps the free flight
                 add_spring(joint, 0.0, spring_damping(self.stiffness_n_m_per_rad, DAMPING_RATIO))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Holds the link by stiff and damped teeth where it is beyond `half_play_rad`."""
         play = np.array(self.half_play_rad)
         loose = np.flatnonzero(play)
         half, K = play[loose], self.stiffness_n_m_per_rad
@@ -73,11 +73,11 @@ class PlayByLoad(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.01 to 0.05 deg to either side in one joint or two, full load of 0.3 to 2 N m."""
         return cls(draw_play(rng, size, setting), spread(rng, 0.3, 2.0))
 
     def encode(self, machine: Machine) -> Joints | None:
-        """See `Fault.encode`."""
+        """Reports `q + half_play tanh(load / full_load)` and its rate, the load behind a low-pass of 20 ms."""
         half, data, motors = np.array(self.half_play_rad), machine.data, machine.motors
         gain = -math.expm1(-machine.period / 0.02)
         load: Array | None = None
@@ -107,11 +107,11 @@ class PlayByMotion(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.01 to 0.05 deg to either side in one joint or two."""
         return cls(draw_play(rng, size, setting))
 
     def encode(self, machine: Machine) -> Joints | None:
-        """See `Fault.encode`."""
+        """Reports `q + (q - behind)` and its rate, `behind` what the play operator makes of q."""
         half = np.array(self.half_play_rad)
         behind: Array | None = None
         lead = np.zeros(len(half))

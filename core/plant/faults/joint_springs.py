@@ -70,12 +70,12 @@ class ElasticJoints(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`. A larger size is a softer arm, down to 0.5 kN m/rad."""
+        """2 to 10 kN m/rad in each joint; a larger size is a softer arm, down to 0.5 kN m/rad."""
         K = [max(spread(rng, 2e3, 10e3) / size, 500.0) for _ in range(setting.n)]
         return cls(tuple(K))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Puts a spring and a damper between motor and link of each joint."""
         for joint, K in zip(arm_joints(spec), self.stiffness_n_m_per_rad, strict=True):
             add_spring(joint, K, spring_damping(K))
 
@@ -92,12 +92,12 @@ class HardeningJoints(ElasticJoints):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Springs as `ElasticJoints` draws them, 1.8 to 3 times as stiff beyond a wind-up of 3e-4 to 3e-3 rad."""
         K = ElasticJoints.draw(rng, size, setting).stiffness_n_m_per_rad
         return cls(K, float(rng.uniform(1.8, 3.0)), size * spread(rng, 3e-4, 3e-3))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Adds the torque `-K (h - 1) (x - w tanh(x / w))` to the springs."""
         extra = (self.hardening - 1) * np.array(self.stiffness_n_m_per_rad)
         w = self.wind_up_rad
         return spring_torques(machine, np.arange(len(extra)), lambda x, _: -extra * (x - w * np.tanh(x / w)))
@@ -115,12 +115,12 @@ class CreepingJoints(ElasticJoints):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Springs as `ElasticJoints` draws them, and beside them 0.4 to 1 of their stiffness that creeps within 0.5 to 5 s."""
         K = ElasticJoints.draw(rng, size, setting).stiffness_n_m_per_rad
         return cls(K, float(rng.uniform(0.4, 1.0)), spread(rng, 0.5, 5.0))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Adds the torque `-creep K (x - crept)` to the springs, `crept` following x with the time constant."""
         extra, forget = self.creep_share * np.array(self.stiffness_n_m_per_rad), -math.expm1(-machine.period / self.time_constant_s)
         now, crept = 0.0, np.zeros(len(extra))
 

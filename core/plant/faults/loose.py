@@ -37,12 +37,12 @@ class SprungPart(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """5 to 30 % of the mass, never more than 80 %, along any axis, 2.5 to 5 Hz, damping ratio 0.02 to 0.2."""
         share = min(size * spread(rng, 0.05, 0.3), 0.8)
         return cls(share, three(direction(rng)), spread(rng, 2.5, 5.0), spread(rng, 0.02, 0.2))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Splits the part off the payload and puts it on a slide with a spring and a damper."""
         part = split_off(spec, "payload:sprung", self.part_share)
         omega, mass = 2 * math.pi * self.frequency_hz, float(part.mass)
         damping = 2 * self.damping_ratio * omega * mass
@@ -63,14 +63,14 @@ class Pendulum(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """5 to 30 % of the mass, at most 80 %, 1.2 to 3 Hz, damping ratio 0.02 to 0.2, pivot one radius of gyration off the centre."""
         omega = 2 * math.pi * spread(rng, 1.2, 3.0)
         payload = setting.payload
         pivot = payload.com + size_of(payload) * direction(rng)
         return cls(min(size * spread(rng, 0.05, 0.3), 0.8), 9.81 / omega**2, three(pivot), spread(rng, 0.02, 0.2))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Splits the part off the payload and hangs it on a damped ball joint, its centre of mass `length_m` from the pivot."""
         part = split_off(spec, "payload:pendulum", self.part_share, compactness=0.05)
         part.pos = np.array(self.pivot_m)
         part.ipos = np.array([0.0, 0.0, self.length_m])
@@ -93,12 +93,12 @@ class Rattle(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """5 to 30 % of the mass, never more than 80 %, along any axis, 2 to 15 mm, friction of 5 to 30 % of the part's weight."""
         share = min(size * spread(rng, 0.05, 0.3), 0.8)
         return cls(share, three(direction(rng)), spread(rng, 0.002, 0.015), float(rng.uniform(0.05, 0.3)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Splits the part off the payload and puts it on a slide with dry friction and end stops."""
         part = split_off(spec, "payload:rattling", self.part_share)
         mass = float(part.mass)
         part.add_joint(
@@ -128,7 +128,7 @@ class WhippingTool(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`. A larger size is a softer tool, down to 4 Hz."""
+        """10 to 40 Hz, and 1.1 to 1.5 times as much about the other axis; a larger size is a softer tool, down to 4 Hz."""
         first = max(spread(rng, 10.0, 40.0) / math.sqrt(size), 4.0)
         # as far above the centre of mass as the payload is large: on the sensor's side
         com = setting.payload.com
@@ -138,7 +138,7 @@ class WhippingTool(Fault):
         return cls(plate, three(pivot), (first, min(first * float(rng.uniform(1.1, 1.5)), 60.0)), spread(rng, 0.005, 0.05))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Splits all but the plate off and puts it on two sprung hinges at the pivot, across the lever."""
         part = split_off(spec, "payload:whipping", 1 - self.plate_share, compactness=1.0)
         pivot = np.array(self.pivot_m)
         lever = np.array(part.pos) - pivot
@@ -165,12 +165,12 @@ class RubberTool(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`. A larger size is a softer tool, down to 4 Hz."""
+        """10 to 40 Hz along any axis, damping ratio 0.01 to 0.1; a larger size is a softer tool, down to 4 Hz."""
         frequency = max(spread(rng, 10.0, 40.0) / math.sqrt(size), 4.0)
         return cls(float(rng.uniform(0.05, 0.2)), three(direction(rng)), frequency, spread(rng, 0.01, 0.1))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Splits all but the plate off and puts it on a slide with a spring and a damper."""
         part = split_off(spec, "payload:rubber", 1 - self.plate_share, compactness=1.0)
         mass, omega = float(part.mass), 2 * math.pi * self.frequency_hz
         damping = 2 * self.damping_ratio * omega * mass
@@ -188,12 +188,12 @@ class Slosh(Pendulum):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """A pendulum as `Pendulum` draws it, walls at 0.3 to 1 rad."""
         free = Pendulum.draw(rng, size, setting)
         return cls(free.part_share, free.length_m, free.pivot_m, free.damping_ratio, float(rng.uniform(0.3, 1.0)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Hangs the pendulum and stops it at `half_angle_rad`."""
         super().alter(spec, setting)
         ball = spec.joint("payload:ball")
         # MuJoCo's compiler takes angles in degrees

@@ -24,11 +24,11 @@ class FirstOrderFilter(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Cut-off of 2 to 20 Hz; a larger size is a lower one."""
         return cls(spread(rng, 2.0, 20.0) / size)
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Low-pass of first order, at rest with the first wrench."""
         gain = -math.expm1(-2 * math.pi * self.cut_off_hz * machine.period)
         y: Array | None = None
 
@@ -51,11 +51,11 @@ class Butterworth(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Cut-off of 2 to 20 Hz; a larger size is a lower one."""
         return cls(spread(rng, 2.0, 20.0) / size)
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`. The bilinear transform with the cut-off where it should be; none where that is beyond what is sampled."""
+        """The bilinear transform with its cut-off prewarped; None where that is above 0.45 of the sample rate."""
         if self.cut_off_hz * machine.period > 0.45:
             return None
         k = math.tan(math.pi * self.cut_off_hz * machine.period)
@@ -87,11 +87,11 @@ class MovingAverage(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Window that has a cut-off of 2 to 20 Hz, s."""
         return cls(size * 0.443 / spread(rng, 2.0, 20.0))
 
     def amplify(self, machine: Machine) -> Channel | None:
-        """See `Fault.amplify`."""
+        """Mean over the window, whole samples, full of the first reading to begin with."""
         N = max(1, round(self.window_s / machine.period))
         window: deque[Array] = deque(maxlen=N)
         total = np.zeros(6)
@@ -121,12 +121,12 @@ class WeighingFilter(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Cut-off of 2 to 20 Hz, lower for a larger size; opens over 3 to 20 % of the nominal load."""
         opening = rng.uniform(0.03, 0.2) * np.maximum(setting.load, 1e-3 * setting.full_scale)
         return cls(spread(rng, 2.0, 20.0) / size, six(opening))
 
     def amplify(self, machine: Machine) -> Channel | None:
-        """See `Fault.amplify`."""
+        """Low-pass of first order with the cut-off `f (1 + |W - y| / opening)` in each channel, y its last output."""
         opening, per_hz = np.array(self.opening_wrench), -2 * math.pi * machine.period
         y: Array | None = None
 

@@ -36,11 +36,11 @@ class TurnedSensor(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.3 to 3 deg about any axis."""
         return cls(three(np.radians(size * spread(rng, 0.3, 3.0)) * direction(rng)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Turns the sensor's site in the payload's body by `rotation_rad`."""
         site = spec.site("ft")
         site.quat = turned(site.quat, np.array(self.rotation_rad))
 
@@ -52,7 +52,7 @@ class TurnedSensorWithPayload(TurnedSensor):
     variant = "with_payload"
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Turns the payload's body by `rotation_rad`, and with it the sensor's site."""
         body = spec.body("payload")
         body.quat = turned(body.quat, np.array(self.rotation_rad))
 
@@ -68,11 +68,11 @@ class ShiftedSensor(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 5 mm in any direction."""
         return cls(three(size * spread(rng, 0.001, 0.005) * direction(rng)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Puts the sensor's site at `translation_m` in the payload's body."""
         spec.site("ft").pos = np.array(self.translation_m)
 
 
@@ -83,7 +83,7 @@ class ShiftedSensorWithPayload(ShiftedSensor):
     variant = "with_payload"
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Shifts the payload's body by `translation_m` in its own axes, and with it the sensor's site."""
         body = spec.body("payload")
         body.pos = np.array(body.pos) + rotation_of(body.quat) @ np.array(self.translation_m)
 
@@ -101,14 +101,14 @@ class LooseSensor(TurnedSensor):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.3 to 3 deg about any axis, play of 0.3 to 0.7 of it about x or y, seated at 10 to 50 % of the nominal torque."""
         angle = size * spread(rng, 0.3, 3.0)
         turn = three(np.radians(angle) * direction(rng))
         seated = rng.uniform(0.1, 0.5) * max(setting.load[3], 1e-3 * setting.full_scale[3])
         return cls(turn, float(np.radians(angle) * rng.uniform(0.3, 0.7)), int(rng.integers(2)), float(seated))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Turns the axes of force and torque by `play tanh(torque / seated)` about the axis of the play."""
         a, b = (self.axis + 1) % 3, (self.axis + 2) % 3
         torque = 3 + self.axis
 
@@ -134,12 +134,12 @@ class SplitOrigin(ShiftedSensor):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 5 mm in any direction, and a split of 0.5 to 1 of it with either sign."""
         distance = size * spread(rng, 0.001, 0.005)
         return cls(three(distance * direction(rng)), float(sign(rng) * distance * rng.uniform(0.5, 1.0)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `split fy` to the torque about x and `split fx` to that about y."""
         split = np.zeros((6, 6))
         split[3, 1] = split[4, 0] = self.split_m
         return lambda _, W: W + split @ W

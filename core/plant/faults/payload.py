@@ -29,13 +29,13 @@ class OtherDensity(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Mass and inertia off by 2 to 20 % with either sign, the centre of mass by 2 to 20 % of the radius of gyration."""
         mass, inertia = size * scattered(rng, 0.02, 0.2, 2)
         shift = size * spread(rng, 0.02, 0.2) * size_of(setting.payload) * direction(rng)
         return cls(max(float(mass), -0.8), three(shift), max(float(inertia), -0.8))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Scales mass and inertia of the payload's body and shifts its centre of mass."""
         body = spec.body("payload")
         body.mass *= 1 + self.mass_share
         body.inertia = (1 + self.mass_share) * (1 + self.inertia_share) * np.array(body.inertia)
@@ -54,13 +54,13 @@ class ForgottenPart(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """2 to 20 % of the payload's mass, two radii of gyration from its centre of mass."""
         payload = setting.payload
         at = payload.com + 2 * size_of(payload) * direction(rng)
         return cls(size * spread(rng, 0.02, 0.2) * payload.mass, three(at))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Adds the ball's inertial parameters to those of the payload's body."""
         body = spec.body("payload")
         part = ball(self.mass_kg, np.array(self.at_m))
         set_parameters(body, InertialParameters(parameters_of(body).phi + part.phi))
@@ -86,7 +86,7 @@ class Slip(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """10 to 40 % of the payload, 2 to 40 mm in any direction, at a time well inside the run."""
         shift = size * spread(rng, 0.002, 0.04) * direction(rng)
         return cls(float(rng.uniform(0.1, 0.4)), three(shift), moment(rng, setting), cls._slide(rng))
 
@@ -95,11 +95,11 @@ class Slip(Fault):
         return 0.0
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Splits the part that will slip off the payload."""
         split_off(spec, "payload:slipping", self.part_share)
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Moves the part by `shift_m` from `at_s` on, at once or evenly over `slide_s`."""
         model, body = machine.model, machine.body("payload:slipping")
         start, shift = model.body_pos[body].copy(), np.array(self.shift_m)
 
@@ -136,7 +136,7 @@ class MassStep(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`. Of what there is, not more than half comes off."""
+        """20 to 300 g more or less, 1.5 radii of gyration from the centre of mass. Of what there is, not more than half comes off."""
         payload = setting.payload
         change = size * spread(rng, 0.02, 0.3) * sign(rng)
         at = payload.com + 1.5 * size_of(payload) * direction(rng)
@@ -147,7 +147,7 @@ class MassStep(Fault):
         return moment(rng, setting), 0.0
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`. What will come off is a part of the payload from the start."""
+        """Adds a body for what changes. What will come off is a part of the payload from the start."""
         body = spec.body("payload")
         size = abs(self.change_kg)
         part = body.add_body(name="payload:changing", pos=np.array(self.at_m))
@@ -160,7 +160,7 @@ class MassStep(Fault):
             body.ipos = (centre - share * np.array(self.at_m)) / (1 - share)
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Brings mass and inertia of the part in or out from `begin_s` on, at once or evenly over `duration_s`."""
         model, body = machine.model, machine.body("payload:changing")
         mass, inertia = float(model.body_mass[body]), model.body_inertia[body].copy()
         gains = self.change_kg > 0

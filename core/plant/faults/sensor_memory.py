@@ -22,11 +22,11 @@ class PlayHysteresis(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.1 to 0.4 % of the range in one channel or several."""
         return cls(six(size * channels(rng) * np.abs(scattered(rng, 0.001, 0.004, 6)) * setting.full_scale))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """The play operator in each channel, `half_width_wrench` to either side; starts at the first wrench."""
         half = np.array(self.half_width_wrench)
         behind: Array | None = None
 
@@ -53,13 +53,13 @@ class BoucWen(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.1 to 0.4 % of the range with either sign in one channel or several, yielding at 5 to 30 % of the nominal load."""
         height = size * channels(rng) * scattered(rng, 0.001, 0.004, 6) * setting.full_scale
         width = rng.uniform(0.05, 0.3) * np.maximum(setting.load, 1e-3 * setting.full_scale)
         return cls(six(height), six(width), float(rng.uniform(0.5, 0.9)), float(rng.uniform(1.0, 2.0)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `h z`, with z summed up from sample to sample and kept between -1 and 1; zero at the start."""
         h, width, beta, n = np.array(self.height_wrench), np.array(self.yield_wrench), self.beta_share, self.exponent
         last: Array | None = None
         z = np.zeros(6)
@@ -88,11 +88,11 @@ class Creep(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.2 to 1 % with either sign, one time constant of 3 to 30 s."""
         return cls(size * sign(rng) * spread(rng, 0.002, 0.01), (spread(rng, 3.0, 30.0),))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `creep_share` times the mean of what the time constants' low-passes make of the wrench."""
         forget = -np.expm1(-machine.period / np.array(self.time_constant_s))[:, None]
         share = self.creep_share / len(self.time_constant_s)
         crept: Array | None = None
@@ -113,7 +113,7 @@ class LogarithmicCreep(Creep):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.2 to 1 % with either sign; time constants of 0.3 to 1 s and of ten and a hundred times that."""
         first = spread(rng, 0.3, 1.0)
         return cls(size * sign(rng) * spread(rng, 0.002, 0.01), (first, 10 * first, 100 * first))
 
@@ -131,12 +131,12 @@ class StickAndSnap(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.1 to 0.4 % of the range in one channel or several, of which 10 to 40 % of each change is held back."""
         half = size * channels(rng) * np.abs(scattered(rng, 0.001, 0.004, 6)) * setting.full_scale
         return cls(six(half), float(rng.uniform(0.1, 0.4)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Takes `stuck_share (W - W_stuck)` off; a channel slips, W_stuck = W, where that is above `half_width_wrench`."""
         half, share = np.array(self.half_width_wrench), self.stuck_share
         stuck_at: Array | None = None
 

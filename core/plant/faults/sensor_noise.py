@@ -30,11 +30,11 @@ class LoudNoise(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1.5 to 5 times the stated noise."""
         return cls(noise_factor(rng, size), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds white noise of `sqrt(factor^2 - 1)` times the stated one."""
         rng = np.random.default_rng(self.seed)
         std = math.sqrt(self.factor**2 - 1) * machine.setting.noise_std
         return lambda _, W: W + std * rng.standard_normal(6)
@@ -53,11 +53,11 @@ class ColouredNoise(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1.5 to 5 times the stated noise, correlated over 5 to 100 ms."""
         return cls(noise_factor(rng, size), spread(rng, 0.005, 0.1), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds autoregressive noise of first order, `sqrt(factor^2 - 1)` times the stated one."""
         rng = np.random.default_rng(self.seed)
         std = math.sqrt(self.factor**2 - 1) * machine.setting.noise_std
         keep = math.exp(-machine.period / self.correlation_s)
@@ -86,11 +86,11 @@ class Spikes(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """A spike in 1 to 10 % of the readings, of 5 to 20 times the noise."""
         return cls(spread(rng, 0.01, 0.1), size * spread(rng, 5.0, 20.0), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds a spike to one random channel with a probability of `probability_share`."""
         rng = np.random.default_rng(self.seed)
         scale = self.factor * machine.setting.noise_std
 
@@ -124,11 +124,11 @@ class Hum(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """50, 60 or 100 Hz in any phase, with 1 to 5 times the noise in the channel that has most of it."""
         return cls(line_amplitude(rng, size, setting), float(rng.choice([50.0, 60.0, 100.0])), float(rng.uniform(0, 2 * np.pi)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `A sin(2 pi f t + phase)`."""
         A, omega = np.array(self.amplitude_wrench), 2 * math.pi * self.frequency_hz
         return lambda t, W: W + A * math.sin(omega * t + self.phase_rad)
 
@@ -148,13 +148,13 @@ class WanderingHum(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """50, 60 or 100 Hz to 1 %, 10 to 50 % of the third harmonic, a phase that wanders by 0.1 to 1 rad in a second."""
         frequency = float(rng.choice([50.0, 60.0, 100.0]) * rng.uniform(0.99, 1.01))
         amplitude = line_amplitude(rng, size, setting)
         return cls(amplitude, frequency, float(rng.uniform(0.1, 0.5)), spread(rng, 0.1, 1.0), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `A (sin(phase) + third sin(3 phase))`, the phase a random walk beside its steady growth."""
         rng = np.random.default_rng(self.seed)
         A = np.array(self.amplitude_wrench)
         turn = 2 * math.pi * self.frequency_hz * machine.period
@@ -184,12 +184,12 @@ class GatedHum(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """50, 60 or 100 Hz, on for 1 to 6 s and off for 0.5 to 3 s on average."""
         frequency = float(rng.choice([50.0, 60.0, 100.0]))
         return cls(line_amplitude(rng, size, setting), frequency, spread(rng, 1.0, 6.0), spread(rng, 0.5, 3.0), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `A sin(2 pi f t)` while a random switch is on, as it is at the start."""
         switch = RandomSwitch((self.mean_off_s, self.mean_on_s), self.seed, on=True)
         A, omega = np.array(self.amplitude_wrench), 2 * math.pi * self.frequency_hz
         return lambda t, W: W + A * math.sin(omega * t) if switch.is_on(t) else W

@@ -24,11 +24,11 @@ class ExponentialDrift(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.3 to 4 N, with torques of the same share of their range, time constant of 60 to 200 s."""
         return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 60.0, 200.0))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `drift (1 - exp(-t / tau))`."""
         drift, tau = np.array(self.drift_wrench), self.time_constant_s
         return lambda t, W: W - drift * math.expm1(-t / tau)
 
@@ -45,11 +45,11 @@ class LinearDrift(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.3 to 4 N, with torques of the same share of their range, in 300 to 600 s."""
         return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 300.0, 600.0))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `drift t / duration`."""
         rate = np.array(self.drift_wrench) / self.duration_s
         return lambda t, W: W + rate * t
 
@@ -69,14 +69,14 @@ class TwoTimeConstantDrift(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Of 0.3 to 4 N, 30 to 70 % with a time constant of 8 to 20 s and -80 to 100 % with one of 100 to 400 s; torques by their range."""
         drift = np.array(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting))
         share = rng.uniform(0.3, 0.7)
         fast, slow = share * drift, rng.uniform(-0.8, 1.0) * drift
         return cls(six(fast), spread(rng, 8.0, 20.0), six(slow), spread(rng, 100.0, 400.0))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `fast (1 - exp(-t / fast_s)) + slow (1 - exp(-t / slow_s))`."""
         fast, slow = np.array(self.fast_wrench), np.array(self.slow_wrench)
         return lambda t, W: W - fast * math.expm1(-t / self.fast_s) - slow * math.expm1(-t / self.slow_s)
 
@@ -94,11 +94,11 @@ class RandomWalk(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.3 to 4 N, with torques of the same share of their range, in 300 to 600 s."""
         return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 300.0, 600.0), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds a random walk in each channel, one step of `std sqrt(period / duration)` a sample."""
         rng = np.random.default_rng(self.seed)
         step = np.array(self.std_wrench) * math.sqrt(machine.period / self.duration_s)
         now = np.zeros(6)
@@ -123,11 +123,11 @@ class OffsetStep(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 2 N, with torques of the same share of their range, at a time well inside the run."""
         return cls(wrench_of(rng, size * spread(rng, 1.0, 2.0), setting), moment(rng, setting))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds the step from `at_s` on."""
         step = np.array(self.step_wrench)
         return lambda t, W: W + step if t >= self.at_s else W
 
@@ -145,11 +145,11 @@ class OffsetRamp(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 2 N, with torques of the same share of their range, within 0.2 to 2 s, well inside the run."""
         return cls(wrench_of(rng, size * spread(rng, 1.0, 2.0), setting), moment(rng, setting), spread(rng, 0.2, 2.0))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds a share of the step that grows evenly from 0 at `at_s` to 1 at `at_s + rise_s`."""
         step = np.array(self.step_wrench)
         return lambda t, W: W + step * min(max((t - self.at_s) / self.rise_s, 0.0), 1.0)
 
@@ -168,20 +168,20 @@ class OffsetKnock(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 2 N, with torques of the same share of their range, of which 50 to 90 % stays, recovery in 1 to 8 s."""
         step = wrench_of(rng, size * spread(rng, 1.0, 2.0), setting)
         return cls(step, moment(rng, setting), float(rng.uniform(0.5, 0.9)), spread(rng, 1.0, 8.0))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `step (kept + (1 - kept) exp(-(t - t0) / recovery))` from t0 on."""
         step, kept = np.array(self.step_wrench), self.kept_share
 
-        def knocked(t: float, W: Array) -> Array:
+        def knock(t: float, W: Array) -> Array:
             if t < self.at_s:
                 return W
             return W + step * (kept + (1 - kept) * math.exp((self.at_s - t) / self.recovery_s))
 
-        return knocked
+        return knock
 
 
 @dataclass(frozen=True)
@@ -199,12 +199,12 @@ class Thermostat(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.3 to 4 N, with torques of the same share of their range, time constant of 20 to 60 s, half a cycle of 8 to 25 s."""
         half = spread(rng, 8.0, 25.0)
         return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 20.0, 60.0), half, float(rng.uniform(0, half)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `drift` times a warmth that follows the heating, 0 or 1, with the time constant."""
         drift, follow = np.array(self.drift_wrench), -math.expm1(-machine.period / self.time_constant_s)
         warmth = 0.0
 

@@ -41,11 +41,11 @@ class Gain(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 5 % with either sign in one channel or several."""
         return cls(six(size * channels(rng) * scattered(rng, 0.01, 0.05, 6)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Multiplies each channel by `1 + gain_share`."""
         gain = 1 + np.array(self.gain_share)
         return lambda _, W: gain * W
 
@@ -62,12 +62,12 @@ class TwoSidedGain(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 5 % with either sign where loads are positive, 0.2 to 0.8 of that where negative, in one channel or several."""
         chosen = size * channels(rng) * scattered(rng, 0.01, 0.05, 6)
         return cls(six(chosen), six(chosen * rng.uniform(0.2, 0.8, 6)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Multiplies each channel by one plus the share of its load's sign."""
         up, down = np.array(self.positive_share), np.array(self.negative_share)
         return lambda _, W: W + np.where(W > 0, up, down) * W
 
@@ -84,11 +84,11 @@ class Crosstalk(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Each of one channel or several shows in another one, by 1 to 3 % of the ranges."""
         return cls(matrix_of(size * np.array(coupling(rng, 0.01, 0.03, setting))))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `coupling W`."""
         coupled = np.eye(6) + np.array(self.coupling)
         return lambda _, W: coupled @ W
 
@@ -104,11 +104,11 @@ class RectifiedCrosstalk(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Each of one channel or several shows in another one, by 1 to 3 % of the ranges."""
         return cls(matrix_of(size * np.array(coupling(rng, 0.01, 0.03, setting))))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `coupling |W|`."""
         coupled = np.array(self.coupling)
         return lambda _, W: W + coupled @ np.abs(W)
 
@@ -124,11 +124,11 @@ class Quadratic(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.5 to 2 % at full range with either sign, in one channel or several."""
         return cls(six(size * channels(rng) * scattered(rng, 0.005, 0.02, 6)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `e W |W| / range`."""
         e = np.array(self.share_of_range) / machine.setting.full_scale
         return lambda _, W: W + e * W * np.abs(W)
 
@@ -145,11 +145,11 @@ class Knee(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Slope off by 1 to 4 % with either sign in one channel or several, beyond 30 to 60 % of the nominal load."""
         return cls(six(rng.uniform(0.3, 0.6) * setting.load), six(size * channels(rng) * scattered(rng, 0.01, 0.04, 6)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `slope` times what is beyond the knee, on either side."""
         knee, slope = np.array(self.knee_wrench), np.array(self.slope_share)
         return lambda _, W: W + slope * (W - np.minimum(np.maximum(W, -knee), knee))
 
@@ -169,12 +169,12 @@ class WanderingSupply(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 5 % with either sign in one channel or several, swinging by 40 to 80 % of it every 15 to 60 s."""
         gain = six(size * channels(rng) * scattered(rng, 0.01, 0.05, 6))
         return cls(gain, float(rng.uniform(0.4, 0.8)), spread(rng, 15.0, 60.0), float(rng.uniform(0, 2 * np.pi)))
 
     def amplify(self, machine: Machine) -> Channel | None:
-        """See `Fault.amplify`."""
+        """Multiplies each channel by `1 + gain (1 + swing sin(2 pi t / cycle + phase))`, offset and noise included."""
         gain, omega = np.array(self.gain_share), 2 * math.pi / self.cycle_s
         return lambda t, W: W + gain * (1 + self.swing_share * math.sin(omega * t + self.phase_rad)) * W
 
@@ -195,7 +195,7 @@ class ProductCrosstalk(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """One to three products of two channels in a third: 1 to 3 % of its range at the first's range and the second's nominal load."""
         full, load = setting.full_scale, np.maximum(setting.load, 1e-3 * setting.full_scale)
         triples = [rng.permutation(6)[:3] for _ in range(int(rng.integers(1, 4)))]
         products = [sign(rng) * size * spread(rng, 0.01, 0.03) * full[i] / full[j] / load[k] for i, j, k in triples]
@@ -203,7 +203,7 @@ class ProductCrosstalk(Fault):
         return cls(shown, first, second, tuple(map(float, products)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds each product, times `per_product`, to the channel where it shows."""
         first, second = list(self.first), list(self.second)
         rows = np.zeros((6, len(self.shown)))
         rows[list(self.shown), range(len(self.shown))] = self.per_product
@@ -223,12 +223,12 @@ class Bow(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.5 to 2 % with either sign in one channel or several, right at 0.7 to 1.5 times the nominal load."""
         weight = rng.uniform(0.7, 1.5) * np.maximum(setting.load, 1e-3 * setting.full_scale)
         return cls(six(size * channels(rng) * scattered(rng, 0.005, 0.02, 6)), six(weight))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `e w sin(pi W / w)`."""
         weight = np.array(self.calibrated_wrench)
         height = np.array(self.bow_share) * weight
         return lambda _, W: W + height * np.sin(np.pi * W / weight)

@@ -29,11 +29,11 @@ class Clipping(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Levels that cut 10 to 30 % off the largest static load in one channel or two."""
         return cls(clipped_level(rng, size, setting))
 
     def amplify(self, machine: Machine) -> Channel | None:
-        """See `Fault.amplify`."""
+        """Clips each channel at its level, on either side."""
         level = np.array(self.level_wrench)
         return lambda _, W: np.minimum(np.maximum(W, -level), level)
 
@@ -50,11 +50,11 @@ class Compression(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Levels that cut 10 to 30 % off the largest static load in one channel or two, linear up to 60 to 90 % of them."""
         return cls(clipped_level(rng, size, setting), float(rng.uniform(0.6, 0.9)))
 
     def amplify(self, machine: Machine) -> Channel | None:
-        """See `Fault.amplify`."""
+        """Bends what is beyond `linear_share` of the level by a tanh, so that it stays below the level."""
         level = np.array(self.level_wrench)
         straight, rest = self.linear_share * level, (1 - self.linear_share) * level
 

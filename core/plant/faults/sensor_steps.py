@@ -27,11 +27,11 @@ class CoarseSteps(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Steps of 4 to 20 times the stated resolution."""
         return cls(coarse_step(rng, size, setting))
 
     def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
+        """Rounds each channel to its step."""
         step = np.array(self.step_wrench)
         return lambda _, W: np.rint(W / step) * step
 
@@ -47,11 +47,11 @@ class SendOnDelta(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Steps of 4 to 20 times the stated resolution."""
         return cls(coarse_step(rng, size, setting))
 
     def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
+        """Repeats a channel until it has changed by its step; all are fresh every 0.1 s."""
         nearly = (1 - 1e-4) * np.array(self.step_wrench)  # the change by one step, whatever its rounding
         every = round(0.1 / machine.period)  # a sensor that is silent for longer counts as dead
         sent: Array | None = None
@@ -77,11 +77,11 @@ class MissingCodes(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Gaps of 4 to 20 times the stated resolution."""
         return cls(coarse_step(rng, size, setting))
 
     def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
+        """Moves what is in every other gap to the gap's nearer end."""
         gap = np.array(self.gap_wrench)
 
         def skip(_: float, W: Array) -> Array:
@@ -105,11 +105,11 @@ class ShortFloat(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Step of 1 to 6 % of the power of two below the reading."""
         return cls(size * spread(rng, 0.01, 0.06))
 
     def digitize(self, machine: Machine) -> Channel | None:
-        """See `Fault.digitize`."""
+        """Rounds each channel to `step_share` times the power of two at or below its magnitude."""
 
         def shorten(_: float, W: Array) -> Array:
             step = np.ldexp(self.step_share, np.frexp(W)[1] - 1)

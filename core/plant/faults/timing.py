@@ -24,11 +24,11 @@ class Delay(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """4 to 40 ms."""
         return cls(size * spread(rng, 0.004, 0.04))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """The wrench of `delay_s` before, straight between samples."""
         history = History(self.delay_s, machine.period)
 
         def late(_: float, W: Array) -> Array:
@@ -53,11 +53,11 @@ class JitteryDelay(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """4 to 40 ms, jitter of 10 to 30 % with a memory of 10 to 300 ms."""
         return cls(size * spread(rng, 0.004, 0.04), float(rng.uniform(0.1, 0.3)), spread(rng, 0.01, 0.3), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """The wrench of `delay (1 + jitter x)` before, x autoregressive noise of first order cut at 3."""
         rng = np.random.default_rng(self.seed)
         history = History(2 * self.delay_s, machine.period)
         keep = math.exp(-machine.period / self.memory_s)
@@ -85,11 +85,11 @@ class MotionLag(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """5 to 30 ms."""
         return cls(size * spread(rng, 0.005, 0.03))
 
     def encode(self, machine: Machine) -> Joints | None:
-        """See `Fault.encode`."""
+        """Positions and velocities behind `stages` equal low-passes that lag by `lag_s` in all."""
         gain = -math.expm1(-machine.period * self.stages / self.lag_s)
         stages: list[Array] = []
 
@@ -127,11 +127,11 @@ class SlippingBuffer(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """4 to 40 ms, swing of 20 to 60 % with a cycle of 2 to 15 s."""
         return cls(size * spread(rng, 0.004, 0.04), float(rng.uniform(0.2, 0.6)), spread(rng, 2.0, 15.0), float(rng.uniform()))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """The wrench of `delay (1 + swing x)` before, x a sawtooth from -1 to 1 in each cycle."""
         history = History(2 * self.delay_s, machine.period)
 
         def late(t: float, W: Array) -> Array:
@@ -156,11 +156,11 @@ class PolledDrives(Fault):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """5 to 30 ms, skew of 40 to 90 %, from the base or from the wrist on."""
         return cls(size * spread(rng, 0.005, 0.03), float(rng.uniform(0.4, 0.9)), bool(rng.random() < 0.5))
 
     def encode(self, machine: Machine) -> Joints | None:
-        """See `Fault.encode`."""
+        """Each joint's position and velocity of its own delay before, from `lag` to `lag (1 - skew)` in equal steps."""
         n = machine.setting.n
         late = self.lag_s * (1 - self.skew_share * np.linspace(0.0, 1.0, n))
         if not self.from_base:

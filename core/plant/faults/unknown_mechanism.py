@@ -29,11 +29,11 @@ class WarpingBase(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.2 to 2 deg in any direction, time constant of 0.2 to 1 of the run."""
         return cls(tilt_of(rng, size * spread(rng, 0.2, 2.0)), setting.seconds * spread(rng, 0.2, 1.0))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Turns gravity in the base frame by `tilt (1 - exp(-t / tau))`."""
         model, R = machine.model, machine.setting.cell.robot.base.rotation
         g0 = R.T @ model.opt.gravity
         x, y = self.tilt_rad
@@ -55,12 +55,12 @@ class SlippingEncoders(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 6 % of the way per rad/s, in one to three joints."""
         loss = size * some_joints(rng, setting.n, 3) * np.abs(scattered(rng, 0.01, 0.06, setting.n))
         return cls(tuple(loss.tolist()))
 
     def gear(self, machine: Machine) -> Joints | None:
-        """See `Fault.gear`."""
+        """Shows q less the counts lost so far, which grow by `loss dq |dq|` per second."""
         loss = np.array(self.loss_per_rad_per_s)
         lost = np.zeros(len(loss))
 
@@ -84,14 +84,14 @@ class BentLink(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.2 to 2 deg across the axis of one joint, the third or a later one."""
         k = int(rng.integers(2, setting.n))
         axis = arm_of_cell(setting.cell).joints[k].axis
         across = np.cross(axis, direction(rng))
         return cls(k, three(math.radians(size * spread(rng, 0.2, 2.0)) * across / np.linalg.norm(across)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
-        """See `Fault.alter`."""
+        """Turns the joint's body by `bend_rad` about its own axes."""
         body = arm_joints(spec)[self.joint].parent
         body.quat = turned(body.quat, np.array(self.bend_rad))
 
@@ -107,11 +107,11 @@ class SpinningRotor(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.03 to 0.3 kg m2/s in any direction."""
         return cls(three(size * spread(rng, 0.03, 0.3) * direction(rng)))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Applies the torque `-w x h` to the payload, w its angular velocity in the world."""
         data, body = machine.data, machine.body("payload")
         h = np.array(self.momentum_kg_m2_per_s)
 
@@ -137,14 +137,14 @@ class NeighbouringPress(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Horizontal shocks of 0.1 to 1 m/s2 every 1 to 4 s, 5 to 12 Hz, decaying within 0.1 to 0.5 s."""
         heading = rng.uniform(0, 2 * np.pi)
         shock = size * spread(rng, 0.1, 1.0) * np.array([np.cos(heading), np.sin(heading), 0.0])
         every = spread(rng, 1.0, 4.0)
         return cls(three(shock), every, float(rng.uniform(0.0, every)), spread(rng, 5.0, 12.0), spread(rng, 0.1, 0.5))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Takes `shock exp(-t / decay) sin(w t)` off gravity, t the time since the last stroke."""
         model, shock, omega = machine.model, np.array(self.acceleration_m_per_s2), 2 * math.pi * self.ring_hz
         still = model.opt.gravity.copy()
 
@@ -171,11 +171,11 @@ class Fan(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """Drag of 0.05 to 0.5 N s2/m2, wind of 2 to 4 m/s, wind and panel in any direction."""
         return cls(size * spread(rng, 0.05, 0.5), three(float(rng.uniform(2.0, 4.0)) * direction(rng)), three(direction(rng)))
 
     def act(self, machine: Machine) -> Act | None:
-        """See `Fault.act`."""
+        """Pushes at the nominal centre of mass by `drag v |v|` along the normal, v the wind along it as the moving panel sees it."""
         data, body = machine.data, machine.body("payload")
         grip, wind, normal = Grip(machine, machine.setting.payload.com), np.array(self.wind_m_per_s), np.array(self.normal)
 

@@ -26,11 +26,11 @@ class RubbingSeal(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 10 mm with either sign, about any of the axes, turning within 0.3 to 3 N of axial force."""
         return cls(size * sign(rng) * spread(rng, 0.001, 0.01), int(rng.integers(3)), spread(rng, 0.3, 3.0))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `arm hypot(fx, fy) z` to one torque, z between -1 and 1 after the changes of fz."""
         last: float | None = None
         z = 0.0
 
@@ -60,12 +60,12 @@ class GainByJoint(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 5 %, one to three waves per turn of a joint in the outer half of the arm, any phase."""
         joint = int(rng.integers(setting.n // 2, setting.n))
         return cls(size * spread(rng, 0.01, 0.05), joint, int(rng.integers(1, 4)), float(rng.uniform(0, 2 * np.pi)))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Multiplies the wrench by `1 + e sin(k q + phase)`."""
         data = machine.data
         place = int(np.arange(machine.model.nv)[machine.motors][self.joint])
         return lambda _, W: (1 + self.share * math.sin(self.waves_per_turn * data.qpos[place] + self.phase_rad)) * W
@@ -84,14 +84,14 @@ class Telegraph(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.3 to 3 N with either sign in one channel, a torque by its range, 0.3 to 4 s at either level on average."""
         level = np.zeros(6)
         c = int(rng.integers(6))
         level[c] = sign(rng) * size * spread(rng, 0.3, 3.0) * setting.full_scale[c] / setting.full_scale[0]
         return cls(six(level), spread(rng, 0.3, 4.0), spread(rng, 0.3, 4.0), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds the level while a random switch is on; it is off at the start."""
         switch, level = RandomSwitch((self.mean_low_s, self.mean_high_s), self.seed, on=False), np.array(self.level_wrench)
         return lambda t, W: W + level if switch.is_on(t) else W
 
@@ -108,12 +108,12 @@ class MagneticField(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """0.5 to 4 N, with torques of the same share of their range, within 30 cm of home, 10 to 30 cm wide."""
         peak = wrench_of(rng, size * spread(rng, 0.5, 4.0), setting)
         return cls(peak, three(rng.uniform(0.0, 0.3) * direction(rng)), spread(rng, 0.1, 0.3))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `peak exp(-d^2 / (2 width^2))`, d from the sensor to the centre of the field."""
         data, body = machine.data, machine.body("payload")
         peak = np.array(self.peak_wrench)
         centre: Array | None = None
@@ -141,12 +141,12 @@ class MotorPickup(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """5 to 30 mN per N m with either sign in one channel or several, torques by their range, of any joint but the first."""
         share = channels(rng) * scattered(rng, 0.005, 0.03, 6) * setting.full_scale / setting.full_scale[0]
         return cls(int(rng.integers(1, setting.n)), six(size * share))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Adds `pickup` times the joint's torque."""
         data, pickup = machine.data, np.array(self.pickup_per_n_m)
         place = int(np.arange(machine.model.nv)[machine.motors][self.joint])
         return lambda _, W: W + pickup * data.qfrc_applied[place]
@@ -163,11 +163,11 @@ class WarmingGain(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """1 to 5 % with either sign, time constant of 0.2 to 1 of the run."""
         return cls(size * sign(rng) * spread(rng, 0.01, 0.05), setting.seconds * spread(rng, 0.2, 1.0))
 
     def amplify(self, machine: Machine) -> Channel | None:
-        """See `Fault.amplify`."""
+        """Multiplies all channels by `1 - share (1 - exp(-t / tau))`, offset and noise included."""
         return lambda t, W: (1 + self.share * math.expm1(-t / self.time_constant_s)) * W
 
 

@@ -23,12 +23,12 @@ class DriftingClock(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`. Some 10 to 60 ms late in the end."""
+        """10 to 60 ms late in the end."""
         late = size * spread(rng, 0.01, 0.06)
         return cls(late / setting.seconds, 2 * late)
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """The wrench of `slow_share t` before, at most of `longest_s` before."""
         history = History(self.longest_s, machine.period)
 
         def late(t: float, W: Array) -> Array:
@@ -49,11 +49,11 @@ class SkewedChannels(Unknown):
 
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
-        """See `Fault.draw`."""
+        """10 to 50 ms in one to three channels."""
         return cls(six(size * channels(rng, 3) * np.abs(scattered(rng, 0.01, 0.05, 6))))
 
     def sense(self, machine: Machine) -> Channel | None:
-        """See `Fault.sense`."""
+        """Each channel of its own delay before."""
         history = History(max(self.late_s), machine.period)
         late = [c for c in range(6) if self.late_s[c] > 0]
 
