@@ -20,7 +20,7 @@ from core.plant.imperfections import Imperfections
 from core.procedure.identify import carry_out
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, returned
+from core.trial import planned, run_to_end
 
 
 def recorded() -> Recording:
@@ -28,7 +28,7 @@ def recorded() -> Recording:
     cell, plans = planned("lwr4_bench")
     carried = cell.payloads["cylinder"]
     session = SimulatedSession(cell, carried.parameters, seed=1, imperfections=Imperfections(wrench_delay_s=0.01))
-    return thinned(returned(carry_out(cell, session, carried.box, plans["cylinder"])).recording, slice(None, None, 2))
+    return thinned(run_to_end(carry_out(cell, session, carried.box, plans["cylinder"])).recording, slice(None, None, 2))
 
 
 def thinned(recording: Recording, rows: slice) -> Recording:

@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 from core.cell.cell import Cell, find_cell, load_cell
 from core.payload.inertia import PHI_NAMES
 from core.planning.plan import Plan, plan_procedure
-from core.plant.imperfections import ExponentialDrift, Imperfections, LinearDrift
+from core.plant.imperfections import ExponentialOffsetDrift, Imperfections, LinearOffsetDrift
 from core.procedure.identify import carry_out
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.sessions.simulated import SimulatedSession
-from core.trial import returned
+from core.trial import run_to_end
 
 Array = NDArray[np.float64]
 
@@ -59,7 +59,7 @@ def planted(condition: str, seed: int) -> Imperfections:
     direction = rng.uniform(0, 2 * np.pi)
     x, y, z = 0.3 * rng.choice([-1.0, 1.0], 3)
     size = (x, y, z, 0.0, 0.0, 0.0)
-    drift = LinearDrift(size, duration_s=60.0) if seed % 2 else ExponentialDrift(size, time_constant_s=20.0)
+    drift = LinearOffsetDrift(size, duration_s=60.0) if seed % 2 else ExponentialOffsetDrift(size, time_constant_s=20.0)
     tilt = np.radians(0.5) * np.array([np.cos(direction), np.sin(direction)])
     return Imperfections(base_tilt_rad=(float(tilt[0]), float(tilt[1])), wrench_delay_s=0.004, offset_drift=(drift,))
 
@@ -71,7 +71,7 @@ def planned(name: str, payload: str) -> tuple[Cell, Plan]:
     robot = RobotModel.of_cell(cell)
     box = cell.payloads[payload].box
     home = np.array(cell.robot.home_rad)
-    return cell, returned(plan_procedure(cell, robot, CollisionModel(cell, robot, box), box, start=home))
+    return cell, run_to_end(plan_procedure(cell, robot, CollisionModel(cell, robot, box), box, start=home))
 
 
 def run(job: Job) -> Errors:
@@ -79,7 +79,7 @@ def run(job: Job) -> Errors:
     cell, plan = planned(job.cell, job.payload)
     carried = cell.payloads[job.payload]
     session = SimulatedSession(cell, carried.parameters, seed=job.seed, imperfections=planted(job.condition, job.seed))
-    outcome = returned(carry_out(cell, session, carried.box, plan))
+    outcome = run_to_end(carry_out(cell, session, carried.box, plan))
     estimate, truth = outcome.identification.estimate, carried.parameters.phi
     if estimate is None:
         raise RuntimeError(f"{job}: {outcome.identification.verdict}")

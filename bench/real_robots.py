@@ -25,7 +25,7 @@ from bench.independent_search import CANDIDATES, IndependentSearch
 from core.cell.cell import Cell, check_robot
 from core.cell.urdf import check_urdf
 from core.errors import BadInput, Refused
-from core.planning.commanded_path import Motion, commanded_paths
+from core.planning.commanded_path import PlanPart, compute_joint_paths
 from core.planning.plan import Plan, plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
@@ -116,13 +116,13 @@ def _planned(cell: Cell, seed: int) -> tuple[Plan, list[str], float]:
 
 def set_points(cell: Cell, robot: RobotModel, collision: CollisionModel, plan: Plan) -> Iterator[tuple[str, Array]]:
     """Every set point (N, n) of a plan, motion by motion: transfers, holds, rotations, waves, and the way home."""
-    motions: list[Motion] = []
+    motions: list[PlanPart] = []
     for leg in plan.legs:
-        motions.append(Motion(f"transfer {leg.axis}", leg.transfer.trajectory))
-        motions += [] if leg.profile is None else [Motion(f"rotation {leg.about}", leg.profile, leg.about)]
-        motions += [] if leg.wave is None else [Motion(f"wave {leg.axis}", leg.wave)]
-    motions.append(Motion("home", plan.home.trajectory))
-    for path in commanded_paths(cell, robot, collision, motions, motions[0].along.q[0]):  # type: ignore[union-attr]  # a transfer
+        motions.append(PlanPart(f"transfer {leg.axis}", leg.transfer.trajectory))
+        motions += [] if leg.profile is None else [PlanPart(f"rotation {leg.about}", leg.profile, leg.about)]
+        motions += [] if leg.wave is None else [PlanPart(f"wave {leg.axis}", leg.wave)]
+    motions.append(PlanPart("home", plan.home.trajectory))
+    for path in compute_joint_paths(cell, robot, collision, motions, motions[0].along.q[0]):  # type: ignore[union-attr]  # a transfer
         yield path.name, path.q
         yield f"hold after {path.name}", np.tile(path.q[-1], (_HOLD, 1))
 

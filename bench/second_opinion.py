@@ -8,11 +8,11 @@ from time import perf_counter
 import numpy as np
 
 from core.cell.cell import find_cell, load_cell
-from core.planning.joint_torques import JointTorques, guessed_load
-from core.planning.plan import confirmed, plan_procedure
+from core.planning.joint_torques import JointTorques, guess_load
+from core.planning.plan import confirm_plan, plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-from core.trial.draw import returned
+from core.trial.draw import run_to_end
 
 
 def main() -> None:
@@ -25,12 +25,12 @@ def main() -> None:
         cell = load_cell(find_cell(name))
         robot = RobotModel.of_cell(cell)
         collision = CollisionModel(cell, robot, cell.payload_box)
-        torques = JointTorques(cell, robot, guessed_load(cell, cell.payload_box, 1.0))
-        plan = returned(plan_procedure(cell, robot, collision, cell.payload_box, start=np.array(cell.robot.home_rad)))
+        torques = JointTorques(cell, robot, guess_load(cell, cell.payload_box, 1.0))
+        plan = run_to_end(plan_procedure(cell, robot, collision, cell.payload_box, start=np.array(cell.robot.home_rad)))
         seconds = []
         for _ in range(arguments.count):
             began = perf_counter()
-            opinion = confirmed(cell, robot, collision, cell.payload_box, plan.legs, plan.home, torques).opinion
+            opinion = confirm_plan(cell, robot, collision, cell.payload_box, plan.legs, plan.home, torques).opinion
             seconds.append(perf_counter() - began)
         taken = float(np.median(seconds))
         checked = f"{opinion.samples} points checked in {taken:.2f} s (median), {max(seconds):.2f} s at most"

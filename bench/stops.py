@@ -32,7 +32,7 @@ from core.recording.recording import Recording
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from server.runner.run_folder import LOCK, RECORDING
-from server.runner.sample_stream import recover as samples_so_far
+from server.runner.sample_stream import recover_recording as samples_so_far
 from tests.server.real_service import ROOT, Console, RealService, real_service, wait_for
 
 LIMIT_S = 0.3

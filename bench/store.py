@@ -199,7 +199,7 @@ def differences(url: str, watcher: Watcher, run: str) -> list[str]:
 
     def kept() -> list[dict[str, Any]]:
         with store.read() as db:
-            return [json.loads(text) for _, text in run_ledger.told(db, run, 0)]
+            return [json.loads(text) for _, text in run_ledger.list_events(db, run, 0)]
 
     until = time.monotonic() + CAUGHT_UP_S
     while len(kept()) < len(watcher.told) and time.monotonic() < until:

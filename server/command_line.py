@@ -48,7 +48,7 @@ def serve(
     data: DataOption = None,
 ) -> None:
     """Start the service for operator, MES and watchers. Every setting is also an environment variable HEFT_*."""
-    from server.serve import serve as start  # noqa: PLC0415  the other commands need no web
+    from server.serve import run_service as start  # noqa: PLC0415  the other commands need no web
 
     start(host=host, port=port, cells=cells, data=data)
 

@@ -33,7 +33,7 @@ FIRST = "operator"
 FIRST_ROLES = frozenset({Role.operator, Role.engineer, Role.admin})
 
 
-def serve(*, host: str | None = None, port: int | None = None, cells: Path | None = None, data: Path | None = None) -> None:
+def run_service(*, host: str | None = None, port: int | None = None, cells: Path | None = None, data: Path | None = None) -> None:
     """Serves until it is told to end (SIGINT, SIGTERM); requests under way may finish.
 
     Raises:
@@ -120,7 +120,7 @@ def first_account(store: Store) -> str | None:
         if db.scalar(select(func.count()).select_from(Account)):
             return None
         password = secrets.token_urlsafe(12)
-        password_hash = accounts.hashed(password)  # takes its time, so only where it is needed; nobody else writes before the start
+        password_hash = accounts.hash_password(password)  # takes its time, so only where it is needed; nobody else writes before the start
         accounts.add_account(db, FIRST, password_hash, FIRST_ROLES, utc_now())
         audit.record(db, "service", "account.create", {"account": FIRST, "roles": " ".join(sorted(FIRST_ROLES))})
     return password

@@ -16,7 +16,7 @@ from server.jobs.jobs import Worker
 from server.people.auth import RecentCallers
 from server.people.door import Door
 from server.runs.conductor import Conductor
-from server.runs.lease import Control
+from server.runs.lease import ControlRegistry
 from server.runs.metrics import RunMetrics
 from server.runs.releases import Offers, Releases
 from server.runs.webhooks import Deliverer
@@ -41,7 +41,7 @@ class Service:
     metrics: Metrics
     checker: CellChecker
     now: Callable[[], datetime] = field(default=utc_now)
-    control: Control = field(default_factory=Control)
+    control: ControlRegistry = field(default_factory=ControlRegistry)
     offers: Offers = field(default_factory=Offers)
     console: Console = field(default_factory=Console)
     recent_callers: RecentCallers = field(default_factory=RecentCallers)

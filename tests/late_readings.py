@@ -21,7 +21,7 @@ from core.recording.recording import Recording
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import returned
+from core.trial.draw import run_to_end
 
 LATE = Delay(0.0117)
 NOISIER = 9.0
@@ -52,11 +52,11 @@ def short_plan() -> Plan:
     cell = noisy_cell()
     robot, box = RobotModel.of_cell(cell), cell.payloads[CARRIED].box
     collision = CollisionModel(cell, robot, box)
-    return returned(plan_procedure(cell, robot, collision, box, start=np.array(cell.robot.home_rad), timing=SHORT))
+    return run_to_end(plan_procedure(cell, robot, collision, box, start=np.array(cell.robot.home_rad), timing=SHORT))
 
 
 @cache
 def first_run() -> Recording:
     """What the procedure leaves behind."""
     cell = noisy_cell()
-    return returned(carry_out(cell, session(4), cell.payloads[CARRIED].box, short_plan(), payload=CARRIED)).recording
+    return run_to_end(carry_out(cell, session(4), cell.payloads[CARRIED].box, short_plan(), payload=CARRIED)).recording

@@ -44,7 +44,7 @@ from core.payload.shapes import (
 
 __all__ = [
     "Box", "Capsule", "Cell", "CellRead", "Control", "Cylinder", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor",
-    "Shape", "Sphere", "Tool", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell",
+    "Shape", "Sphere", "Tool", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell_folder",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -200,7 +200,7 @@ class Cell(Model):
         where = f"{self.folder / CELL_FILE}: robot.urdf"
         return read_inside(self.folder, self.robot.urdf, BadRobot, max_bytes=MAX_URDF_BYTES, where=where)
 
-    def with_moved(self, name: str, pose: Pose) -> Cell:
+    def with_pose_of(self, name: str, pose: Pose) -> Cell:
         """The same cell with the obstacle or zone of that name elsewhere (world frame)."""
         moved = {
             field: tuple(
@@ -241,12 +241,12 @@ def load_cell(folder: Path) -> Cell:
         BadCell: cell.toml is malformed or contradicts itself or the URDF.
         BadRobot: the URDF is malformed or hostile.
     """
-    found = read_cell(folder)
+    found = read_cell_folder(folder)
     refuse(found.flaws)
     return found.cell
 
 
-def read_cell(folder: Path) -> CellRead:
+def read_cell_folder(folder: Path) -> CellRead:
     """Reads `cell.toml` and looks at the URDF beside it; what does not go together is told beside the cell.
 
     Raises:

@@ -57,7 +57,7 @@ def _is_nearly_consistent(parameters: InertialParameters) -> bool:
 
 def _parameters(tool: Tool, sensor_frame: str, tree: UrdfTree | None) -> InertialParameters:
     if tool.links is not None and tree is not None:
-        return tree.seen_from(sensor_frame, tool.links)
+        return tree.merge_links(sensor_frame, tool.links)
     return InertialParameters(np.array([tool.mass_kg, *(tool.first_moment_kg_m or ()), *(tool.inertia_kg_m2 or ())]))
 
 
@@ -139,17 +139,17 @@ def home_torques(cell: Cell, urdf: Urdf, carried: InertialParameters) -> dict[st
     hinges = urdf.hinges(cell.robot.base_frame, cell.robot.sensor_frame)
     tree = UrdfTree(cell.urdf, (hinge.name for hinge in hinges))
     behind = tree.behind(cell.robot.sensor_frame)
-    pose = _matrix(cell.robot.base.rotation, cell.robot.base.translation) @ np.linalg.inv(tree.fixed_pose(cell.robot.base_frame)[1])
+    pose = _matrix(cell.robot.base.rotation, cell.robot.base.translation) @ np.linalg.inv(tree.find_rigid_parent(cell.robot.base_frame)[1])
     axes, origins, moments = [], [], []
     for hinge, angle in zip(hinges, cell.robot.home_rad, strict=True):
         joint = tree.joints[hinge.name]
         axis = axis_of(joint)
         turn = _matrix(rotation_about(axis, angle), np.zeros(3))
-        pose = pose @ tree.fixed_pose(end_of(joint, "parent"))[1] @ origin_of(joint) @ turn
+        pose = pose @ tree.find_rigid_parent(end_of(joint, "parent"))[1] @ origin_of(joint) @ turn
         axes.append(pose[:3, :3] @ axis)
         origins.append(pose[:3, 3])
         moments.append(_moment(tree.rigid_body(hinge.child, without=behind), pose))
-    moments[-1] = moments[-1] + _moment(carried, pose @ tree.fixed_pose(cell.robot.sensor_frame)[1])
+    moments[-1] = moments[-1] + _moment(carried, pose @ tree.find_rigid_parent(cell.robot.sensor_frame)[1])
     after = np.cumsum(moments[::-1], axis=0)[::-1]  # mass and first moment of all that a joint moves
     arms = after[:, 1:] - after[:, :1] * np.array(origins)
     torques = np.einsum("ij,ij->i", np.array(axes), np.cross(arms, cell.gravity))

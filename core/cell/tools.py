@@ -10,7 +10,7 @@ from core.payload.inertia import InertialParameters
 from core.payload.known_tool import KnownTool, carried
 
 
-def known_tools(cell: Cell) -> tuple[KnownTool, ...]:
+def find_tools(cell: Cell) -> tuple[KnownTool, ...]:
     """The cell's tools, in the order of cell.toml."""
     parameters = tool_parameters(cell)
     found = []
@@ -21,9 +21,9 @@ def known_tools(cell: Cell) -> tuple[KnownTool, ...]:
     return tuple(found)
 
 
-def felt_with(cell: Cell, workpiece: InertialParameters) -> InertialParameters:
+def add_cell_tools(cell: Cell, workpiece: InertialParameters) -> InertialParameters:
     """What the cell's sensor feels where the robot carries a workpiece: the tools with it."""
-    return carried(known_tools(cell), workpiece)
+    return carried(find_tools(cell), workpiece)
 
 
 def tool_boxes(cell: Cell) -> dict[str, Box]:

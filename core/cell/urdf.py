@@ -94,7 +94,7 @@ class Urdf:
         for joint in self.hinges(base, tip):
             _check_body(bodies[joint.child], f"{self.where}: link {joint.child!r}")
 
-    def moved(self, base: str, tip: str) -> tuple[UrdfLink, ...]:
+    def find_moving_links(self, base: str, tip: str) -> tuple[UrdfLink, ...]:
         """The links that the joints of the chain move: those of the chain and all that is carried by them.
 
         Raises:
@@ -114,7 +114,7 @@ class Urdf:
         Raises:
             BadRobot: one has none.
         """
-        for body in self.moved(base, tip):
+        for body in self.find_moving_links(base, tip):
             if self._has_shaped_neighbour(body.name) and not body.visual:
                 continue
             if body.collision or (body.name in visual_shapes and body.visual) or not (body.mass or body.visual):

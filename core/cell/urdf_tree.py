@@ -32,7 +32,7 @@ class UrdfTree:
         self._above = {end_of(joint, "child"): joint for joint in self.joints.values()}
         self._moving = set(moving)
 
-    def fixed_pose(self, link: str) -> tuple[str, Array]:
+    def find_rigid_parent(self, link: str) -> tuple[str, Array]:
         """The link (root, or child of a moving joint) that this one is rigidly fixed to, and the pose (4, 4) in it."""
         pose = np.eye(4)
         while (joint := self._above.get(link)) is not None and joint.get("name") not in self._moving:
@@ -55,10 +55,10 @@ class UrdfTree:
     def rigid_body(self, top: str, without: Iterable[str] = ()) -> InertialParameters:
         """All links that are rigidly fixed to link `top`, in its frame; but for those in `without`."""
         left_out = set(without)
-        held = [name for name in self.links if name not in left_out and self.fixed_pose(name)[0] == top]
+        held = [name for name in self.links if name not in left_out and self.find_rigid_parent(name)[0] == top]
         return self._sum(held, np.eye(4))
 
-    def seen_from(self, frame: str, links: Iterable[str]) -> InertialParameters:
+    def merge_links(self, frame: str, links: Iterable[str]) -> InertialParameters:
         """Links as one rigid body in the frame of link `frame`, all joints between them at zero."""
         return self._sum(links, np.asarray(np.linalg.inv(self._at_zero(frame))), at_zero=True)
 
@@ -70,8 +70,8 @@ class UrdfTree:
     def _sum(self, links: Iterable[str], frame: Array, *, at_zero: bool = False) -> InertialParameters:
         phi = np.zeros(10)
         for name in links:
-            pose = frame @ (self._at_zero(name) if at_zero else self.fixed_pose(name)[1])
-            phi = phi + link_parameters(self.links[name]).moved(pose[:3, :3], pose[:3, 3]).phi
+            pose = frame @ (self._at_zero(name) if at_zero else self.find_rigid_parent(name)[1])
+            phi = phi + link_parameters(self.links[name]).to_frame(pose[:3, :3], pose[:3, 3]).phi
         return InertialParameters(phi)
 
     def _at_zero(self, link: str) -> Array:
@@ -128,7 +128,7 @@ def link_parameters(link: ET.Element) -> InertialParameters:
     inertia_com = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
     pose = origin_of(tag)
     at_com = InertialParameters.from_com(float(mass_tag.get("value", "0")), np.zeros(3), inertia_com)
-    return at_com.moved(pose[:3, :3], pose[:3, 3])
+    return at_com.to_frame(pose[:3, :3], pose[:3, 3])
 
 
 def _numbers(text: str) -> Array:

@@ -11,7 +11,7 @@ from core.errors import BadInput, Refused, slug
 from core.gap.answer import Diagnosis
 from core.gap.choice import choose_experiment
 from core.gap.evidence import Evidence
-from core.gap.experiment_file import ExperimentFile, continued, experiment_file, read_experiment, write_experiment
+from core.gap.experiment_file import ExperimentFile, experiment_file, read_continued_recording, read_experiment, write_experiment
 from core.procedure.progress import watch
 from core.recording.recording import Recording
 
@@ -63,4 +63,4 @@ def read_request(file: Path, folder: Path | None, cell: Cell) -> tuple[Experimen
         raise BadInput(f"{file}: cell", repr(asked.cell), f"{cell.name!r}, the cell that is to carry it out")
     if not asked.stops:
         raise BadInput(f"{file}: stops", "none", f"a motion; what it asks for is {asked.motion}")
-    return asked, continued(asked, folder)
+    return asked, read_continued_recording(asked, folder)

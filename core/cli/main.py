@@ -39,12 +39,11 @@ from core.estimation.result import Result, SecondsPart, result_of
 from core.files.whole_file import write_whole
 from core.gap.diagnosis import examine
 from core.gap.twin_addition import addable_to
-from core.planning.joint_torques import known_load
+from core.planning.joint_torques import find_known_load
 from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
 from core.planning.plan import plan_summary
 from core.planning.sequence import PlanRequest, Procedure
-from core.planning.set_points import check_target as check_set_points
-from core.planning.set_points import set_points_of, write_set_points
+from core.planning.set_points import check_set_points, set_points_of, write_set_points
 from core.planning.settings import WHOLE, Timing
 from core.planning.slow_run import slowed
 from core.planning.starting_point import starting_point
@@ -243,7 +242,7 @@ def plan(
     check_set_points(trajectory, period, PERIOD)
     robot = RobotModel.of_cell(loaded)
     collision = CollisionModel(loaded, robot, box)
-    load = known_load(loaded, payload)
+    load = find_known_load(loaded, payload)
     asked = PlanRequest(loaded, box, starting_point(start, loaded, robot), 0, PERIOD, planner.value, seed, load, effort)
     found = watch(Procedure(Timing(), scope=scope).planned(asked, robot, collision), messages)
     if trajectory is not None:

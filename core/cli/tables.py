@@ -17,7 +17,7 @@ from core.planning.plan import Plan
 from core.planning.settings import Scope
 from core.planning.summary import PlanTorques
 from core.report.verification_words import verification_sentence
-from core.second_opinion.left_out import left_out_lines
+from core.second_opinion.left_out import describe_left_out
 from core.second_opinion.opinion import Opinion
 
 Array = NDArray[np.float64]
@@ -36,7 +36,7 @@ def decimals_of(half_width: float | None) -> int:
     return 6 if not half_width else max(0, 1 - math.floor(math.log10(half_width)))
 
 
-def fixed(value: float | None, decimals: int) -> str:
+def format_decimals(value: float | None, decimals: int) -> str:
     """A value with decimal places; empty where there is none."""
     return "" if value is None else f"{value:.{decimals}f}"
 
@@ -60,16 +60,16 @@ def parameters_table(result: Result) -> Table:
         table.add_row(
             name,
             number(truth),
-            fixed(result.paper.phi[k], places),
-            fixed(value, places) if known else "not determined",
-            fixed(half, places),
-            error_of(value if known else None, truth),
+            format_decimals(result.paper.phi[k], places),
+            format_decimals(value, places) if known else "not determined",
+            format_decimals(half, places),
+            format_error(value if known else None, truth),
             unit,
         )
     return table
 
 
-def error_of(value: float | None, truth: float | None) -> str:
+def format_error(value: float | None, truth: float | None) -> str:
     """Of a value against the truth, relative where that is not zero; empty where either is unknown."""
     if value is None or truth is None:
         return ""
@@ -126,7 +126,7 @@ def opinion_lines(opinion: Opinion) -> list[str]:
     fast = opinion.fastest
     where = f"{fast.part!r} after {fast.time_s:.3f} s"
     lines.append(f"  fastest point: a corner of {fast.body!r} at {fast.speed_m_s:.3f} m/s (limit {fast.limit_m_s:.3f} m/s), {where}")
-    without = left_out_lines(opinion.left_out)
+    without = describe_left_out(opinion.left_out)
     lines += [*(["Pairs of which nothing is asked:"] if without else []), *(f"  {line}" for line in without)]
     lost = opinion.lost_load
     if lost is None:

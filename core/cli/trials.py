@@ -15,7 +15,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn
 from core.errors import BadInput
 from core.trial.batch import cores, on_cluster, on_cores, outcomes
 from core.trial.draw import Drawn, draw
-from core.trial.folder import append, check_seals, finished, open_folder
+from core.trial.folder import append, check_seals, open_folder, read_outcomes
 from core.trial.judgement import mark
 from core.trial.outcome import Outcome
 from core.trial.sheet import score_sheet, write_sheet
@@ -35,7 +35,7 @@ def trial(
 ) -> None:
     """The blind check: plant faults in the virtual robot, seal the answer, diagnose, open the seal, score."""
     wanted = seeds_of(seeds) if seeds else list(range(seed, seed + count))
-    done = {} if report is None else finished(report)
+    done = {} if report is None else read_outcomes(report)
     where = on_cluster(dask) if dask else on_cores(min(processes or cores(), len(wanted)))
     with messages.status("planning") if messages.is_terminal else nullcontext():
         drawn = [draw(k) for k in wanted]

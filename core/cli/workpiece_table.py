@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rich.table import Table
 
-from core.cli.tables import decimals_of, error_of, fixed, number
+from core.cli.tables import decimals_of, format_decimals, format_error, number
 from core.estimation.result import WorkpiecePart
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 
@@ -22,8 +22,8 @@ def workpiece_table(workpiece: WorkpiecePart) -> Table:
         value, std = workpiece.phi[k], workpiece.std[k]
         half = None if std is None else 1.96 * std
         places = decimals_of(half)
-        shown = "not determined" if value is None else fixed(value, places)
-        table.add_row(name, number(truth), shown, fixed(half, places), error_of(value, truth), unit)
+        shown = "not determined" if value is None else format_decimals(value, places)
+        table.add_row(name, number(truth), shown, format_decimals(half, places), format_error(value, truth), unit)
     return table
 
 

@@ -14,7 +14,7 @@ from core.control.speed import fastest_point
 Array = NDArray[np.float64]
 
 
-class Fault(IntEnum):
+class GuardStop(IntEnum):
     """What is wrong; the order is that of the checks."""
 
     NONE = 0

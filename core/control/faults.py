@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from core.cell.cell import Cell
-from core.control.checks import Fault, Numbers
+from core.control.checks import GuardStop, Numbers
 from core.errors import BadState, OutOfLimits, OverLoad, RobotStateLate, SensorFrozen, Stopped, TooClose, TooFast
 from core.robot.collision import Nearest
 from core.robot.model import RobotModel
@@ -14,8 +14,8 @@ from core.sessions.session import RobotState
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 
 
-def stopped(
-    fault: Fault,
+def make_stop_error(
+    fault: GuardStop,
     index: int,
     value: float,
     *,
@@ -36,33 +36,35 @@ def stopped(
     joint = f"joint {robot.description.joints[index]}" if index < robot.n else ""
     kind: type[Stopped]
     match fault:
-        case Fault.NOT_FINITE | Fault.TARGET_NOT_FINITE:
-            what = "the robot's state" if fault == Fault.NOT_FINITE else "the commanded position"
+        case GuardStop.NOT_FINITE | GuardStop.TARGET_NOT_FINITE:
+            what = "the robot's state" if fault == GuardStop.NOT_FINITE else "the commanded position"
             kind, limit = BadState, 0.0
             message = f"{what} is not finite"
             advice = "Check the connection to robot and sensor and start again."
-        case Fault.STALE:
+        case GuardStop.STALE:
             kind, limit = BadState, numbers.period
             message = f"the robot's clock went on by {1e3 * value:.2f} ms in one period (expected {1e3 * limit:.2f} ms), its state is stale"
             advice = "Check the connection to the robot and start again."
-        case Fault.LATE:
+        case GuardStop.LATE:
             kind, limit = RobotStateLate, numbers.late
             message = f"the robot's state came after {1e3 * value:.1f} ms (limit {1e3 * limit:.1f} ms)"
             advice = "Take load off the computer or its network and start again."
-        case Fault.POSITION | Fault.TARGET_POSITION:
+        case GuardStop.POSITION | GuardStop.TARGET_POSITION:
             kind = OutOfLimits
             limit = float(robot.upper[index] if value > robot.upper[index] else robot.lower[index])
-            message = f"{joint} {'is' if fault == Fault.POSITION else 'was commanded'} at {value:.4f} rad (limit {limit:.4f} rad)"
+            message = f"{joint} {'is' if fault == GuardStop.POSITION else 'was commanded'} at {value:.4f} rad (limit {limit:.4f} rad)"
             advice = "Move it back by hand guiding and plan again."
-        case Fault.JOINT_SPEED | Fault.COMMANDED_JOINT_SPEED:
+        case GuardStop.JOINT_SPEED | GuardStop.COMMANDED_JOINT_SPEED:
             kind, limit = TooFast, numbers.velocity[index]
-            message = f"{joint} {'moves' if fault == Fault.JOINT_SPEED else 'was commanded'} at {value:.3f} rad/s (limit {limit:.3f} rad/s)"
+            message = (
+                f"{joint} {'moves' if fault == GuardStop.JOINT_SPEED else 'was commanded'} at {value:.3f} rad/s (limit {limit:.3f} rad/s)"
+            )
             advice = "Plan again."
-        case Fault.SPEED | Fault.COMMANDED_SPEED:
+        case GuardStop.SPEED | GuardStop.COMMANDED_SPEED:
             kind, limit = TooFast, numbers.speed
-            message = f"{owner} {'moves' if fault == Fault.SPEED else 'was commanded'} at {value:.3f} m/s (limit {limit:.3f} m/s)"
+            message = f"{owner} {'moves' if fault == GuardStop.SPEED else 'was commanded'} at {value:.3f} m/s (limit {limit:.3f} m/s)"
             advice = "Plan again."
-        case Fault.WRENCH:
+        case GuardStop.WRENCH:
             unit = "N" if index < 3 else "N m"
             kind, limit = OverLoad, cell.sensor.range[index]
             message = f"{CHANNELS[index]} of {cell.sensor.name} is {value:.2f} {unit} (range {limit:.2f} {unit})"
@@ -74,7 +76,7 @@ def stopped(
     return kind(f"{message}; the robot was stopped. {advice}", value=value, limit=limit, samples=samples)
 
 
-def too_close(nearest: Nearest, cell: Cell, *, predicted: bool, samples: Sequence[RobotState]) -> TooClose:
+def make_distance_error(nearest: Nearest, cell: Cell, *, predicted: bool, samples: Sequence[RobotState]) -> TooClose:
     """The error for a distance below what is required, today's or that of the predicted stop."""
     if any(zone.name == nearest.second for zone in cell.zones):
         what, advice = f'zone "{nearest.second}"', "Clear the zone and start again."
@@ -93,7 +95,7 @@ def too_close(nearest: Nearest, cell: Cell, *, predicted: bool, samples: Sequenc
     )
 
 
-def frozen(seconds: float, limit: float, samples: Sequence[RobotState]) -> SensorFrozen:
+def make_frozen_error(seconds: float, limit: float, samples: Sequence[RobotState]) -> SensorFrozen:
     """The error for a wrench that does not change any more."""
     return SensorFrozen(
         f"the wrench has not changed for {seconds:.3f} s (limit {limit:.3f} s), a live sensor shows its noise; "

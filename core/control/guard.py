@@ -26,8 +26,8 @@ from numpy.typing import NDArray
 
 from core.cell.cell import Cell
 from core.control.bounds import JointLimits
-from core.control.checks import Fault, Findings, Numbers, _check
-from core.control.faults import frozen, stopped, too_close
+from core.control.checks import Findings, GuardStop, Numbers, _check
+from core.control.faults import make_distance_error, make_frozen_error, make_stop_error
 from core.robot.collision import CollisionModel, Nearest
 from core.robot.model import RobotModel
 from core.sessions.session import RobotState
@@ -147,8 +147,8 @@ class Guard:
         dt = state.t - self._t
         code, index = _check(*self._fixed, dt, state.q, state.dq, state.q_cmd, state.wrench, target)
         if code or not math.isfinite(state.t):
-            raise stopped(
-                Fault(code or Fault.NOT_FINITE), index, float(self._found.value[0]), cell=self.cell, robot=self.robot,
+            raise make_stop_error(
+                GuardStop(code or GuardStop.NOT_FINITE), index, float(self._found.value[0]), cell=self.cell, robot=self.robot,
                 owner=self.collision.points.owner[index], numbers=self._numbers, samples=self._history,
             )  # fmt: skip
         self._t = state.t
@@ -176,7 +176,7 @@ class Guard:
         if state.wrench[0] != self._wrench[0] or (state.wrench != self._wrench).any():
             self._wrench, self._still_s = state.wrench, 0.0
         elif self._still_s >= self._frozen_after:
-            raise frozen(self._still_s, self._frozen_after, self._history)
+            raise make_frozen_error(self._still_s, self._frozen_after, self._history)
 
     def _check_distance(self, state: RobotState) -> None:
         """Today's margin and that of the predicted stop, exact where the motion bound does not settle it."""
@@ -187,10 +187,10 @@ class Guard:
         elif certified[0] < 0.0:
             certified[0] = self._remember(0, state.q, self.collision.margin(state.q))
         if certified[0] < 0.0:
-            raise too_close(self.collision.nearest(state.q), self.cell, predicted=False, samples=self._history)
+            raise make_distance_error(self.collision.nearest(state.q), self.cell, predicted=False, samples=self._history)
         stop = self._found.stop
         if certified[1] < 0.0 and self._remember(1, stop, self.collision.margin(stop)) < 0.0:
-            raise too_close(self.collision.nearest(stop), self.cell, predicted=True, samples=self._history)
+            raise make_distance_error(self.collision.nearest(stop), self.cell, predicted=True, samples=self._history)
 
     def _remember(self, k: int, q: Array, margin: float) -> float:
         """Keeps the exact margin at q, today's (k = 0) or the predicted stop's (1)."""
@@ -208,7 +208,7 @@ class Guard:
         nearest = self.collision.obstacle_distance(state.q)
         self.distances.append((state.t, nearest.distance_m))
         self._nearest = _nearer(self._nearest, nearest)
-        self._left_out = _nearer(self._left_out, self.collision.left_out_distance(state.q))
+        self._left_out = _nearer(self._left_out, self.collision.find_nearest_left_out(state.q))
         return min(nearest.margin_m, self.collision.self_margin(state.q))
 
 

@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 import numpy as np
 from numpy.typing import NDArray
 
-from core.control.resuming import rest_of, smooth_share
+from core.control.resuming import resume_path, smooth_share
 from core.errors import BadState
 from core.robot.trajectory import JointTrajectory
 from core.sessions.session import RobotState
@@ -80,7 +80,7 @@ class Playback(Mover):
         """
         if self._k == 0:
             return
-        self._q = np.array(rest_of(self._q, max(0, self._k - 1), q, self.period), order="C")
+        self._q = np.array(resume_path(self._q, max(0, self._k - 1), q, self.period), order="C")
         self._k, self._fade = 0, 0
 
     def _check_start(self, state: RobotState) -> None:

@@ -49,7 +49,7 @@ def place_on_path(path: Array, k: int, q: Array, period: float) -> int:
     return k + nearest
 
 
-def rest_of(path: Array, k: int, q: Array, period: float) -> Array:
+def resume_path(path: Array, k: int, q: Array, period: float) -> Array:
     """The rest of a path from standstill at q.
 
     Args:

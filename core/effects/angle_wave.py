@@ -21,7 +21,7 @@ def angle_wave(scene: Scene, order: Array, c: Array, s: Array) -> tuple[Array, A
         c, s: (n,), rad.
     """
     if scene.q is None or scene.dq is None:
-        raise ValueError("errors of joints need a scene with joints (see Effect.lacking)")
+        raise ValueError("errors of joints need a scene with joints (see Effect.explain_lack)")
     q, dq = scene.past("wave q").before(scene.q, 1), scene.past("wave dq").before(scene.dq, 1)
     error, acceleration = _wave(q, dq, *(np.ascontiguousarray(x) for x in (order, c, s)), scene.period, max(scene.window, scene.period))
     return error[-len(scene) :], acceleration[-len(scene) :]

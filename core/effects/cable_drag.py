@@ -70,7 +70,7 @@ class CableDrag(Effect):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` less the pull F in sensor axes and its moment `r x F`; where the joints are known plus the torque that twists the hose."""
         if scene.position is None:
-            raise ValueError("cable drag needs a scene with positions (see Effect.lacking)")
+            raise ValueError("cable drag needs a scene with positions (see Effect.explain_lack)")
         r = theta[5:8]
         p = scene.position + scene.rotation @ r
         whole = scene.past("place").before(p, 1)
@@ -95,14 +95,14 @@ class CableDrag(Effect):
             slack.append(cable)
         return [hose, *slack]
 
-    def lacking(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> str | None:
         """A reason where the recording does not say where the sensor is."""
         return "the recording does not say where the sensor is" if scene.position is None else None
 
-    def missing(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> str | None:
         """A reason where the sensor's position is not known or stays within 1 cm along each axis of the base."""
         if scene.position is None:
-            return self.lacking(scene)
+            return self.explain_lack(scene)
         return None if np.ptp(scene.position, axis=0).max() > 0.01 else "the sensor stays in one place"
 
     def advice(self, scene: Scene, theta: Array) -> str:

@@ -16,7 +16,7 @@ SUFFIXES = ("n", "n", "n", "nm", "nm", "nm")
 """Units as they stand in the names of parameters."""
 
 
-def six(force: float, torque: float) -> Array:
+def expand_to_channels(force: float, torque: float) -> Array:
     """(6,): one value for the three forces, one for the three torques."""
     return np.repeat([force, torque], 3)
 
@@ -49,7 +49,7 @@ def full_scale(scene: Scene, w: Array) -> Array:
     """(6,), N and N m: the sensor's range; where it is unknown the largest load of the run, which alone looks at all rows."""
     if scene.range is not None:
         return np.asarray(scene.range, dtype=float)
-    return np.asarray(np.maximum(np.abs(w).max(axis=0), six(1.0, 0.05)))
+    return np.asarray(np.maximum(np.abs(w).max(axis=0), expand_to_channels(1.0, 0.05)))
 
 
 def without_range(scene: Scene) -> str | None:
@@ -59,7 +59,7 @@ def without_range(scene: Scene) -> str | None:
     return "its parameters are shares of the sensor's range, which the recording does not state; the largest load of this run stood for it"
 
 
-def largest(values: Array) -> tuple[int, str]:
+def find_largest_channel(values: Array) -> tuple[int, str]:
     """Index and name of the channel with the largest magnitude."""
     k = int(np.abs(values).argmax())
     return k, CHANNELS[k]

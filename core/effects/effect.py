@@ -68,16 +68,16 @@ class Effect(ABC):
             theta: parameters, in the order of `parameters`. At their `absent` values the result equals `w`.
         """
 
-    def lacking(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> str | None:
         """Why the model cannot be evaluated in this scene (no joints, no positions), None where it can."""
         del scene
         return None
 
-    def missing(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> str | None:
         """Why this recording cannot show the effect (the sensor stays still, no load changes its side ...), None where it can."""
-        return self.lacking(scene)
+        return self.explain_lack(scene)
 
-    def tied_to_run(self, scene: Scene) -> str | None:
+    def explain_tie_to_run(self, scene: Scene) -> str | None:
         """Why parameters found in this run have no meaning in another, or the effect cannot be simulated sample by sample; else None."""
         del scene
         return None

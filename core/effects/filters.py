@@ -23,7 +23,7 @@ BACKWARD = np.array([11 / 6, -3.0, 3 / 2, -1 / 3])
 """Derivative at the newest of four samples, third order in the period."""
 
 
-def delayed(w: Array, samples: float, past: Past | None = None) -> Array:
+def delay_signal(w: Array, samples: float, past: Past | None = None) -> Array:
     """`w` (N, n) late by a number of samples >= 0, whole or not: quintic (Lagrange) through six rows, none newer than the row itself."""
     newest = max(0, math.floor(samples) - ROWS // 2 + 1)
     lags = newest + np.arange(ROWS)
@@ -32,7 +32,7 @@ def delayed(w: Array, samples: float, past: Past | None = None) -> Array:
     return cast(Array, _delay(whole, weights, newest, len(whole) - len(w)))
 
 
-def low_passed(w: Array, time_constant: complex, period: float, past: Past | None = None) -> Array:
+def low_pass(w: Array, time_constant: complex, period: float, past: Past | None = None) -> Array:
     """`w` (N, n) behind `1 / (1 + T s)`, exact for a signal that is straight between samples.
 
     Args:

@@ -28,7 +28,7 @@ RIDGE = 1e-3
 
 
 @dataclass(frozen=True)
-class Run:
+class FrictionSignals:
     """Smoothed, thinned signals (M, n), the rest of the model's columns Y (M, n, ...), and `raw` (N, n) as recorded.
 
     `signal` is what is left to explain: torque less the URDF's, or tracking error; `spread` (n,) that of the whole.
@@ -45,7 +45,7 @@ class Run:
     Y: Array
 
     @classmethod
-    def of(cls, recording: Recording) -> Run | None:
+    def of(cls, recording: Recording) -> FrictionSignals | None:
         """None where joints, their kinematics, or both torques and commands are missing, or where there is too little."""
         q, robot = recording.q, recording.robot
         raw = recording.tau
@@ -83,7 +83,7 @@ class Run:
         return cls(period * (rows.step or 1), spread, raw, smooth, dq, ddq, signal, sign, Y)
 
 
-class Fit(NamedTuple):
+class FrictionFit(NamedTuple):
     """Coulomb and viscous coefficient of one joint, their covariance, and their columns (M, 2)."""
 
     friction: Array
@@ -101,7 +101,7 @@ def _regressors(model: pin.Model, q: Array, dq: Array, ddq: Array) -> Array:
     return np.stack([pin.computeJointTorqueRegressor(model, data, *row).copy() for row in zip(q, dq, ddq, strict=True)])
 
 
-def fit_joint(run: Run, j: int) -> Fit | None:
+def fit_joint(run: FrictionSignals, j: int) -> FrictionFit | None:
     """Least squares over the rows in which joint j moves; None where they are too few or the joint goes one way only."""
     rows = np.abs(run.dq[:, j]) > MOVING
     both = min(np.count_nonzero(run.dq[rows, j] > 0), np.count_nonzero(run.dq[rows, j] < 0))
@@ -118,7 +118,7 @@ def fit_joint(run: Run, j: int) -> Fit | None:
     beta = bread @ (X.T @ y)
     covariance = _estimate_covariance(X, y - X @ beta, bread, np.asarray(np.flatnonzero(rows) * run.period // BLOCK, dtype=np.float64))
     scale = 1.0 / size[:2]
-    return Fit(beta[:2] * scale, covariance[:2, :2] * np.outer(scale, scale), friction)
+    return FrictionFit(beta[:2] * scale, covariance[:2, :2] * np.outer(scale, scale), friction)
 
 
 def _estimate_covariance(X: Array, e: Array, bread: Array, block: Array) -> Array:

@@ -45,13 +45,13 @@ class GearRipple(Effect):
         ratio, c, s = theta.reshape(-1, 3).T
         return w + wrench_change(scene, true_motion(scene, *angle_wave(scene, 2.0 * ratio, c, s)))
 
-    def lacking(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> str | None:
         """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
-    def missing(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> str | None:
         """A reason where there are no joints, or none moves faster than 1e-3 rad/s."""
-        if reason := self.lacking(scene):
+        if reason := self.explain_lack(scene):
             return reason
         return None if scene.dq is not None and np.abs(scene.dq).max() > 1e-3 else "no joint moves in this recording"
 

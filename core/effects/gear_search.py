@@ -52,7 +52,7 @@ class RippleSearch:
     def of(cls, scene: Scene, j: int) -> Self:
         """Of joint j, as far as its acceleration shows."""
         if scene.q is None or scene.dq is None or scene.jacobian is None:
-            raise ValueError("a search for gear ripple needs a scene with joints (see Effect.lacking)")
+            raise ValueError("a search for gear ripple needs a scene with joints (see Effect.explain_lack)")
         linear, angular = scene.jacobian[:, :3, j], scene.jacobian[:, 3:, j]
         m, mc = scene.phi[0], scene.phi[1:4]
         torque = cross(mc, linear) + angular * np.abs(scene.phi[[4, 7, 9]])

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.effects.filters import derivative, low_passed
-from core.effects.joint_error import joint_count, joint_torque, largest, true_motion, without_joints
+from core.effects.filters import derivative, low_pass
+from core.effects.joint_error import find_largest_joint, joint_count, joint_torque, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
-from core.effects.splines import smoothed
+from core.effects.splines import smooth_by_splines
 
 Array = NDArray[np.float64]
 
@@ -39,18 +39,18 @@ class JointBacklash(Effect):
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus what the payload asks more with joints at `q - b tanh(tau / tau_c)`, averaged as the scene's windows show it."""
         *_, contact_torque, lag = theta
-        load = low_passed(joint_torque(scene), lag, scene.period, scene.past("load"))
-        error = smoothed(-theta[:-2] * np.tanh(load / contact_torque), scene.period, scene.window)
+        load = low_pass(joint_torque(scene), lag, scene.period, scene.past("load"))
+        error = smooth_by_splines(-theta[:-2] * np.tanh(load / contact_torque), scene.period, scene.window)
         rate = derivative(error, scene.period, scene.past("error"))
         return w + wrench_change(scene, true_motion(scene, error, derivative(rate, scene.period, scene.past("rate"))))
 
-    def lacking(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> str | None:
         """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
-    def missing(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> str | None:
         """A reason where there are no joints, or no joint's load goes from below -1 N m to above 1 N m."""
-        if reason := self.lacking(scene):
+        if reason := self.explain_lack(scene):
             return reason
         tau = joint_torque(scene)
         reversed_ = (tau.min(axis=0) < -CONTACT_TORQUE) & (tau.max(axis=0) > CONTACT_TORQUE)
@@ -63,5 +63,5 @@ class JointBacklash(Effect):
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """Advises adjusting the gear with most play, deg from side to side."""
-        j = largest(theta[:-2])
+        j = find_largest_joint(theta[:-2])
         return f"Have the gear of joint {j + 1} adjusted: it has {2 * np.degrees(theta[j]):.3f} deg of play from side to side."

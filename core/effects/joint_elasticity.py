@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from core.effects.deflection import deflection
 from core.effects.effect import Effect, Parameter
-from core.effects.joint_error import joint_count, largest, rigid_load, true_motion, without_joints
+from core.effects.joint_error import find_largest_joint, joint_count, rigid_load, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 
@@ -48,14 +48,14 @@ class JointElasticity(Effect):
         swinging = [np.concatenate((np.full(n, compliance), [1.0, 0.2])) for compliance in (1e-4, 2e-4, 4e-4, 8e-4)]
         return [*swinging, np.concatenate((np.full(n, 1e-4), [0.0, 0.2]))]
 
-    def lacking(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> str | None:
         """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """Advises entering the stiffness in the twin: for the joint that gives most its stiffness, kN m/rad, and deflection, deg."""
         most = np.abs(rigid_load(scene)).max(axis=0)
-        j = largest(theta[:-2] * most)
+        j = find_largest_joint(theta[:-2] * most)
         give = np.degrees(theta[j] * most[j])
         stiffness = f"{1e-3 / theta[j]:.1f} kN m/rad" if theta[j] > 0 else "rigid"
         return (

@@ -97,7 +97,7 @@ def true_motion(scene: Scene, error: Array, acceleration: Array | None = None) -
         acceleration: (N, n), second derivative of the error, rad/s2, where it is not slow.
     """
     if scene.jacobian is None or scene.dq is None:
-        raise ValueError("an error of the joints needs a scene with joints (see Effect.lacking)")
+        raise ValueError("an error of the joints needs a scene with joints (see Effect.explain_lack)")
     m = scene.motion
     J, dq = scene.past("jacobian").before(scene.jacobian, 1), scene.past("dq").before(scene.dq, 1)
     second = np.zeros((0, 0)) if acceleration is None else np.ascontiguousarray(acceleration)
@@ -128,13 +128,13 @@ def rigid_load(scene: Scene) -> Array:
     Where the masses of the links are not known: what was measured, or what the payload alone asks, `J^T w`.
     """
     if scene.jacobian is None:
-        raise ValueError("joint torques need a scene with joints (see Effect.lacking)")
+        raise ValueError("joint torques need a scene with joints (see Effect.explain_lack)")
     if scene.link_torque is None and scene.torque is not None:
         return scene.torque
     payload = np.einsum("ni,nij->nj", scene.nominal, scene.jacobian)
     return np.asarray(payload if scene.link_torque is None else payload + scene.link_torque)
 
 
-def largest(theta: Array) -> int:
+def find_largest_joint(theta: Array) -> int:
     """Index of the joint with the largest value."""
     return int(np.argmax(np.abs(theta)))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Finding, Parameter, Symptom, View
-from core.effects.friction_fit import Fit, Run, fit_joint, noise_of, sigma_of, tracking_error
+from core.effects.friction_fit import FrictionFit, FrictionSignals, fit_joint, noise_of, sigma_of, tracking_error
 from core.recording.recording import Recording
 from core.remark import Remark
 
@@ -61,7 +61,7 @@ class JointFriction(Symptom):
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
         """Fits friction to each joint and compares it with the cell's; None without any fit, or where none is found or missed."""
-        run = Run.of(recording)
+        run = FrictionSignals.of(recording)
         if run is None:
             return None
         fits = [fit_joint(run, j) for j in range(run.q.shape[1])]
@@ -106,8 +106,8 @@ class _Seen:
         tracking: (n,), r.m.s. error, rad; None without commands.
     """
 
-    run: Run
-    fits: list[Fit | None]
+    run: FrictionSignals
+    fits: list[FrictionFit | None]
     theta: Array
     std: Array
     noise: Array
@@ -140,9 +140,9 @@ class _Seen:
                 f"Joint {joint + 1} lags its command by {lag:.3f} +- {lag_std:.3f} mrad in the direction of motion: Coulomb friction in "
                 "the tracking error; without joint torques there is nothing to compare with the cell."
             )
-            return self._told(None, "friction_in_tracking", text, {"joint": str(joint + 1), "lag_rad": float(self.theta[joint, 0])})
+            return self._conclude(None, "friction_in_tracking", text, {"joint": str(joint + 1), "lag_rad": float(self.theta[joint, 0])})
         text = f"Joint {joint + 1} rubs with {self._describe(joint)}; the cell states no friction to compare it with."
-        return self._told(None, "friction_not_stated", text, self._values(joint))
+        return self._conclude(None, "friction_not_stated", text, self._values(joint))
 
     def against(self, stated: Array) -> _Verdict | None:
         """Compared with (n, 2) what is stated; None where none is found and none is missed."""
@@ -160,9 +160,9 @@ class _Seen:
         beside = f"the cell states {coulomb:.2f} and {viscous:.2f}"
         if differs.any():
             text = f"Joint {joint + 1} rubs with {self._describe(joint)}; {beside}."
-            return self._told(times, "friction_differs", text, values)
+            return self._conclude(times, "friction_differs", text, values)
         text = f"Friction in the joints is as the cell states it: joint {joint + 1} differs most, {self._describe(joint)}; {beside}."
-        return self._told(times, "friction_as_stated", text, values)
+        return self._conclude(times, "friction_as_stated", text, values)
 
     @property
     def _takes_energy(self) -> Flags:
@@ -173,7 +173,7 @@ class _Seen:
         made = [None if fit is None else fit.columns[:, : len(row)] @ row for fit, row in self._by_joint(friction)]
         return np.array([0.0 if torque is None else np.sqrt(np.mean(torque**2)) for torque in made])
 
-    def _by_joint(self, friction: Array) -> zip[tuple[Fit | None, Array]]:
+    def _by_joint(self, friction: Array) -> zip[tuple[FrictionFit | None, Array]]:
         return zip(self.fits, friction, strict=True)
 
     def _stands_out(self, sizes: Array) -> Flags:
@@ -189,7 +189,7 @@ class _Seen:
     def _values(self, joint: int) -> dict[str, float | str]:
         return {"joint": str(joint + 1), "coulomb_nm": float(self.theta[joint, 0]), "viscous_nms": float(self.theta[joint, 1])}
 
-    def _told(self, times: float | None, name: str, sentence: str, values: dict[str, float | str]) -> _Verdict:
+    def _conclude(self, times: float | None, name: str, sentence: str, values: dict[str, float | str]) -> _Verdict:
         """With the tracking error, where that matters."""
         differs, drags = name == "friction_differs", self.drags
         if self.tracking is None or not drags.any():

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from core.effects.angle_wave import angle_wave
 from core.effects.effect import Effect, Parameter
-from core.effects.joint_error import joint_count, largest, true_motion, without_joints
+from core.effects.joint_error import find_largest_joint, joint_count, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 
@@ -38,7 +38,7 @@ class JointOffset(Effect):
         error, acceleration = angle_wave(scene, np.ones(len(zero)), c, s)
         return w + wrench_change(scene, true_motion(scene, zero + error, acceleration))
 
-    def lacking(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> str | None:
         """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
@@ -46,9 +46,9 @@ class JointOffset(Effect):
         """Advises centring the worst encoder where its wave exceeds all zeros' errors, else calibrating the worst zero; errors in deg."""
         zero, *wave = theta.reshape(3, -1)
         uneven = np.hypot(*wave)
-        k = largest(uneven)
+        k = find_largest_joint(uneven)
         if uneven[k] > np.abs(zero).max():
             return f"Centre or replace the encoder of joint {k + 1}, which errs by {np.degrees(uneven[k]):.2f} deg once per turn."
-        j = largest(zero)
+        j = find_largest_joint(zero)
         zeros = ", ".join(f"{x:+.2f}" for x in np.degrees(zero))
         return f"Calibrate the zero of joint {j + 1}, which is off by {np.degrees(zero[j]):+.2f} deg (all joints: {zeros} deg)."

@@ -33,7 +33,7 @@ class KinematicLag(Effect):
         """`w + tau dw/dt`, the derivative from each row and the three before it."""
         return np.asarray(w + theta[0] * derivative(w, scene.period, scene.past("wrench")))
 
-    def missing(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> str | None:
         """A reason where the sensor stays still: a lag shows only while loads change."""
         return stillness(scene)
 

@@ -49,8 +49,8 @@ class SampleDropout(Symptom):
         """Counts held rows and gaps of the clock; None without a wrench, below 400 samples, or where too few are held or lost."""
         if recording.wrench is None or len(recording) < 2 * BLOCK:
             return None
-        held, informative, longest = held_share(recording.wrench)
-        lost = lost_share(recording.t)
+        held, informative, longest = find_held_share(recording.wrench)
+        lost = find_lost_share(recording.t)
         std = np.sqrt(np.array([held * (1 - held) + 1e-6, lost * (1 - lost) + 1e-6]) / np.array([max(informative, 1), len(recording)]))
         rows = informative if held >= lost else len(recording)
         sigma = rows * (max(held, lost) - USUAL) / math.sqrt(rows * USUAL + 1)
@@ -73,7 +73,7 @@ class SampleDropout(Symptom):
         )
 
 
-def held_share(wrench: Array) -> tuple[float, int, int]:
+def find_held_share(wrench: Array) -> tuple[float, int, int]:
     """Share of held rows in `wrench` (N, 6), the number of rows that it is based on, and the longest run of equal rows.
 
     Blocks in which all channels would rest on their values anyway (coarse steps, nothing moving) cannot tell and are left out.
@@ -99,7 +99,7 @@ def held_share(wrench: Array) -> tuple[float, int, int]:
     return float(shares[told].mean()), int(told.sum()) * BLOCK, longest
 
 
-def lost_share(t: Array) -> float:
+def find_lost_share(t: Array) -> float:
     """Share of rows that the clock `t` (N,) should have beyond those it has: gaps of one and a half periods and more."""
     steps = np.diff(t)
     period = float(np.median(steps))

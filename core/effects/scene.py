@@ -93,17 +93,17 @@ class Scene:
     def joint_inertia(self) -> Array:
         """(N, n, n), of arm and payload in joint coordinates, kg m2; of the payload alone where the arm's masses are not known."""
         if self.jacobian is None:
-            raise ValueError("inertia in joint coordinates needs a scene with joints (see Effect.lacking)")
+            raise ValueError("inertia in joint coordinates needs a scene with joints (see Effect.explain_lack)")
         size, axes = np.linalg.eigh(spatial_inertia(self.phi))
         body = (axes * np.maximum(size, 0.0)) @ axes.T  # a trial payload of a fit may be no body, which would swing without end
         payload = self.jacobian.transpose(0, 2, 1) @ (body @ self.jacobian)
         return np.asarray(payload if self.link_inertia is None else payload + self.link_inertia)
 
-    def carrying(self, phi: Array) -> Scene:
+    def with_phi(self, phi: Array) -> Scene:
         """The same run with another payload."""
         return replace(self, phi=phi)
 
-    def turned(self, error: Array) -> Motion:
+    def turn_motion(self, error: Array) -> Motion:
         """Kinematics when the true sensor axes are turned by the small rotation vectors `error` (N, 3), sensor axes.
 
         Gravity and accelerations are the same vectors seen in turned axes; what the change of `error` itself adds to them is left out:

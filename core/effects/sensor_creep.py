@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import largest, shares
+from core.effects.channels import find_largest_channel, shares
 from core.effects.effect import Effect, Parameter
-from core.effects.filters import low_passed
+from core.effects.filters import low_pass
 from core.effects.scene import Scene
 
 Array = NDArray[np.float64]
@@ -26,7 +26,7 @@ class SensorCreep(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w + K w / (1 + tau s)` in each channel, all creep over in the first row of the run."""
-        return np.asarray(w + theta[:6] * low_passed(w, theta[6], scene.period, scene.past("creep")))
+        return np.asarray(w + theta[:6] * low_pass(w, theta[6], scene.period, scene.past("creep")))
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Creep of 0.2 % in all channels with time constants of 10, 2 and 60 s."""
@@ -34,7 +34,7 @@ class SensorCreep(Effect):
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """Advises waiting for three time constants, s, after a change of load; the largest creep in %."""
-        k, channel = largest(theta[:6])
+        k, channel = find_largest_channel(theta[:6])
         return (
             f"Wait about {3 * theta[6]:.0f} s after a change of load before taring or measuring: "
             f"{channel} creeps by {100 * theta[k]:+.2f} % of the change within {theta[6]:.0f} s."

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import amplitudes, in_words, six
+from core.effects.channels import amplitudes, expand_to_channels, in_words
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 
@@ -29,12 +29,12 @@ class SensorDrift(Effect):
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Drift after one minute (6), N and N m, settling rate, 1/s, and where the temperature is recorded drift per K (6)."""
         time = (
-            *amplitudes("first_minute", bound=six(50.0, 2.5), scale=six(1.0, 0.05)),
+            *amplitudes("first_minute", bound=expand_to_channels(50.0, 2.5), scale=expand_to_channels(1.0, 0.05)),
             Parameter("settling_rate_per_s", "1/s", 0.0, -0.02, 2.0, 0.03),
         )
         if scene.temperature is None:
             return time
-        return (*time, *amplitudes("drift", bound=six(10.0, 0.5), scale=six(0.3, 0.015), per="K"))
+        return (*time, *amplitudes("drift", bound=expand_to_channels(10.0, 0.5), scale=expand_to_channels(0.3, 0.015), per="K"))
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus the drift with time and, where it is recorded, with temperature; zero in the first row of the run."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import largest, shares
+from core.effects.channels import find_largest_channel, shares
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 
@@ -37,7 +37,7 @@ class SensorGain(Effect):
     def advice(self, scene: Scene, theta: Array) -> str:
         """Advises recalibration in both directions, with the errors of the worst channel for positive and negative loads in %."""
         pulled, pushed = theta[:6] + theta[6:], theta[:6] - theta[6:]
-        k, channel = largest(np.abs(pulled) + np.abs(pushed))
+        k, channel = find_largest_channel(np.abs(pulled) + np.abs(pushed))
         return (
             f"Have the sensor recalibrated with known weights in both directions: against the other channels {channel} reads "
             f"{100 * pulled[k]:+.1f} % where it is positive and {100 * pushed[k]:+.1f} % where it is negative."

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import CHANNELS, full_scale, largest, shares, without_range
+from core.effects.channels import CHANNELS, find_largest_channel, full_scale, shares, without_range
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import play
 from core.effects.scene import Scene
@@ -51,7 +51,7 @@ class SensorHysteresis(Effect):
         turned = (load - play(load, radius.ravel(), scene.past("play"))) / radius.ravel()
         return np.asarray(w - theta[:6] * full * turned.reshape(len(w), len(SPREAD), 6).mean(axis=1))
 
-    def tied_to_run(self, scene: Scene) -> str | None:
+    def explain_tie_to_run(self, scene: Scene) -> str | None:
         """A reason where the sensor's range is not known: shares of it then hold for this run only."""
         return without_range(scene)
 
@@ -62,7 +62,7 @@ class SensorHysteresis(Effect):
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """Advises checking the flanges' bolts, or one side of approach, with the height of the largest loop in % of full scale."""
-        k, channel = largest(theta[:6])
+        k, channel = find_largest_channel(theta[:6])
         return (
             f"Check the bolts of the sensor's flanges for slip, else approach every pose from the same side: "
             f"{channel} differs by {200 * theta[k]:.2f} % of full scale between loading and unloading."

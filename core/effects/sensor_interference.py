@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, in_words, six
+from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, in_words
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.hold_noise import hold_noise, line_in, rate, steady
 from core.recording.recording import Recording
@@ -38,7 +38,7 @@ class SensorInterference(Symptom):
             Parameter("frequency_hz", "Hz", 50.0, 0.0, nyquist, 50.0),
             *(
                 Parameter(f"{channel}_amplitude_{suffix}", unit, 0.0, 0.0, float(100 * scale), float(scale))
-                for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, six(0.3, 0.015), strict=True)
+                for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, expand_to_channels(0.3, 0.015), strict=True)
             ),
         )
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
 from core.effects.excitation import stillness
-from core.effects.filters import low_passed
+from core.effects.filters import low_pass
 from core.effects.scene import Scene
 
 Array = NDArray[np.float64]
@@ -38,10 +38,10 @@ class SensorLowpass(Effect):
         slow, fast = tau * (1 + root) / 2, tau * (1 - root) / 2
         if not root.imag:
             slow, fast = slow.real, fast.real
-        once = low_passed(w, slow, scene.period, scene.past("slow pole"))
-        return np.ascontiguousarray(low_passed(once, fast, scene.period, scene.past("fast pole")).real)
+        once = low_pass(w, slow, scene.period, scene.past("slow pole"))
+        return np.ascontiguousarray(low_pass(once, fast, scene.period, scene.past("fast pole")).real)
 
-    def missing(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> str | None:
         """A reason where the sensor stays still: a filter shows only while loads change."""
         return stillness(scene)
 

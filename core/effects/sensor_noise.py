@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import CHANNELS, largest
+from core.effects.channels import CHANNELS, find_largest_channel
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.hold_noise import hold_noise, line_in, rate, steady, without_line
-from core.effects.sample_dropout import held_share
+from core.effects.sample_dropout import find_held_share
 from core.effects.sensor_interference import SIGNIFICANT
 from core.effects.sensor_quantization import step_of
 from core.recording.recording import Recording
@@ -65,7 +65,7 @@ class SensorNoise(Symptom):
         sigma = max(float(((factor - 1 - TOLERANCE) / std).max()), float((common - TOLERANCE) / rho_std))
         if sigma < SIGNIFICANT or not (factor.max() > 1 + TOLERANCE or slow.max() > MATERIAL):
             return None
-        k, channel = largest(factor)
+        k, channel = find_largest_channel(factor)
         sentence = (
             f"The noise of {channel} in the holds is {factor[k]:.2f} times the stated one, its correlation between samples {common:.2f}."
         )
@@ -76,7 +76,7 @@ class SensorNoise(Symptom):
 
     def advice(self, finding: Finding) -> str:
         """Advises checking supply, shield and cable, or stating the higher noise, with the factor of the noisiest channel."""
-        k, channel = largest(finding.theta[:6])
+        k, channel = find_largest_channel(finding.theta[:6])
         return (
             f"Check the sensor's supply, shield and cable ({channel} is {finding.theta[k]:.1f} times as noisy as stated), "
             "or state the higher noise and hold longer."
@@ -87,7 +87,7 @@ def _lineless(recording: Recording, view: View) -> list[Array]:
     """Noise of the holds without the mains line, held samples left out."""
     if recording.wrench is None:
         return []
-    if held_share(recording.wrench)[0] > HELD:
+    if find_held_share(recording.wrench)[0] > HELD:
         fresh = np.concatenate([[True], (np.diff(recording.wrench, axis=0) != 0).any(axis=1)])
         return hold_noise(recording, view.holds, keep=fresh)
     noise = hold_noise(recording, view.holds)

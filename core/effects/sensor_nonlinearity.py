@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import full_scale, largest, shares, without_range
+from core.effects.channels import find_largest_channel, full_scale, shares, without_range
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 
@@ -34,7 +34,7 @@ class SensorNonlinearity(Effect):
         """`w + s w + e w |w| / FS` in each channel."""
         return np.asarray(w * (1.0 + theta[6:] + theta[:6] / full_scale(scene, w) * np.abs(w)))
 
-    def tied_to_run(self, scene: Scene) -> str | None:
+    def explain_tie_to_run(self, scene: Scene) -> str | None:
         """A reason where the sensor's range is not known: shares of it then hold for this run only."""
         return without_range(scene)
 
@@ -44,5 +44,5 @@ class SensorNonlinearity(Effect):
 
     def advice(self, scene: Scene, theta: Array) -> str:
         """Advises checking the linearity with known weights, with the largest bend in % at full scale."""
-        k, channel = largest(theta[:6])
+        k, channel = find_largest_channel(theta[:6])
         return f"Have the sensor's linearity checked with known weights: {channel} is bent by {100 * theta[k]:+.1f} % at full scale."

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.change_points import change_points
-from core.effects.channels import amplitudes, in_words, six
+from core.effects.channels import amplitudes, expand_to_channels, in_words
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 
@@ -24,7 +24,7 @@ class SensorOffsetStep(Effect):
         """Jump of each channel, N and N m, and its time, s, from the first sample on."""
         seconds = float(scene.t[-1] - scene.t[0])
         time = Parameter("step_time_s", "s", seconds / 2, 0.0, seconds, max(seconds, scene.period))
-        return (*amplitudes("step", bound=six(100.0, 10.0), scale=six(1.5, 0.08)), time)
+        return (*amplitudes("step", bound=expand_to_channels(100.0, 10.0), scale=expand_to_channels(1.5, 0.08)), time)
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus the jump A from t0 on, reached within one sample."""

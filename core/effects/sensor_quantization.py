@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, six
+from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.recording.recording import Recording
 from core.remark import Remark
@@ -39,7 +39,7 @@ class SensorQuantization(Symptom):
         """Step of each channel, N and N m."""
         return tuple(
             Parameter(f"{channel}_step_{suffix}", unit, 0.0, 0.0, float(100 * scale), float(scale))
-            for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, six(0.5, 0.02), strict=True)
+            for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, expand_to_channels(0.5, 0.02), strict=True)
         )
 
     def observe(self, recording: Recording, view: View) -> Finding | None:
@@ -69,7 +69,7 @@ class SensorQuantization(Symptom):
 
     def advice(self, finding: Finding) -> str:
         """Advises the finest resolution or a smaller range, with the coarsest step, N or N m."""
-        k = int((finding.theta / six(1.0, 0.05)).argmax())
+        k = int((finding.theta / expand_to_channels(1.0, 0.05)).argmax())
         return (
             f"Choose the sensor's finest resolution or a smaller range: {CHANNELS[k]} comes in steps of {finding.theta[k]:.3g} {UNITS[k]}; "
             "until then move a little during the holds."

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, six
+from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.effects.window_search import ROWS, weights
@@ -46,7 +46,7 @@ class SensorSaturation(Effect):
                 float(scale),
             )
             for side in ("upper", "lower")
-            for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, six(0.1, 2.0), strict=True)
+            for channel, suffix, unit, scale in zip(CHANNELS, SUFFIXES, UNITS, expand_to_channels(0.1, 2.0), strict=True)
         )
         return (*limits, Parameter("corner_share", "1", CORNER, 0.005, 0.8, 0.2))
 
@@ -55,9 +55,9 @@ class SensorSaturation(Effect):
         W = w.copy()
         for j in range(6):
             if theta[j] > 0:
-                W[:, j] = limited(W[:, j], 1 / theta[j], theta[12])
+                W[:, j] = limit_softly(W[:, j], 1 / theta[j], theta[12])
             if theta[6 + j] > 0:
-                W[:, j] = -limited(-W[:, j], 1 / theta[6 + j], theta[12])
+                W[:, j] = -limit_softly(-W[:, j], 1 / theta[6 + j], theta[12])
         return W
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
@@ -84,7 +84,7 @@ class SensorSaturation(Effect):
         )
 
 
-def limited(x: Array, limit: float, corner: float) -> Array:
+def limit_softly(x: Array, limit: float, corner: float) -> Array:
     """`min(x, limit)` for a positive limit, rounded by a parabola from `(1 - corner) limit` to `(1 + corner) limit`."""
     d = corner * limit
     inside = np.clip(x - limit + d, 0.0, 2 * d)
@@ -122,7 +122,7 @@ def _find_limits(scene: Scene, residual: Array) -> list[tuple[int, float]]:
 
 def _cut_off(x: Array) -> Array:
     """(n, levels), what each of the limits takes off a channel (n,)."""
-    return np.column_stack([limited(x, share * float(x.max()), CORNER) - x for share in SHARES])
+    return np.column_stack([limit_softly(x, share * float(x.max()), CORNER) - x for share in SHARES])
 
 
 def _gains(columns: Array, Q: Array, r: Array, channel: int) -> Array:

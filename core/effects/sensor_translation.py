@@ -30,7 +30,7 @@ class SensorTranslation(Effect):
         a = m.a + cross(m.alpha, theta) + cross(m.omega, cross(m.omega, theta))
         return w + wrench_change(scene, Motion(m.g, a, m.omega, m.alpha))
 
-    def missing(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> str | None:
         """A reason where the sensor does not turn."""
         return (
             None

@@ -10,7 +10,7 @@ from scipy.ndimage import convolve1d
 Array = NDArray[np.float64]
 
 
-def smoothed(x: Array, period: float, spacing: float) -> Array:
+def smooth_by_splines(x: Array, period: float, spacing: float) -> Array:
     """`x` (N, n) averaged over cubic B-splines round each row, the first and last row going on; `x` itself without a spacing.
 
     Args:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
 from core.effects.excitation import stillness
-from core.effects.filters import delayed
+from core.effects.filters import delay_signal
 from core.effects.scene import Scene
 
 Array = NDArray[np.float64]
@@ -26,9 +26,9 @@ class TimeDelay(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w(t - tau)`, by a quintic between samples."""
-        return delayed(w, theta[0] / scene.period, scene.past("wrench"))
+        return delay_signal(w, theta[0] / scene.period, scene.past("wrench"))
 
-    def missing(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> str | None:
         """A reason where the sensor stays still: a delay shows only while loads change."""
         return stillness(scene)
 

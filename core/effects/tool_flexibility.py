@@ -113,9 +113,9 @@ class _Search:
         sag = self.columns(self.force, np.zeros_like(self.force))
         known = np.concatenate([known.reshape(-1, 16), sag], axis=1)
         self.known, _ = np.linalg.qr(known / np.maximum(np.linalg.norm(known, axis=0), 1e-12))
-        self.residual = self.unexplained(residual[self.rows].reshape(-1, 1))[:, 0]
+        self.residual = self.remove_known(residual[self.rows].reshape(-1, 1))[:, 0]
 
-    def unexplained(self, x: Array) -> Array:
+    def remove_known(self, x: Array) -> Array:
         """What payload, offsets and sag leave of columns."""
         return np.asarray(x - self.known @ (self.known.T @ x))
 
@@ -133,7 +133,7 @@ class _Search:
     def __call__(self, frequency_hz: float) -> tuple[float, float, Array]:
         """Sum of squares explained, the frequency, and shapes of the largest modes, one behind the other."""
         y, _, dds = oscillate(self.force, self.scene.period, frequency_hz, DAMPING)
-        A = self.unexplained(self.columns(y, dds)) / (2.0 * np.pi * frequency_hz) ** 2
+        A = self.remove_known(self.columns(y, dds)) / (2.0 * np.pi * frequency_hz) ** 2
         N, right = A.T @ A, A.T @ self.residual
         found = np.linalg.solve(N + np.eye(len(N)) + 1e-6 * np.diag(np.diag(N)), right)
         B = np.zeros((6, 6))

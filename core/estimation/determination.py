@@ -25,14 +25,14 @@ def scales(phi: Array) -> Array:
     return np.concatenate(([m], np.full(3, m * lever), np.full(6, m * lever**2)))
 
 
-def determined(phi: Array, std: Array) -> Bools:
+def find_determined(phi: Array, std: Array) -> Bools:
     """(10,): the standard uncertainty is below a tenth of the scale. Without a mass nothing is determined."""
     enough = std < LARGEST_RELATIVE_STD * scales(phi)
     mass_known = bool(enough[0]) and phi[0] > 0
     return np.asarray(enough & mass_known)
 
 
-def not_excited(turned: str) -> dict[str, str]:
+def explain_not_excited(turned: str) -> dict[str, str]:
     """Name of each inertial parameter that no rotation about these sensor axes (`xy` for example) shows -> why."""
     pairs = [(a, b) for a in "xyz" for b in "xyz" if a <= b]
     left_out = [(a, b) for a, b in pairs if a not in turned and b not in turned]
@@ -45,7 +45,7 @@ def reasons(phi: Array, std: Array, known: Bools, *, static: bool, motion: Motio
     Args:
         turned: sensor axes that were turned about, `xy` for example; None where nobody has said what was done when.
     """
-    missing = {} if static or turned is None else not_excited(turned)
+    missing = {} if static or turned is None else explain_not_excited(turned)
     return {
         name: (f"{missing[name]}; " if name in missing else "")
         + _reason(k, float(std[k]), float(scales(phi)[k]), static=static, motion=motion)

@@ -53,7 +53,7 @@ def _centre(columns: Array) -> Array:
     return np.asarray(columns - columns.mean(axis=0)) if len(columns) else columns
 
 
-def improved_variance(variance: float, z: Array, covariance: Array, floor: float) -> float:
+def improve_variance(variance: float, z: Array, covariance: Array, floor: float) -> float:
     """One step of Fellner and Schall towards the variance of the increments z (n,), given their posterior covariance.
 
     The fixed point maximises the restricted likelihood (Wood & Fasiolo 2017, Biometrics 73).

@@ -33,7 +33,7 @@ class PaperEstimate:
 
 
 @dataclass(frozen=True)
-class Drift:
+class DriftEstimate:
     """Slow change of the sensor's offset, as estimated.
 
     Args:
@@ -85,7 +85,7 @@ class Estimate(UncertainParameters):
     consistent: bool
     residual_rms: Array
     noise_std: Array
-    drift: Drift
+    drift: DriftEstimate
     constrained: bool = False
     base_tilt_rad: Array | None = None
     base_tilt_std: Array | None = None

@@ -17,8 +17,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from core.estimation.drift import STEP_STD, drift_basis, improved_variance, parts_of, steps_between
-from core.estimation.noise import SensorNoise
+from core.estimation.drift import STEP_STD, drift_basis, improve_variance, parts_of, steps_between
+from core.estimation.noise import WrenchNoise
 from core.estimation.weak_form import WeakForm, whiten
 from core.payload.inertia import spatial_inertia
 
@@ -60,7 +60,7 @@ class Fit:
     drift_std: Array
     whitened: Array
     scale: Array
-    noise: SensorNoise
+    noise: WrenchNoise
 
     @property
     def phi(self) -> Array:
@@ -68,7 +68,7 @@ class Fit:
         return self.x[:10]
 
 
-def fit(form: WeakForm, wrench: Array, noise: SensorNoise) -> Fit:
+def fit(form: WeakForm, wrench: Array, noise: WrenchNoise) -> Fit:
     """Fits the raw wrench (N, 6), paper's sign.
 
     The noise is widened where the residuals exceed it, and the fit repeated with the new weights, so that the covariance stays honest where
@@ -86,7 +86,7 @@ def fit(form: WeakForm, wrench: Array, noise: SensorNoise) -> Fit:
     return result if (scale == 1.0).all() else replace(problem.solve(scale), scale=scale)
 
 
-def refitted(form: WeakForm, wrench: Array, found: Fit) -> Array:
+def refit(form: WeakForm, wrench: Array, found: Fit) -> Array:
     """`x` (19,) for a wrench (N, 6) that differs little from the fitted one: one step from what was found, with its weights."""
     _, x, _ = _Problem(form, wrench, found.noise).step(found.x, found.scale)
     return np.asarray(x[: OFFSET.stop])
@@ -99,7 +99,7 @@ _UNIT_REGRESSORS = np.stack([spatial_inertia(unit).T for unit in np.eye(10)], ax
 class _Problem:
     """The least-squares problem of one recording; what does not change between iterations is kept."""
 
-    def __init__(self, form: WeakForm, wrench: Array, noise: SensorNoise) -> None:
+    def __init__(self, form: WeakForm, wrench: Array, noise: WrenchNoise) -> None:
         self.form = form
         self.noise = noise
         self.y = form.average(wrench)
@@ -187,7 +187,7 @@ class _Problem:
             x = covariance @ right
             for c in range(6 if self.walk else 0):
                 rows = self._walk_rows(c)
-                self.drift_variance[c] = improved_variance(self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c])
+                self.drift_variance[c] = improve_variance(self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c])
         return covariance, x
 
 
@@ -208,7 +208,7 @@ def _without_bias(covariance: Array, bias: Array) -> Array:
     return np.asarray(covariance + (gain / np.where(share < LARGEST_NOISE_SHARE, 1.0 - share, SMALLEST_SHARE)) @ gain.T)
 
 
-def _misfit(result: Fit, noise: SensorNoise) -> Array:
+def _misfit(result: Fit, noise: WrenchNoise) -> Array:
     """(6,) factor on the variance: 1 within what chance allows, else mean square times correlation time of the residuals."""
     count = result.whitened.shape[1]
     freedom = max(count - 2, 1)

@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.estimation.consistency import nearest_consistent
-from core.estimation.determination import determined, reasons
-from core.estimation.estimate import Drift, Estimate, Identification, PaperEstimate, TimeSeries
+from core.estimation.determination import find_determined, reasons
+from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT, Fit, fit
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
-from core.estimation.noise import SensorNoise, sensor_noise, unknown_noise
+from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
 from core.estimation.offset import offset_of_opposed_poses
 from core.estimation.regression import Thresholds, regression
-from core.estimation.segments import Segment, motionless, parted, segments_of_motion, segments_of_phase
+from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase
 from core.estimation.torque_only import torque_only
 from core.estimation.twin_effects import TwinEffects, effects_on, fit_with_effects
 from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
@@ -73,7 +73,7 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, verified=verified)
 
 
-def _fit_wrench(form: WeakForm, wrench: Array, noise: SensorNoise, effects: TwinEffects) -> tuple[Fit, Array]:
+def _fit_wrench(form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects) -> tuple[Fit, Array]:
     """The fit, and what the twin's effects add to the wrench (N, 6)."""
     if not effects.ids:
         return fit(form, wrench, noise), np.zeros_like(wrench)
@@ -94,7 +94,7 @@ def _motion(poses: Poses, static: bool) -> tuple[Motion, Array]:
 
 def _segments(recording: Recording, motion: Motion, speed: Array, static: bool) -> tuple[Segment, ...]:
     if recording.phase is not None:
-        return parted(segments_of_phase(recording.phase), recording.t)
+        return cut_at_gaps(segments_of_phase(recording.phase), recording.t)
     if static:
         return (Segment(0, len(recording), "hold:free"),)
     return segments_of_motion(recording.t, motion.omega, speed, motion.g, threshold=np.array([0.01, 0.005]))
@@ -112,7 +112,7 @@ def _estimate(found: Fit, motion: Motion, *, static: bool, turned: str | None) -
     covariance = found.covariance
     phi, S = found.phi.copy(), covariance[:10, :10].copy()
     std = np.sqrt(np.diag(S))
-    known = determined(phi, std)
+    known = find_determined(phi, std)
     body = nearest_consistent(phi, S) if known[0] else phi
     constrained = bool((np.abs(body - phi)[known] > 0.01 * std[known]).any())
     phi = body.copy()
@@ -135,7 +135,7 @@ def _estimate(found: Fit, motion: Motion, *, static: bool, turned: str | None) -
         constrained=constrained,
         residual_rms=rms,
         noise_std=found.noise.std,
-        drift=Drift(found.centres, found.drift, found.drift_std),
+        drift=DriftEstimate(found.centres, found.drift, found.drift_std),
         base_tilt_rad=found.x[TILT] if tilt_known else None,
         base_tilt_std=tilt_std if tilt_known else None,
         delay_s=float(found.x[DELAY]) if delay_known else None,
@@ -143,7 +143,7 @@ def _estimate(found: Fit, motion: Motion, *, static: bool, turned: str | None) -
     )
 
 
-def _paper(wrench: Array, motion: Motion, speed: Array, still: Bools, noise: SensorNoise) -> PaperEstimate:
+def _paper(wrench: Array, motion: Motion, speed: Array, still: Bools, noise: WrenchNoise) -> PaperEstimate:
     """Algorithms 1-5 on the smoothed motion; thresholds from what its noise is at rest."""
     offset = offset_of_opposed_poses(motion.g[still], wrench[still]) if still.any() else np.full(6, np.nan)
     quiet = motion.alpha[still]

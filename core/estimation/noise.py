@@ -16,7 +16,7 @@ SHORTEST = 50
 
 
 @dataclass(frozen=True)
-class SensorNoise:
+class WrenchNoise:
     """Noise of one sample of the wrench.
 
     Args:
@@ -37,7 +37,7 @@ class SensorNoise:
 
 def sensor_noise(
     wrench: Array, still: NDArray[np.bool_], segments: tuple[Segment, ...], *, nominal_std: Array | None = None
-) -> SensorNoise | None:
+) -> WrenchNoise | None:
     """Noise after a straight line is taken out of every hold; the median over the holds, so that a disturbed one does not decide.
 
     Returns the nominal figure where no hold is long enough, and None where there is neither.
@@ -55,8 +55,8 @@ def sensor_noise(
         correlation = np.median(products, axis=0) / variance
         samples = len(variances) * SHORTEST
         seen = np.where(correlation > 4.0 / np.sqrt(samples), np.minimum(correlation, 0.98), 0.0)
-        return SensorNoise(np.sqrt(variance), (1.0 + seen) / (1.0 - seen), True)
-    return None if nominal_std is None else SensorNoise(np.asarray(nominal_std, dtype=float), np.ones(6), False)
+        return WrenchNoise(np.sqrt(variance), (1.0 + seen) / (1.0 - seen), True)
+    return None if nominal_std is None else WrenchNoise(np.asarray(nominal_std, dtype=float), np.ones(6), False)
 
 
 def _without_line(x: Array) -> Array:
@@ -65,6 +65,6 @@ def _without_line(x: Array) -> Array:
     return np.asarray(centred - np.outer(s, s @ centred / (s @ s)))
 
 
-def unknown_noise() -> SensorNoise:
+def unknown_noise() -> WrenchNoise:
     """A start where nothing is known; the residual of the fit decides, channel by channel."""
-    return SensorNoise(np.repeat([0.1, 0.01], 3), np.ones(6), False)
+    return WrenchNoise(np.repeat([0.1, 0.01], 3), np.ones(6), False)

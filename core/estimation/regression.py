@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.estimation.segments import ALONG_AXIS
-from core.estimation.uncertainty import gain, inertia_uncertainty, one_sigma, propagated
+from core.estimation.uncertainty import gain, inertia_uncertainty, one_sigma, propagate_covariance
 from core.payload.inertia import Motion, skew
 
 Array = NDArray[np.float64]
@@ -45,7 +45,7 @@ class Thresholds:
         """Six standard deviations keep a robot that is still; an acceleration counts when its noise is below 2 %."""
         return cls((6.0 * omega_std, 6.0 * velocity_std), 50.0 * alpha_std, 10.0 * alpha_std)
 
-    def rotating_axis(self, g: Array, v: Array, alpha: Array) -> int | None:
+    def find_rotation_axis(self, g: Array, v: Array, alpha: Array) -> int | None:
         """Line 5 of Algorithms 3-5 for one sample, (3,) each: the one axis that accelerates; None if none, or more than one, does.
 
         What Eq. (4) presupposes is asked for too: that axis lies along gravity, and the sensor origin stays in place.
@@ -57,7 +57,7 @@ class Thresholds:
         along = abs(g[axis]) > ALONG_AXIS * float(np.sqrt(g @ g))
         return axis if along and v @ v < self.in_place**2 else None
 
-    def rotating(self, motion: Motion, speed: Array, axis: int) -> NDArray[np.bool_]:
+    def find_rotation_rows(self, motion: Motion, speed: Array, axis: int) -> NDArray[np.bool_]:
         """The same for all rows and one axis; `speed` (N,) of the sensor origin."""
         size = np.abs(motion.alpha)
         others = [i for i in range(3) if i != axis]
@@ -84,7 +84,7 @@ class RecursiveLeastSquares:
     def update(self, regr: Array, resp: Array) -> None:
         """Takes one sample: regr (r, size) and resp (r, columns)."""
         K = gain(self.covariance, regr, self.variance)
-        self.covariance = propagated(self.covariance, regr, K)
+        self.covariance = propagate_covariance(self.covariance, regr, K)
         self.psi += K @ (resp - regr @ self.psi)
         self.count += 1
 
@@ -161,7 +161,7 @@ class RecursiveRegression:
             cross = np.array([[0.0, -g[2], g[1]], [g[2], 0.0, -g[0]], [-g[1], g[0], 0.0]])
             self._mass.update(-g[:, None], self._resp[0])
             self._moment.update(cross, self._resp[1])
-        axis = self.thresholds.rotating_axis(g, v, alpha)
+        axis = self.thresholds.find_rotation_axis(g, v, alpha)
         if axis is not None:
             self._inertia[axis].update(np.array([[alpha[axis]]]), np.array([[wrench[3 + axis], 1.0]]))
             self._square[axis] += alpha[axis] ** 2
@@ -202,7 +202,7 @@ def regression(
     pairs: list[Array | None] = [None, None, None]
     reference = np.zeros(3)
     for axis in range(3):
-        rows = thresholds.rotating(motion, speed, axis)
+        rows = thresholds.find_rotation_rows(motion, speed, axis)
         if rows.any():
             alpha, tau = motion.alpha[rows, axis], wrench[rows, 3 + axis]
             resp = np.stack((tau, np.ones_like(tau)), axis=1)[:, None, :]

@@ -21,27 +21,27 @@ Array = NDArray[np.float64]
 Numbers = list[float | None]
 
 
-class Part(BaseModel):
+class ResultPart(BaseModel):
     """Frozen; infinities and NaN never leave: what is not known is null."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
 
-class ReferencePart(Part):
+class ReferencePart(ResultPart):
     """The payload as somebody else knows it; beside the whole with the tools, beside the workpiece alone without them."""
 
     phi: Numbers
     source: str | None
 
 
-class PaperPart(Part):
+class PaperPart(ResultPart):
     """Algorithms 1-5 with Eq. (8)-(10)."""
 
     phi: Numbers
     std: Numbers
 
 
-class EstimatePart(Part):
+class EstimatePart(ResultPart):
     """The estimate from all samples."""
 
     phi: Numbers
@@ -62,14 +62,14 @@ class EstimatePart(Part):
     delay_std_s: float | None
 
 
-class ResidualPart(Part):
+class ResidualPart(ResultPart):
     """Measured minus reconstructed wrench, force then torque."""
 
     rms: Numbers
     noise_std: Numbers
 
 
-class VerificationPart(Part):
+class VerificationPart(ResultPart):
     """A motion that was left out, predicted by a fit to all the rest.
 
     Args:
@@ -86,7 +86,7 @@ class VerificationPart(Part):
     ratio: float
 
 
-class SafetyPart(Part):
+class SafetyPart(ResultPart):
     """What the guard saw. Not a safety function: `safety_rated` is always false.
 
     Args:
@@ -102,7 +102,7 @@ class SafetyPart(Part):
     min_distance_beyond_first_joint_m: float | None = None
 
 
-class SecondsPart(Part):
+class SecondsPart(ResultPart):
     """Where the time went."""
 
     plan: float | None = None
@@ -110,7 +110,7 @@ class SecondsPart(Part):
     estimate: float
 
 
-class ToolPart(Part):
+class ToolPart(ResultPart):
     """A tool that was taken off; `std` is null where nobody has stated it."""
 
     name: str
@@ -119,7 +119,7 @@ class ToolPart(Part):
     std: Numbers
 
 
-class WorkpiecePart(Part):
+class WorkpiecePart(ResultPart):
     """The workpiece alone: the estimate without the tools, its covariance with theirs.
 
     Args:
@@ -139,7 +139,7 @@ class WorkpiecePart(Part):
     remarks: list[Remark]
 
 
-class Result(Part):
+class Result(ResultPart):
     """The whole answer. Where the cell has tools, `estimate`, `paper` and `reference` are of the whole that the sensor feels."""
 
     cell: str | None
@@ -162,7 +162,7 @@ class Result(Part):
     """Of the code that made it, see `core.version`; None in results from before it was kept."""
 
 
-def numbers(values: Array | None) -> Numbers:
+def to_json_numbers(values: Array | None) -> Numbers:
     """A list with null for NaN."""
     return [] if values is None else [float(v) if np.isfinite(v) else None for v in values]
 
@@ -182,10 +182,12 @@ def result_of(
         payload=recording.payload,
         verdict=identification.verdict,
         warnings=list(identification.warnings),
-        reference=None if reference is None else ReferencePart(phi=numbers(reference.phi), source=recording.source_of_whole),
-        paper=PaperPart(phi=numbers(identification.paper.phi), std=numbers(identification.paper.std)),
+        reference=None if reference is None else ReferencePart(phi=to_json_numbers(reference.phi), source=recording.source_of_whole),
+        paper=PaperPart(phi=to_json_numbers(identification.paper.phi), std=to_json_numbers(identification.paper.std)),
         estimate=None if estimate is None else _estimate_part(estimate),
-        residual=None if estimate is None else ResidualPart(rms=numbers(estimate.residual_rms), noise_std=numbers(estimate.noise_std)),
+        residual=None
+        if estimate is None
+        else ResidualPart(rms=to_json_numbers(estimate.residual_rms), noise_std=to_json_numbers(estimate.noise_std)),
         safety=safety,
         seconds=seconds,
         recording=None if folder is None else str(folder),
@@ -199,16 +201,19 @@ def result_of(
 def _workpiece_part(estimate: Estimate, recording: Recording) -> WorkpiecePart:
     found, reference = workpiece_alone(estimate, recording.tools), recording.reference
     return WorkpiecePart(
-        phi=numbers(found.phi),
-        std=numbers(found.std),
-        covariance=[numbers(row) for row in found.covariance],
-        com_m=numbers(found.com_m),
-        com_std_m=numbers(found.com_std),
-        inertia_com_kg_m2=numbers(found.inertia_com),
-        inertia_com_std_kg_m2=numbers(found.inertia_com_std),
+        phi=to_json_numbers(found.phi),
+        std=to_json_numbers(found.std),
+        covariance=[to_json_numbers(row) for row in found.covariance],
+        com_m=to_json_numbers(found.com_m),
+        com_std_m=to_json_numbers(found.com_std),
+        inertia_com_kg_m2=to_json_numbers(found.inertia_com),
+        inertia_com_std_kg_m2=to_json_numbers(found.inertia_com_std),
         consistent=found.consistent,
-        reference=None if reference is None else ReferencePart(phi=numbers(reference.phi), source=recording.reference_source),
-        tools=[ToolPart(name=tool.name, title=tool.title, phi=tool.parameters.phi.tolist(), std=numbers(tool.std)) for tool in found.tools],
+        reference=None if reference is None else ReferencePart(phi=to_json_numbers(reference.phi), source=recording.reference_source),
+        tools=[
+            ToolPart(name=tool.name, title=tool.title, phi=tool.parameters.phi.tolist(), std=to_json_numbers(tool.std))
+            for tool in found.tools
+        ],
         remarks=list(found.remarks),
     )
 
@@ -227,20 +232,20 @@ def _verification_part(found: Verification) -> VerificationPart:
 def _estimate_part(estimate: Estimate) -> EstimatePart:
     tilt, tilt_std = estimate.base_tilt_rad, estimate.base_tilt_std
     return EstimatePart(
-        phi=numbers(estimate.phi),
-        std=numbers(estimate.std),
-        covariance=[numbers(row) for row in estimate.covariance],
+        phi=to_json_numbers(estimate.phi),
+        std=to_json_numbers(estimate.std),
+        covariance=[to_json_numbers(row) for row in estimate.covariance],
         determined=[bool(flag) for flag in estimate.determined],
         reasons=estimate.reasons,
-        offset=numbers(estimate.offset),
-        offset_std=numbers(estimate.offset_std),
-        com_m=numbers(estimate.com_m),
-        com_std_m=numbers(estimate.com_std),
-        inertia_com_kg_m2=numbers(estimate.inertia_com),
-        inertia_com_std_kg_m2=numbers(estimate.inertia_com_std),
+        offset=to_json_numbers(estimate.offset),
+        offset_std=to_json_numbers(estimate.offset_std),
+        com_m=to_json_numbers(estimate.com_m),
+        com_std_m=to_json_numbers(estimate.com_std),
+        inertia_com_kg_m2=to_json_numbers(estimate.inertia_com),
+        inertia_com_std_kg_m2=to_json_numbers(estimate.inertia_com_std),
         consistent=estimate.consistent,
-        base_tilt_rad=None if tilt is None else numbers(tilt),
-        base_tilt_std_rad=None if tilt_std is None else numbers(tilt_std),
+        base_tilt_rad=None if tilt is None else to_json_numbers(tilt),
+        base_tilt_std_rad=None if tilt_std is None else to_json_numbers(tilt_std),
         delay_s=estimate.delay_s,
         delay_std_s=estimate.delay_std,
     )

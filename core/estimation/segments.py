@@ -59,7 +59,7 @@ def stretches(t: Array) -> tuple[slice, ...]:
     return tuple(slice(a, b) for a, b in pairwise(edges))
 
 
-def parted(segments: tuple[Segment, ...], t: Array) -> tuple[Segment, ...]:
+def cut_at_gaps(segments: tuple[Segment, ...], t: Array) -> tuple[Segment, ...]:
     """The segments of a recording with times t (N,), cut where it has a gap: no motion goes on across one."""
     edges = [part.start for part in stretches(t)[1:]]
     cuts = [sorted({part.start, part.stop, *(k for k in edges if part.start < k < part.stop)}) for part in segments]
@@ -105,7 +105,7 @@ def motionless(t: Array, segments: tuple[Segment, ...]) -> Bools:
     return mask
 
 
-def smoothed(x: Array, samples: int) -> Array:
+def smooth_by_average(x: Array, samples: int) -> Array:
     """Centred moving average along the first axis."""
     return np.asarray(uniform_filter1d(x, max(1, samples), axis=0, mode="nearest"))
 

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.scene import Scene
-from core.estimation.generalised_least_squares import Fit, fit, refitted
+from core.estimation.generalised_least_squares import Fit, fit, refit
 from core.estimation.kinematics import Poses, smooth_motion
-from core.estimation.noise import SensorNoise
+from core.estimation.noise import WrenchNoise
 from core.estimation.scene import scene_of
 from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import WeakForm
@@ -56,9 +56,9 @@ class TwinEffects:
             phi: (10,), payload.
             twin: the same effects with other parameters; those of the twin itself where absent.
         """
-        scene = self._scene.carrying(phi)
+        scene = self._scene.with_phi(phi)
         twin = twin or self.twin
-        rows = np.concatenate([twin.composed(scene).change(scene[block]) for block in self._blocks])
+        rows = np.concatenate([twin.compose_effects(scene).change(scene[block]) for block in self._blocks])
         return np.column_stack([np.interp(self._t, scene.t, channel) for channel in rows.T])
 
 
@@ -93,7 +93,7 @@ class Corrected:
     change: Array
 
 
-def fit_with_effects(form: WeakForm, wrench: Array, noise: SensorNoise, effects: TwinEffects) -> Corrected:
+def fit_with_effects(form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects) -> Corrected:
     """Fits payload and offsets to a wrench (N, 6) in which a twin's effects show.
 
     The effects' parameters are taken as independent of the recording: identifying the very recording that they were fitted to counts its
@@ -102,7 +102,7 @@ def fit_with_effects(form: WeakForm, wrench: Array, noise: SensorNoise, effects:
     found = fit(form, wrench, noise)
     change = effects.change(found.phi)
     for _ in range(ROUNDS):
-        x = refitted(form, wrench - change, found)
+        x = refit(form, wrench - change, found)
         moved = np.abs(x[:10] - found.phi) / np.sqrt(np.diag(found.covariance)[:10])
         found = replace(found, x=x)
         change = effects.change(found.phi)
@@ -114,11 +114,11 @@ def fit_with_effects(form: WeakForm, wrench: Array, noise: SensorNoise, effects:
 
 def _of_parameters(form: WeakForm, wrench: Array, found: Fit, effects: TwinEffects) -> Array:
     """(19, 19), covariance that the uncertainty of the effects' parameters brings, by finite differences."""
-    here = refitted(form, wrench - effects.change(found.phi), found)
+    here = refit(form, wrench - effects.change(found.phi), found)
     total = np.zeros_like(found.covariance)
     for entry in effects.twin.effects:
         for direction in entry.directions if entry.effect in effects.ids else ():
-            moved = effects.change(found.phi, effects.twin.having(entry.moved(direction)))
-            away = refitted(form, wrench - moved, found) - here
+            moved = effects.change(found.phi, effects.twin.with_entry(entry.move_parameters(direction)))
+            away = refit(form, wrench - moved, found) - here
             total += np.outer(away, away)
     return total

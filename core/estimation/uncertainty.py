@@ -22,7 +22,7 @@ def gain(covariance: Array, regr: Array, variance: Array) -> Array:
     return np.asarray(np.linalg.solve(innovation, rS).T)
 
 
-def propagated(covariance: Array, regr: Array, K: Array) -> Array:
+def propagate_covariance(covariance: Array, regr: Array, K: Array) -> Array:
     """Eq. (8): `S_k = [1 - S_{k-1} r^T (r S_{k-1} r^T + L)^-1 r] S_{k-1}` with the gain K; the print lacks the inverse and the last factor.
 
     Made symmetric again, which rounding would undo over many thousand samples.

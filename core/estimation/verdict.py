@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from core.estimation.determination import not_excited
+from core.estimation.determination import explain_not_excited
 from core.estimation.estimate import Estimate
 from core.estimation.generalised_least_squares import Fit
 from core.payload.inertia import PHI_NAMES
@@ -74,7 +74,7 @@ def on_transfers_alone(estimate: Estimate, turned: str | None) -> list[Remark]:
     Args:
         turned: sensor axes that were turned about; None where nobody has said what was done when.
     """
-    left_out = {} if turned is None else not_excited(turned)
+    left_out = {} if turned is None else explain_not_excited(turned)
     names = ", ".join(name for name, known in zip(PHI_NAMES, estimate.determined, strict=True) if known and name in left_out)
     if not names:
         return []

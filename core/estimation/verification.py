@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from core.estimation.estimate import Verification
 from core.estimation.generalised_least_squares import DELAY, OFFSET, TILT, Fit, fit
 from core.estimation.kinematics import Poses
-from core.estimation.noise import SensorNoise
+from core.estimation.noise import WrenchNoise
 from core.estimation.segments import Segment
 from core.estimation.weak_form import WeakForm
 from core.payload.inertia import spatial_inertia
@@ -34,7 +34,7 @@ class LeaveOneOut:
 
     poses: Poses
     wrench: Array
-    noise: SensorNoise
+    noise: WrenchNoise
     segments: tuple[Segment, ...]
 
     def verifications(self) -> tuple[Verification, ...]:
@@ -52,7 +52,7 @@ class LeaveOneOut:
             return None
         found = fit(rest, self.wrench, self.noise)
         predicted, uncertainty = prediction(motion, found)
-        noise = windowed_noise(motion, found)
+        noise = estimate_window_variance(motion, found)
         return Verification(
             phase=phase,
             windows=len(motion),
@@ -73,7 +73,7 @@ def prediction(form: WeakForm, found: Fit) -> tuple[Array, Array]:
     return V @ found.phi + found.x[OFFSET] + drift, np.einsum("kci,ij,kcj->kc", J, found.covariance, J)
 
 
-def windowed_noise(form: WeakForm, found: Fit) -> Array:
+def estimate_window_variance(form: WeakForm, found: Fit) -> Array:
     """(6,), mean variance of a window by the noise of the sensor and, through the payload, of the kinematics."""
     wrench_gram, pose_gram = form.gram
     M = spatial_inertia(found.phi)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from core.export.principal_axes import principal_axes, quaternion
+from core.export.principal_axes import principal_axes, to_quaternion
 from core.export.target import MM, Target, digits
 from core.payload.uncertain_parameters import UncertainParameters
 
@@ -18,5 +18,5 @@ class Abb(Target):
     def text(self, payload: UncertainParameters) -> str:
         """A RAPID `loaddata`: mass (kg), centre of mass (mm), quaternion of the principal axes and their moments (kg m2), flange frame."""
         axes = principal_axes(payload.inertia_com)
-        com, turn, moments = digits(payload.com_m, ",", MM), digits(quaternion(axes.rotation), ","), digits(axes.moments, ",")
+        com, turn, moments = digits(payload.com_m, ",", MM), digits(to_quaternion(axes.rotation), ","), digits(axes.moments, ",")
         return f"PERS loaddata heft_load:=[{payload.phi[0]:.9g},[{com}],[{turn}],{moments}];\n"

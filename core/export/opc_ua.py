@@ -27,15 +27,15 @@ class OpcUa(Target):
         load = {
             "Mass": {"Value": float(payload.phi[0]), "EngineeringUnits": unit("kg")},
             "CenterOfMass": {
-                "CartesianCoordinates": {**named("XYZ", (MM * payload.com_m).tolist()), "LengthUnit": unit("mm")},
-                "Orientation": {**named("ABC", zyx_degrees(axes.rotation).tolist()), "AngleUnit": unit("deg")},
+                "CartesianCoordinates": {**label_values("XYZ", (MM * payload.com_m).tolist()), "LengthUnit": unit("mm")},
+                "Orientation": {**label_values("ABC", zyx_degrees(axes.rotation).tolist()), "AngleUnit": unit("deg")},
             },
-            "Inertia": {**named("XYZ", axes.moments.tolist()), "EngineeringUnits": unit("kg m2")},
+            "Inertia": {**label_values("XYZ", axes.moments.tolist()), "EngineeringUnits": unit("kg m2")},
         }
         return json.dumps(load, indent=2) + "\n"
 
 
-def named(names: str, values: list[float]) -> dict[str, Any]:
+def label_values(names: str, values: list[float]) -> dict[str, Any]:
     """One letter for each value."""
     return dict(zip(names, values, strict=True))
 

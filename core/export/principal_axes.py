@@ -54,7 +54,7 @@ def zyx_degrees(rotation: Array) -> Array:
     return np.degrees([np.arctan2(rotation[1, 0], rotation[0, 0]), b, np.arctan2(rotation[2, 1], rotation[2, 2])])
 
 
-def quaternion(rotation: Array) -> Array:
+def to_quaternion(rotation: Array) -> Array:
     """(4,), w x y z with w >= 0, by the largest of the four (Shepperd 1978)."""
     trace = np.trace(rotation)
     squares = np.array([trace, *np.diag(rotation)])

@@ -67,7 +67,7 @@ class Target(ABC):
         del payload
         yield from ()
 
-    def written(self, payload: UncertainParameters) -> str:
+    def render_file(self, payload: UncertainParameters) -> str:
         """The file's content.
 
         Raises:

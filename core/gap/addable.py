@@ -32,11 +32,11 @@ def check_shown(evidence: Evidence, effects: Sequence[Effect], where: str) -> No
     Raises:
         BadTwin: not so; `where` is what was diagnosed.
     """
-    scene = evidence.windows.basis.scene.carrying(evidence.nominal.phi)
+    scene = evidence.windows.basis.scene.with_phi(evidence.nominal.phi)
     for effect in effects:
-        if reason := effect.missing(scene):
+        if reason := effect.explain_absence(scene):
             raise BadTwin(where, f"a recording that cannot show {effect.id} ({reason})", "one that can")
-        if reason := effect.tied_to_run(scene):
+        if reason := effect.explain_tie_to_run(scene):
             raise BadTwin(where, f"a recording from which {effect.id} cannot be carried over ({reason})", "one that states it")
 
 
@@ -47,7 +47,7 @@ def check_addable(evidence: Evidence, fit: EffectFit, where: str) -> None:
         BadTwin: not so; `where` is what was diagnosed.
     """
     check_closure(evidence, fit, where)
-    for effect, rows in parameter_rows(evidence, fit):
+    for effect, rows in split_parameter_rows(evidence, fit):
         away = np.abs(fit.theta[rows] - [p.absent for p in fit.parameters[rows]]) / fit.theta_std[rows]
         if away.max() < SEEN_SIGMA:
             found = f"{effect.id} not determined: no parameter is more than {away.max():.1f} standard deviations from its absence"
@@ -68,7 +68,7 @@ def check_closure(evidence: Evidence, fit: EffectFit, where: str) -> None:
     raise BadTwin(where, found, "an effect that makes the gap smaller for certain; `heft diagnose` names those that do")
 
 
-def parameter_rows(evidence: Evidence, fit: EffectFit) -> Iterator[tuple[Effect, slice]]:
+def split_parameter_rows(evidence: Evidence, fit: EffectFit) -> Iterator[tuple[Effect, slice]]:
     """Each effect of a fit with the rows of its parameters."""
     begin = 0
     for effect in fit.effects:

@@ -21,13 +21,13 @@ SIDES: dict[Side, str] = {
 """Where something is seen, in words."""
 
 
-class Part(BaseModel):
+class DiagnosisPart(BaseModel):
     """Frozen, without NaN."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
 
-class Value(Part):
+class Value(DiagnosisPart):
     """A fitted parameter."""
 
     value: float
@@ -36,7 +36,7 @@ class Value(Part):
     at_bound: bool = False
 
 
-class Explanation(Part):
+class Explanation(DiagnosisPart):
     """One effect with what it would do to the gap.
 
     Args:
@@ -56,7 +56,7 @@ class Explanation(Part):
     why_not: str | None = None
 
 
-class Pair(Part):
+class Pair(DiagnosisPart):
     """Two effects at once; `addable` and `why_not` as of one."""
 
     ids: tuple[str, str]
@@ -68,7 +68,7 @@ class Pair(Part):
     why_not: str | None = None
 
 
-class Also(Part):
+class Also(DiagnosisPart):
     """What is seen elsewhere than in the wrench that the twin predicts: it explains no gap there, and is judged by a measure of its own.
 
     Args:
@@ -90,7 +90,7 @@ class Also(Part):
     values: dict[str, float | str]
 
 
-class Minor(Part):
+class Minor(DiagnosisPart):
     """An effect on the wrench that was detected, but is not material."""
 
     id: str
@@ -98,7 +98,7 @@ class Minor(Part):
     sentence: str
 
 
-class Tied(Part):
+class Tied(DiagnosisPart):
     """What this recording cannot tell apart."""
 
     ids: tuple[str, ...]
@@ -107,7 +107,7 @@ class Tied(Part):
     splits: str
 
 
-class PatchPart(Part):
+class PatchPart(DiagnosisPart):
     """Channel x motion x band."""
 
     channel: str
@@ -117,7 +117,7 @@ class PatchPart(Part):
     share: float
 
 
-class JointGap(Part):
+class JointGap(DiagnosisPart):
     """The joints' side: error of tracking while the joint moves, noise of one sample of it, and torque that arm and payload do not
     account for. None where it was not recorded, or the arm's masses are not known."""
 
@@ -127,7 +127,7 @@ class JointGap(Part):
     torque_rms_n_m: float | None
 
 
-class Where(Part):
+class Where(DiagnosisPart):
     """Where the gap lies; mean squares by direction and by pose (the sensor axis that points up or down) are against noise 1."""
 
     cells: list[PatchPart]
@@ -141,14 +141,14 @@ class Where(Part):
     sentence: str
 
 
-class Change(Part):
+class Change(DiagnosisPart):
     """Before and after."""
 
     before: float
     after: float
 
 
-class GapPart(Part):
+class GapPart(DiagnosisPart):
     """Root mean square of (measured - simulated) over its noise, on motions that the fit did not see."""
 
     before: float
@@ -159,21 +159,21 @@ class GapPart(Part):
     by_channel: dict[str, Change]
 
 
-class PhiPart(Part):
+class PhiPart(DiagnosisPart):
     """Phi in the paper's order, with standard uncertainties."""
 
     phi: list[float]
     std: list[float]
 
 
-class PayloadPart(Part):
+class PayloadPart(DiagnosisPart):
     """The payload before and after the effect was added."""
 
     before: PhiPart
     after: PhiPart
 
 
-class Experiment(Part):
+class Experiment(DiagnosisPart):
     """What to measure next, and what it is going to tell.
 
     Args:
@@ -198,7 +198,7 @@ class Experiment(Part):
     """The error's, see `core.errors`; null where it was not planned for want of a cell, or is no motion."""
 
 
-class Diagnosis(Part):
+class Diagnosis(DiagnosisPart):
     """The whole answer; all of it but `also` is about the wrench that the twin predicts."""
 
     verdict: Verdict

@@ -26,7 +26,7 @@ from core.gap.joint_side import joint_side
 from core.gap.materiality import payload_shift
 from core.gap.proposal import Proposal
 from core.gap.residual import CHANNELS, Residual
-from core.gap.symptoms import leading, observed
+from core.gap.symptoms import find_leading_sentences, observe_symptoms
 from core.gap.windows import OFFSET
 from core.recording.recording import Recording
 from core.remark import Remark
@@ -37,8 +37,8 @@ UNKNOWN_CONSEQUENCE = "What it does to the payload cannot be told as long as its
 def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
     """What the wrench says, and beside it what is plain in the recording itself; that explains no gap, and changes no verdict."""
     fitted = _answer_from_wrench(recording, evidence)
-    also = observed(recording, evidence.windows, evidence.nominal, evidence.best)
-    return fitted.model_copy(update={"also": also, "summary": " ".join([fitted.summary, *leading(also)])})
+    also = observe_symptoms(recording, evidence.windows, evidence.nominal, evidence.best)
+    return fitted.model_copy(update={"also": also, "summary": " ".join([fitted.summary, *find_leading_sentences(also)])})
 
 
 def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
@@ -106,7 +106,7 @@ def _explanation(evidence: Evidence, fit: EffectFit, probability: float) -> Expl
         gap_after=gap_of(windows, fit),
         closure=closure,
         closure_interval=interval,
-        advice=effect.advice(windows.basis.scene.carrying(fit.phi), fit.theta),
+        advice=effect.advice(windows.basis.scene.with_phi(fit.phi), fit.theta),
         addable=against is None,
         why_not=against,
     )

@@ -11,7 +11,7 @@ from core.errors import HeftError
 from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
 from core.estimation.noise import sensor_noise, unknown_noise
 from core.estimation.scene import scene_of
-from core.estimation.segments import Segment, motionless, parted, segments_of_motion, segments_of_phase, stretches
+from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase, stretches
 from core.estimation.weak_form import RawFeatures, regressor_of
 from core.gap.windows import Basis, window_matrix
 from core.payload.inertia import Motion
@@ -62,13 +62,13 @@ def basis_of(recording: Recording) -> Basis:
         raise TooLittleError("too_short", f"{lasts_s:.1f} s are too short to say anything", lasts_s=lasts_s)
     if float(np.ptp(poses.g, axis=0).max()) < NOTHING_MOVES_RAD * 9.81:
         raise TooLittleError("hardly_turns", "the sensor hardly turns: payload, offsets and effects cannot be told apart")
-    return unchecked_basis(recording, poses, recording.wrench)
+    return build_unchecked_basis(recording, poses, recording.wrench)
 
 
-def unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> Basis:
+def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> Basis:
     """The basis of a recording with its poses and wrench (N, 6), whether it can say anything or not."""
     motion, speed = smooth_motion(poses, window_s=SMOOTHING_S)
-    segments = parted(segments_of(recording, motion, speed), recording.t)
+    segments = cut_at_gaps(segments_of(recording, motion, speed), recording.t)
     still = motionless(recording.t, segments)
     noise = sensor_noise(wrench, still, segments, nominal_std=recording.sensor.noise_std) or unknown_noise()
     raw = RawFeatures(poses)

@@ -12,7 +12,7 @@ from core.cell.cell import Box, Cell
 from core.errors import BadInput, Refused
 from core.events import Event
 from core.gap.evidence import Evidence
-from core.gap.proposal import CLEAR_SIGMA, Proposal, along
+from core.gap.proposal import CLEAR_SIGMA, Proposal, predict_along_path
 from core.planning.experiment import plan_experiment
 from core.planning.experiment_path import path_of
 from core.planning.plan import Plan
@@ -57,7 +57,7 @@ def choose_experiment(
         except Refused as reason:
             refused = reason
             continue
-        told = along(path_of(plan, robot, recording), evidence.windows, proposal.motion, proposal.ties)
+        told = predict_along_path(path_of(plan, robot, recording), evidence.windows, proposal.motion, proposal.ties)
         planned.append(Choice(replace(told, seconds=plan.robot_s), plan))
         if planned[-1].proposal.after >= CLEAR_SIGMA:
             break

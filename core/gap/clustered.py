@@ -11,7 +11,7 @@ CLUSTER_S = 1.0
 """What a model gets wrong goes on for about so long; further apart it counts as independent."""
 
 
-def enlarged(covariance: Array, columns: Array, residual: Array, t: Array) -> Array:
+def enlarge_covariance(covariance: Array, columns: Array, residual: Array, t: Array) -> Array:
     """The covariance with each standard uncertainty raised to its cluster-robust one where that is larger; correlations stay.
 
     The robust covariance is `N^-1 (sum_g s_g s_g^T) N^-1 G / (G - 1)` with `s_g = Z_g^T r_g` over G clusters of one second (Liang and

@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.gap.clustered import enlarged
+from core.gap.clustered import enlarge_covariance
 from core.gap.problem import Problem
 from core.gap.quadratic import bounded_minimum, inverse, solved
-from core.gap.spared_noise import spared
+from core.gap.spared_noise import estimate_spared_noise
 from core.gap.windows import PHI, Windows
 
 Array = NDArray[np.float64]
@@ -124,7 +124,7 @@ def _finished(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     here = np.concatenate((beta, theta))
     free = (here > problem.bounds[0]) & (here < problem.bounds[1])
     held_out = held_out_rows(problem.windows, columns[:, free], r, problem.precision[free], away[free])
-    held_out += spared(problem, theta, beta)
+    held_out += estimate_spared_noise(problem, theta, beta)
     covariance = inverse(normal)
     shape = problem.windows.target.shape
     return EffectFit(
@@ -133,7 +133,7 @@ def _finished(problem: Problem, beta: Array, theta: Array) -> EffectFit:
         theta,
         beta,
         covariance,
-        enlarged(covariance, columns, r, problem.windows.centres),
+        enlarge_covariance(covariance, columns, r, problem.windows.centres),
         r.reshape(shape),
         cost,
         log_evidence,

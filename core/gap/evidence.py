@@ -83,8 +83,8 @@ class Evidence:
 def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all_cores) -> Evidence:
     """Fits all effects singly, and the most promising pairs."""
     nominal = fit_nominal(windows)
-    scene = windows.basis.scene.carrying(nominal.phi)
-    missing = {effect.id: reason for effect in effects if (reason := effect.missing(scene)) is not None}
+    scene = windows.basis.scene.with_phi(nominal.phi)
+    missing = {effect.id: reason for effect in effects if (reason := effect.explain_absence(scene)) is not None}
     shown = [effect for effect in effects if effect.id not in missing]
     residual = windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}

@@ -107,7 +107,7 @@ def experiment_file(choice: Choice, cell: Cell, recording: Recording, folder: Pa
     )
 
 
-def continued(asked: ExperimentFile, folder: Path | None = None) -> Recording:
+def read_continued_recording(asked: ExperimentFile, folder: Path | None = None) -> Recording:
     """The recording that an experiment continues.
 
     Args:

@@ -20,10 +20,10 @@ def is_material(windows: Windows, nominal: EffectFit, best: EffectFit) -> bool:
     """Whether what is there lifts the gap above 2, or moves the payload: by what the best explanation does to the estimate, or, explained
     or not, away from the reference."""
     gap = np.sqrt(max(0.0, 1.0 + (float(nominal.held_out.mean()) - 1.0) / windows.samples_per_row))
-    return bool(gap > GAP) or bool(moved(nominal, best).any()) or _is_off_reference(windows, nominal, best)
+    return bool(gap > GAP) or bool(find_moved_parameters(nominal, best).any()) or _is_off_reference(windows, nominal, best)
 
 
-def moved(nominal: EffectFit, best: EffectFit) -> NDArray[np.bool_]:
+def find_moved_parameters(nominal: EffectFit, best: EffectFit) -> NDArray[np.bool_]:
     """(10,), which payload parameters the effect moves materially."""
     return _apart(best.phi - nominal.phi, best.phi, best.phi_std)
 

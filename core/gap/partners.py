@@ -39,7 +39,7 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
     """
     problem = Problem(windows, first.effects)
     columns = np.column_stack((problem.X, problem.linearised(first.theta, first.phi)[1]))
-    scene = windows.basis.scene.carrying(first.phi)
+    scene = windows.basis.scene.with_phi(first.phi)
     residual = windows.on_grid(first.residual)
     found = [
         _joined(windows, first, columns, problem.precision, effect, theta)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from core.effects.scene import PER_ROW, Scene
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import poses_of
-from core.gap.basis import unchecked_basis
+from core.gap.basis import build_unchecked_basis
 from core.gap.effect_fit import EffectFit
 from core.gap.problem import STEP, Problem
 from core.gap.quadratic import bounded_minimum, inverse
@@ -39,7 +39,7 @@ class Prediction:
         poses = poses_of(motion)
         if poses is None or motion.wrench is None:
             raise ValueError("a motion ahead needs poses and a wrench of zeros")
-        basis = unchecked_basis(motion, replace(poses, noise=present.basis.poses.noise), motion.wrench)
+        basis = build_unchecked_basis(motion, replace(poses, noise=present.basis.poses.noise), motion.wrench)
         ahead = replace(basis, noise=present.basis.noise, wrench=basis.V @ fit.phi)
         self._present = present
         self._windows = Windows(ahead)
@@ -72,7 +72,7 @@ class Prediction:
         """What a fit predicts (6K,), and how that depends on all its parameters and on new offsets (6K, n)."""
         X, ahead = self._windows.X, len(self._windows.basis.scene)
         problem = Problem(self._present, fit.effects)
-        scene = self._scene.carrying(fit.phi)
+        scene = self._scene.with_phi(fit.phi)
         steps = np.where(fit.theta + STEP * problem.scale <= problem.upper, 1.0, -1.0) * STEP * problem.scale
         changes = [problem.change(theta, scene)[-ahead:] for theta in (fit.theta, *(fit.theta + np.diag(steps)))]
         rows = self._windows.rows_of(changes)

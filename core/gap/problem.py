@@ -78,7 +78,7 @@ class Problem:
 
     def linearised(self, theta: Array, phi: Array) -> tuple[Array, Array]:
         """Rows of the change (6K,), and their derivatives by theta (6K, n)."""
-        scene = self.windows.basis.scene.carrying(phi)
+        scene = self.windows.basis.scene.with_phi(phi)
         known: dict[bytes, Array] = {}
         steps = np.where(theta + STEP * self.scale <= self.upper, 1.0, -1.0) * STEP * self.scale
         moved = (self.change(theta + step, scene, dict(known)) for step in np.diag(steps))
@@ -88,7 +88,7 @@ class Problem:
 
     def cost(self, beta: Array, theta: Array) -> float:
         """Chi-square plus priors."""
-        scene = self.windows.basis.scene.carrying(beta[PHI])
+        scene = self.windows.basis.scene.with_phi(beta[PHI])
         rows = self.windows.rows_of([self.change(theta, scene)]).ravel() if self.effects or self.held else 0.0
         r = self.target - self.X @ beta - rows
         away = np.concatenate((beta, theta - self.absent))

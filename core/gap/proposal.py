@@ -10,9 +10,9 @@ import numpy as np
 from core.gap.answer import Experiment
 from core.gap.attribution import INSEPARABLE_SIGMA, Tie
 from core.gap.prediction import Prediction
-from core.gap.rehearsal import rehearsed
+from core.gap.rehearsal import rehearse
 from core.gap.windows import Windows
-from core.planning.stop import Motion, candidates, second_payload
+from core.planning.stop import CandidateMotion, candidates, second_payload
 from core.recording.recording import Recording
 
 CLEAR_SIGMA = 6.0
@@ -31,7 +31,7 @@ class Proposal:
         seconds: of the robot.
     """
 
-    motion: Motion
+    motion: CandidateMotion
     ties: tuple[Tie, ...]
     before: float
     after: float
@@ -61,7 +61,10 @@ def proposals(recording: Recording, windows: Windows, ties: Sequence[Tie]) -> tu
     """What to do about ties, best first; the second payload alone where no motion splits the worst of them."""
     if not ties:
         return ()
-    tried = [predicted(recording, windows, motion, ties) for motion in candidates(recording, windows.basis.segments, windows.basis.poses.g)]
+    tried = [
+        predict_by_kinematics(recording, windows, motion, ties)
+        for motion in candidates(recording, windows.basis.segments, windows.basis.poses.g)
+    ]
     useful = sorted((it for it in tried if it.after >= INSEPARABLE_SIGMA), key=lambda it: it.worth, reverse=True)
     if useful:
         return tuple(useful[:FEWEST])
@@ -69,12 +72,12 @@ def proposals(recording: Recording, windows: Windows, ties: Sequence[Tie]) -> tu
     return (_with_second_payload(recording, worst, max((it.after for it in tried), default=worst.distance_sigma)),)
 
 
-def predicted(recording: Recording, windows: Windows, motion: Motion, ties: Sequence[Tie]) -> Proposal:
+def predict_by_kinematics(recording: Recording, windows: Windows, motion: CandidateMotion, ties: Sequence[Tie]) -> Proposal:
     """What a motion would do, by kinematics alone."""
-    return along(rehearsed(recording, windows.basis.poses, motion.stops), windows, motion, ties)
+    return predict_along_path(rehearse(recording, windows.basis.poses, motion.stops), windows, motion, ties)
 
 
-def along(path: Recording, windows: Windows, motion: Motion, ties: Sequence[Tie]) -> Proposal:
+def predict_along_path(path: Recording, windows: Windows, motion: CandidateMotion, ties: Sequence[Tie]) -> Proposal:
     """What a motion would do to ties along a path, rehearsed or planned (its wrench is not looked at)."""
     ordered = sorted(ties, key=lambda tie: tie.distance_sigma)
     prediction = Prediction(windows, path, ordered[0].first)

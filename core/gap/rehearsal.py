@@ -42,7 +42,7 @@ class Piece:
     phase: str
 
 
-def rehearsed(recording: Recording, poses: Poses, stops: tuple[Stop, ...]) -> Recording:
+def rehearse(recording: Recording, poses: Poses, stops: tuple[Stop, ...]) -> Recording:
     """The recording's robot going through the stops, without a wrench (zeros), at the recording's period."""
     actor = _Poses(poses) if recording.q is None or recording.robot is None else _Joints(recording, poses)
     pieces = [Piece(actor.still(HOLD_S), "hold:free")]
@@ -50,16 +50,16 @@ def rehearsed(recording: Recording, poses: Poses, stops: tuple[Stop, ...]) -> Re
         hold = Piece(np.empty(0), f"hold:{stop.label}")
         pieces += [Piece(actor.towards(stop), "transfer"), replace(hold, path=actor.still(HOLD_S))]
         if stop.swings is not None:
-            pieces += [Piece(actor.swung(stop.swings), f"rotate:{stop.swings.about}"), replace(hold, path=actor.still(SETTLE_S))]
+            pieces += [Piece(actor.make_swings(stop.swings), f"rotate:{stop.swings.about}"), replace(hold, path=actor.still(SETTLE_S))]
         if stop.wave is not None:
-            pieces += [Piece(actor.waved(stop.wave), "transfer"), replace(hold, path=actor.still(SETTLE_S))]
+            pieces += [Piece(actor.make_wave(stop.wave), "transfer"), replace(hold, path=actor.still(SETTLE_S))]
     path = np.concatenate([piece.path for piece in pieces])
     coarse = np.arange(len(path), dtype=np.float64) * STEP_S
     t = np.arange(0.0, coarse[-1], poses.period)
     phase = np.concatenate([np.full(len(piece.path), piece.phase) for piece in pieces])[np.searchsorted(coarse, t, side="right") - 1]
     bare = Recording(t=t, gravity=recording.gravity, wrench=np.zeros((len(t), 6)), phase=phase, sensor=recording.sensor)
     temperature = None if recording.temperature is None else np.full(len(t), recording.temperature[-1])
-    return replace(actor.recorded(bare, coarse, path), temperature=temperature)
+    return replace(actor.complete_recording(bare, coarse, path), temperature=temperature)
 
 
 class _Poses:
@@ -71,7 +71,7 @@ class _Poses:
         self.down = poses.gravity / np.linalg.norm(poses.gravity)
 
     def still(self, seconds: float) -> Array:
-        return self.turned(np.zeros((round(seconds / STEP_S), 3)))
+        return self.turn_through(np.zeros((round(seconds / STEP_S), 3)))
 
     def towards(self, stop: Stop) -> Array:
         """The shortest turn that brings the stop's direction down."""
@@ -80,22 +80,22 @@ class _Poses:
         angle = np.arctan2(np.linalg.norm(axis), np.dot(stop.down, to))
         if np.linalg.norm(axis) < 1e-9:
             axis = np.cross(to, np.eye(3)[int(np.argmin(np.abs(to)))])
-        return self.turned(_ease(angle, RATE)[:, None] * axis / np.linalg.norm(axis))
+        return self.turn_through(_ease(angle, RATE)[:, None] * axis / np.linalg.norm(axis))
 
-    def swung(self, swings: Swings) -> Array:
-        return self.turned(trapezoids(swings)[:, None] * np.eye(3)["xyz".index(swings.about)])
+    def make_swings(self, swings: Swings) -> Array:
+        return self.turn_through(trapezoids(swings)[:, None] * np.eye(3)["xyz".index(swings.about)])
 
-    def waved(self, wave: Wave) -> Array:
+    def make_wave(self, wave: Wave) -> Array:
         """About all axes at once."""
-        return self.turned(RATE * wave_shape(wave, 3, STEP_S))
+        return self.turn_through(RATE * wave_shape(wave, 3, STEP_S))
 
-    def turned(self, vectors: Array) -> Array:
+    def turn_through(self, vectors: Array) -> Array:
         """Attitudes (K, 3, 3) of rotation vectors (K, 3) from where the sensor is, sensor axes; it stays at the last one."""
         path = self.R @ Rotation.from_rotvec(vectors).as_matrix()
         self.R = path[-1]
         return np.asarray(path)
 
-    def recorded(self, bare: Recording, coarse: Array, path: Array) -> Recording:
+    def complete_recording(self, bare: Recording, coarse: Array, path: Array) -> Recording:
         R = RotationSpline(coarse, Rotation.from_matrix(path))(bare.t).as_matrix()
         return replace(bare, orientation=R, position=None if self.p is None else np.broadcast_to(self.p, (len(R), 3)))
 
@@ -112,8 +112,8 @@ class _Joints(_Poses):
         self.robot = RobotModel(recording.robot)
         self.q = recording.q[0]
 
-    def turned(self, vectors: Array) -> Array:
-        return np.stack([self._at(R) for R in super().turned(vectors)])
+    def turn_through(self, vectors: Array) -> Array:
+        return np.stack([self._at(R) for R in super().turn_through(vectors)])
 
     def towards(self, stop: Stop) -> Array:
         if stop.away_from_rad is None:
@@ -125,7 +125,7 @@ class _Joints(_Poses):
         s = _ease(1.0, RATE / max(float(np.abs(self.q - start).max()), RATE))
         return np.asarray(start + s[:, None] * (self.q - start))
 
-    def waved(self, wave: Wave) -> Array:
+    def make_wave(self, wave: Wave) -> Array:
         shape = wave_shape(wave, self.robot.n, STEP_S)
         rate = np.gradient(shape, STEP_S, axis=0)
         twist = rate @ self.robot.sensor_jacobian(self.q).T
@@ -133,7 +133,7 @@ class _Joints(_Poses):
         acceleration = np.abs(np.gradient(rate, STEP_S, axis=0)).max()
         return np.asarray(self.q + min(SPEED / linear, RATE / angular, JOINT_ACCELERATION / acceleration) * shape)
 
-    def recorded(self, bare: Recording, coarse: Array, path: Array) -> Recording:
+    def complete_recording(self, bare: Recording, coarse: Array, path: Array) -> Recording:
         return replace(bare, q=np.asarray(CubicSpline(coarse, path)(bare.t)), robot=self.description)
 
     def _at(self, R: Array, iterations: int = 1) -> Array:

@@ -16,7 +16,7 @@ from core.payload.inertia import spatial_inertia
 Array = NDArray[np.float64]
 
 
-def spared(problem: Problem, theta: Array, beta: Array) -> Array:
+def estimate_spared_noise(problem: Problem, theta: Array, beta: Array) -> Array:
     """(6, K), chi-square that the noise of the kinematics loses on its way through effects and small imperfections, as expected for each
     motion and channel.
 
@@ -29,7 +29,7 @@ def spared(problem: Problem, theta: Array, beta: Array) -> Array:
     if not accelerations.any():
         return np.zeros(windows.target.shape)
     noise = accelerations @ spatial_inertia(phi).T
-    scene = windows.basis.scene.carrying(phi)
+    scene = windows.basis.scene.with_phi(phi)
     rate = np.gradient(noise, scene.t, axis=1)
     late = -beta[LATE] * rate + 0.5 * beta[BLUR] * np.gradient(rate, scene.t, axis=1)
     return _by_motion(windows, _power(windows, noise) - _power(windows, problem.passed(theta, scene, noise) + late))

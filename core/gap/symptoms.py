@@ -23,7 +23,7 @@ LEADING: tuple[Side, ...] = ("reference", "reading")
 """What the summary goes on with where it is material, in this order."""
 
 
-def observed(recording: Recording, windows: Windows, nominal: EffectFit, fit: EffectFit) -> list[Also]:
+def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit, fit: EffectFit) -> list[Also]:
     """Symptoms that stand clearly above chance: the material ones first, the clearest first.
 
     What comes along with another symptom, or looks like one of the effects that explain the wrench, is not named beside it.
@@ -46,7 +46,7 @@ def observed(recording: Recording, windows: Windows, nominal: EffectFit, fit: Ef
     return [_also(recording, *seen) for seen in sorted(own, key=lambda seen: (not seen[1].material, -seen[1].sigma))]
 
 
-def leading(also: list[Also]) -> list[str]:
+def find_leading_sentences(also: list[Also]) -> list[str]:
     """The sentences of what is material about the reference and the readings."""
     return [it.sentence for side in LEADING for it in also if it.side == side and it.material]
 

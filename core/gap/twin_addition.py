@@ -14,7 +14,7 @@ from core.cell.cell import Cell
 from core.effects.effect import Effect
 from core.effects.library import library, symptoms
 from core.errors import BadTwin
-from core.gap.addable import check_addable, check_closure, check_shown, parameter_rows
+from core.gap.addable import check_addable, check_closure, check_shown, split_parameter_rows
 from core.gap.answer import Diagnosis
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
@@ -52,7 +52,7 @@ def with_effect(twin: Twin, cell: Cell, folder: Path, identifier: str, *, fit_al
     check_addable(evidence, fit, str(folder))
     source = {"recording": folder.resolve().name, "sha256": recording_sha256(folder), "added": datetime.now(UTC)}
     for entry in _entries(evidence, fit, source):
-        twin = twin.having(entry)
+        twin = twin.with_entry(entry)
     return twin
 
 
@@ -109,7 +109,7 @@ def _fit_of(evidence: Evidence, chosen: tuple[Effect, ...], where: str) -> Effec
 def _entries(evidence: Evidence, fit: EffectFit, source: dict[str, Any]) -> Iterator[Entry]:
     """One entry for each effect of the fit."""
     windows = evidence.windows
-    for effect, rows in parameter_rows(evidence, fit):
+    for effect, rows in split_parameter_rows(evidence, fit):
         values = zip(fit.parameters[rows], fit.theta[rows], fit.theta_std[rows], strict=True)
         covariance = fit.uncertainty[len(fit.beta) :, len(fit.beta) :][rows, rows]
         yield Entry(

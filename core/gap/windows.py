@@ -22,7 +22,7 @@ from core.effects.composition import Term
 from core.effects.scene import Scene
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import Poses
-from core.estimation.noise import SensorNoise
+from core.estimation.noise import WrenchNoise
 from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import STEP_S, tilt_axes
 from core.payload.inertia import Motion, spatial_inertia
@@ -67,7 +67,7 @@ class Basis:
     """
 
     poses: Poses
-    noise: SensorNoise
+    noise: WrenchNoise
     segments: tuple[Segment, ...]
     scene: Scene
     wrench: Array
@@ -89,7 +89,7 @@ class Windows:
         self.basis = basis
         self.held = held
         t = basis.scene.t
-        self.step = step_of(basis.poses)
+        self.step = window_spacing(basis.poses)
         self.centres = window_centres(t, self.step)
         self._to_windows = window_matrix(self.centres, self.step, t)
         self.y = y = self._average(basis.wrench)
@@ -155,7 +155,7 @@ class Windows:
         """Rows (6, K, n) with unit noise from windowed wrenches (K, 6, n)."""
         return np.stack([dtbtrs(factor, np.ascontiguousarray(x[:, c]), uplo="L")[0] for c, factor in enumerate(self._factors)])
 
-    def unwhitened(self, rows: Array) -> Array:
+    def unwhiten(self, rows: Array) -> Array:
         """(K, 6), N and N m, of rows (6, K)."""
         result = np.zeros((rows.shape[1], 6))
         for c, factor in enumerate(self._factors):
@@ -203,7 +203,7 @@ class Windows:
         return self.step / self.basis.poses.period
 
 
-def step_of(poses: Poses) -> float:
+def window_spacing(poses: Poses) -> float:
     """Spacing of the windows, s."""
     return max(STEP_S, 8.0 * poses.period)
 

@@ -13,13 +13,13 @@ import coal
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell.cell import CELL_FILE, Box, Cell, read_cell
-from core.cell.tools import felt_with
+from core.cell.cell import CELL_FILE, Box, Cell, read_cell_folder
+from core.cell.tools import add_cell_tools
 from core.errors import BadInput
 from core.new_cell.cell_text import NOT_STATED
 from core.new_cell.masses import G, weight_torques
 from core.payload.inertia import InertialParameters
-from core.robot.bodies import Body, corners_of, fixed_body, link_bodies, payload_body
+from core.robot.bodies import Body, corners_of, link_bodies, make_fixed_body, payload_body
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.watched_pairs import OVERLAPPING
@@ -51,7 +51,7 @@ class Finding(NamedTuple):
 def findings_of(folder: Path) -> list[Finding]:
     """Of the cell in a folder, what is wrong first."""
     try:
-        read = read_cell(folder)
+        read = read_cell_folder(folder)
     except BadInput as error:
         return _wrong(error)
     if read.flaws:
@@ -134,7 +134,7 @@ def _of_sensor(cell: Cell) -> Iterator[Finding]:
 
 
 def _of_efforts(cell: Cell, robot: RobotModel) -> Iterator[Finding]:
-    weights = weight_torques(robot, felt_with(cell, InertialParameters(np.zeros(10))))
+    weights = weight_torques(robot, add_cell_tools(cell, InertialParameters(np.zeros(10))))
     for name, effort, needed in zip(robot.description.joints, robot.model.upperEffortLimit, weights, strict=True):
         where = f"{cell.robot.urdf}: joint {name!r}: limit"
         if effort <= 0.0:
@@ -161,7 +161,7 @@ def _of_room(cell: Cell, robot: RobotModel, bodies: list[Body]) -> Iterator[Find
     shoulder = np.asarray(robot.model.jointPlacements[1].translation)
     span = reach + float(np.linalg.norm(corners_of([*bodies, payload_body(robot, cell.payload_box)]).local, axis=1).max())
     for zone in cell.zones:
-        distance = _distance(fixed_body(zone.name, zone.shape), shoulder)
+        distance = _distance(make_fixed_body(zone.name, zone.shape), shoulder)
         if distance < span:
             found = f"at most {max(distance, 0.0):.2f} m from the shoulder of an arm that reaches {span:.2f} m"
             yield _doubt(f"zones.{zone.name}", found, "a guard that does not depend on planning, wherever people may be in it")

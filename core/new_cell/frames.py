@@ -22,7 +22,7 @@ Ask = Callable[[str, tuple[str, ...]], str]
 
 
 @dataclass(frozen=True)
-class Frames:
+class ArmFrames:
     """Where the arm begins and ends.
 
     Args:
@@ -37,7 +37,7 @@ class Frames:
     tool: tuple[str, ...]
 
 
-def choose_frames(tree: RobotTree, order: Order, ask: Ask | None, notes: list[str]) -> Frames:
+def choose_frames(tree: RobotTree, order: Order, ask: Ask | None, notes: list[str]) -> ArmFrames:
     """The frames as ordered, or chosen and told; adds the link `ft_sensor` where a mount was given.
 
     Raises:
@@ -60,7 +60,7 @@ def choose_frames(tree: RobotTree, order: Order, ask: Ask | None, notes: list[st
     beside = [link for link in beside if sensor not in tree.behind(link)]
     if beside:
         notes.append(f"Carried by the last joint but not by the sensor, and so part of the robot: {_list(beside)}.")
-    return Frames(base, sensor, joints, tool)
+    return ArmFrames(base, sensor, joints, tool)
 
 
 def _sensor_frame(tree: RobotTree, order: Order, notes: list[str]) -> str:

@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 
 from core.cell.urdf_elements import UrdfJoint
-from core.new_cell.frames import Frames
+from core.new_cell.frames import ArmFrames
 from core.new_cell.robot_tree import RobotTree
 
 TURN = 2 * np.pi
@@ -16,7 +16,7 @@ ACCELERATION_PER_VELOCITY = 5.0  # 1/s: the joint's greatest speed is reached in
 ACCELERATIONS = (1.0, 10.0)  # rad/s2, least and greatest that is proposed
 
 
-def fix_others(tree: RobotTree, frames: Frames, notes: list[str]) -> None:
+def fix_others(tree: RobotTree, frames: ArmFrames, notes: list[str]) -> None:
     """Fixes every joint that is not the arm's: where it stands at 0, or at the limit nearest to it; a mimic joint where it follows."""
     own = {joint.name for joint in frames.joints}
     others = {joint.name: joint for joint in tree.checked.joints if joint.kind != "fixed" and joint.name not in own}
@@ -50,7 +50,7 @@ def _follow(element: ET.Element, values: dict[str, float]) -> float:
     return value if abs(value) < 1e4 else 0.0
 
 
-def complete_limits(tree: RobotTree, frames: Frames, notes: list[str]) -> tuple[str, ...]:
+def complete_limits(tree: RobotTree, frames: ArmFrames, notes: list[str]) -> tuple[str, ...]:
     """Gives every joint of the arm all its limits and tells which; returns the joints whose effort is still to be estimated."""
     without_effort = []
     for joint in frames.joints:
@@ -77,6 +77,6 @@ def complete_limits(tree: RobotTree, frames: Frames, notes: list[str]) -> tuple[
     return tuple(without_effort)
 
 
-def proposed_accelerations(velocities: list[float]) -> list[float]:
+def propose_accelerations(velocities: list[float]) -> list[float]:
     """URDFs have no limit of acceleration: the greatest speed in 0.2 s, between 1 and 10 rad/s2."""
     return [round(float(np.clip(ACCELERATION_PER_VELOCITY * velocity, *ACCELERATIONS)), 2) for velocity in velocities]

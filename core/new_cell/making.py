@@ -19,12 +19,12 @@ from core.cell.cell import CELL_FILE, Box, Cell, Robot, Sensor, load_cell
 from core.errors import BadInput, BadRobot
 from core.new_cell.cell_text import RANGE, CellParts, cell_text
 from core.new_cell.expansion import description_text
-from core.new_cell.frames import Ask, Frames, choose_frames
+from core.new_cell.frames import ArmFrames, Ask, choose_frames
 from core.new_cell.home import Home, HomeSearch
-from core.new_cell.joints import complete_limits, fix_others, proposed_accelerations
+from core.new_cell.joints import complete_limits, fix_others, propose_accelerations
 from core.new_cell.masses import G, complete_efforts, complete_masses, tool_of
 from core.new_cell.meshes import choose_shapes, copy_meshes
-from core.new_cell.order import Order, check_order
+from core.new_cell.order import Order, check_cell_order
 from core.new_cell.packages import Packages
 from core.new_cell.payload_room import EDGE_M, payload_room
 from core.new_cell.picture import draw_home
@@ -33,7 +33,7 @@ from core.recording.recording import RobotDescription
 from core.robot.bodies import Body, link_bodies, payload_body
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-from core.robot.watched_pairs import joined_links
+from core.robot.watched_pairs import find_joined_links
 
 Array = NDArray[np.float64]
 
@@ -68,7 +68,7 @@ def make_cell(order: Order, ask: Ask | None = None) -> Made:
     Raises:
         BadInput: of whatever kind: what was given cannot be used, or the folder cannot be written. Nothing is left behind.
     """
-    check_order(order)
+    check_cell_order(order)
     notes: list[str] = []
     packages = Packages(order.urdf, order.package_paths)
     tree = RobotTree(description_text(packages, order.xacro_arguments), str(order.urdf))
@@ -98,7 +98,7 @@ def make_cell(order: Order, ask: Ask | None = None) -> Made:
             sensor=frames.sensor,
             joints=tuple(joint.name for joint in frames.joints),
             home=home.q,
-            acceleration=proposed_accelerations(list(robot.velocity)),
+            acceleration=propose_accelerations(list(robot.velocity)),
             floor_z=floor_z,
             payload_box=box,
             adjacent=home.always_overlapping,
@@ -119,7 +119,7 @@ def make_cell(order: Order, ask: Ask | None = None) -> Made:
     return Made(order.folder, home, tuple(notes))
 
 
-def _sensor_sizes(tree: RobotTree, frames: Frames) -> tuple[int, int]:
+def _sensor_sizes(tree: RobotTree, frames: ArmFrames) -> tuple[int, int]:
     """How many times a common sensor's forces and torques, so that the weight of what hangs behind it takes at most half its range."""
     tool = tool_of(tree, frames)
     force, torque = tool.mass * G, float(np.linalg.norm(tool.first_moment)) * G
@@ -158,7 +158,7 @@ def _new_folder(target: Path) -> Iterator[Path]:
                     parent.rmdir()
 
 
-def _arm(tree: RobotTree, frames: Frames, visual: tuple[str, ...], order: Order, folder: Path) -> tuple[RobotModel, list[Body]]:
+def _arm(tree: RobotTree, frames: ArmFrames, visual: tuple[str, ...], order: Order, folder: Path) -> tuple[RobotModel, list[Body]]:
     """Kinematics and bodies of the description as it is now, the base frame in the origin of the world."""
     where = str(order.urdf)
     text = tree.text
@@ -195,9 +195,9 @@ def _out_of_reach(robot: RobotModel, bodies: list[Body]) -> float:
     return -float(np.ceil(10.0 * (sum(lengths) + farthest + 3.0 * EDGE_M)) / 10.0)
 
 
-def _box_and_home(tree: RobotTree, frames: Frames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> tuple[Box, Home, float]:
+def _box_and_home(tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> tuple[Box, Home, float]:
     """The largest of the default payload boxes with which a home is free, that home, and the height of the floor."""
-    joined = set(joined_links(tree.checked, {body.name for body in bodies}))
+    joined = set(find_joined_links(tree.checked, {body.name for body in bodies}))
     floor_z = _floor(bodies)
     for edge, gap in ROOMS_M:
         box = payload_room(robot, bodies, frames.tool, edge, gap)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from core.cell.urdf_elements import UrdfLink
 from core.cell.urdf_tree import UrdfTree
-from core.new_cell.frames import Frames
+from core.new_cell.frames import ArmFrames
 from core.new_cell.robot_tree import RobotTree
 from core.payload.inertia import InertialParameters
 from core.robot.bodies import Body
@@ -24,7 +24,7 @@ EFFORT_FACTOR = 2.0
 G = 9.81
 
 
-def complete_masses(tree: RobotTree, frames: Frames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> None:
+def complete_masses(tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> None:
     """Gives every moving link of the arm a mass and an inertia that a body can have, estimated from its shape where it has none."""
     links = {link.name: link for link in tree.checked.bodies}
     for joint in frames.joints:
@@ -72,7 +72,7 @@ def _point(place: Array) -> Array:
     return np.asarray(place @ place * np.eye(3) - np.outer(place, place))
 
 
-def complete_efforts(tree: RobotTree, frames: Frames, robot: RobotModel, without: tuple[str, ...], notes: list[str]) -> None:
+def complete_efforts(tree: RobotTree, frames: ArmFrames, robot: RobotModel, without: tuple[str, ...], notes: list[str]) -> None:
     """A torque limit for each of these joints: twice what the arm's own weight and its tool's can ask of it, stretched out."""
     for name, torque in zip((joint.name for joint in frames.joints), weight_torques(robot, tool_of(tree, frames)), strict=True):
         if name in without:
@@ -84,9 +84,9 @@ def complete_efforts(tree: RobotTree, frames: Frames, robot: RobotModel, without
             )
 
 
-def tool_of(tree: RobotTree, frames: Frames) -> InertialParameters:
+def tool_of(tree: RobotTree, frames: ArmFrames) -> InertialParameters:
     """What hangs behind the sensor, sensor frame; nothing where that is no tool."""
-    return UrdfTree(tree.text).seen_from(frames.sensor, frames.tool) if frames.tool else InertialParameters(np.zeros(10))
+    return UrdfTree(tree.text).merge_links(frames.sensor, frames.tool) if frames.tool else InertialParameters(np.zeros(10))
 
 
 def weight_torques(robot: RobotModel, tools: InertialParameters) -> Array:

@@ -54,7 +54,7 @@ class Order:
         return self.into / self.name
 
 
-def check_order(order: Order) -> None:
+def check_cell_order(order: Order) -> None:
     """Before anything is read: the names are names and nothing is there yet.
 
     Raises:

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from numpy.typing import NDArray
 
-from core.report.faces import body_faces, joint_poses, placed
+from core.report.faces import body_faces, joint_poses, place_faces
 from core.robot.bodies import PAYLOAD, Body
 from core.robot.model import RobotModel
 
@@ -39,7 +39,7 @@ def draw_home(file: Path, robot: RobotModel, bodies: list[Body], q: Array, *, to
     axes: Any = figure.add_subplot(projection="3d")
     points = []
     for body in bodies:
-        faces = placed(placed(body_faces(body.geometry), body.placement.rotation, body.placement.translation), *poses[body.joint])
+        faces = place_faces(place_faces(body_faces(body.geometry), body.placement.rotation, body.placement.translation), *poses[body.joint])
         points += faces
         for corners_each in sorted({len(face) for face in faces}):  # matplotlib pads unequal ones with whatever is in memory
             _draw_faces(axes, [face for face in faces if len(face) == corners_each], body, _colour(body, tool))

@@ -129,8 +129,8 @@ class RobotTree:
                 rotation = rotation * Rotation.from_rotvec(value * axis)
             else:
                 xyz = xyz + rotation.apply(value * axis)
-            origin.set("xyz", numbers(xyz))
-            origin.set("rpy", numbers(rotation.as_euler("xyz")))
+            origin.set("xyz", format_numbers(xyz))
+            origin.set("rpy", format_numbers(rotation.as_euler("xyz")))
         element.set("type", "fixed")
         for tag in ("axis", "limit", "mimic"):
             for part in element.findall(tag):
@@ -148,7 +148,7 @@ class RobotTree:
             raise BadRobot(f"{self.where}: link", f"{name!r} already in the description", f"--sensor-frame {name} in place of --mount")
         ET.SubElement(self.root, "link", name=name)
         element = ET.SubElement(self.root, "joint", name=joint, type="fixed")
-        ET.SubElement(element, "origin", xyz=numbers(xyz), rpy=numbers(rpy))
+        ET.SubElement(element, "origin", xyz=format_numbers(xyz), rpy=format_numbers(rpy))
         ET.SubElement(element, "parent", link=on)
         ET.SubElement(element, "child", link=name)
         self.__dict__.pop("parents", None)  # counted anew
@@ -167,7 +167,7 @@ class RobotTree:
         for old in element.findall("inertial"):
             element.remove(old)
         inertial = ET.SubElement(element, "inertial")
-        ET.SubElement(inertial, "origin", xyz=numbers(com), rpy="0 0 0")
+        ET.SubElement(inertial, "origin", xyz=format_numbers(com), rpy="0 0 0")
         ET.SubElement(inertial, "mass", value=f"{mass:.6g}")
         names = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
         ET.SubElement(inertial, "inertia", {name: f"{inertia[place]:.6g}" for name, place in names.items()})
@@ -179,6 +179,6 @@ class RobotTree:
                 yield link.get("name", ""), mesh
 
 
-def numbers(values: Array) -> str:
+def format_numbers(values: Array) -> str:
     """As a URDF has them."""
     return " ".join(f"{value:.12g}" for value in values + 0.0)

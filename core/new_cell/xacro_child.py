@@ -67,7 +67,7 @@ def _look_at(expression: str) -> None:
             raise UnwantedError(f"the name {node.id} in an expression")
 
 
-def confine(folders: list[str]) -> None:
+def confine_xacro(folders: list[str]) -> None:
     """From here on: little time, little memory, no file outside the folders, nothing written, no network, no other program."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
@@ -93,7 +93,7 @@ def main() -> int:
     """0 with the URDF on standard output; 3 with what it may not do, 4 with what is wrong, on standard error."""
     order = json.load(sys.stdin)
     try:
-        confine(order["folders"])
+        confine_xacro(order["folders"])
         text = expand(order)
         if len(text) > MAX_CHARACTERS:
             raise UnwantedError(f"{len(text)} characters of URDF")

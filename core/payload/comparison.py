@@ -57,7 +57,7 @@ class Comparison(BaseModel):
     verdict: str
 
 
-def compared(
+def compare_payloads(
     first: UncertainParameters, second: UncertainParameters, offset_first: tuple[Array, Array], offset_second: tuple[Array, Array]
 ) -> Comparison:
     """Compares two runs whose noise is independent; what is wrong with the cell in both alike does not show.

@@ -108,7 +108,7 @@ class InertialParameters:
         """Whether a real body, with positive density somewhere, can have these parameters."""
         return is_consistent(self.phi)
 
-    def moved(self, rotation: ArrayLike, translation: ArrayLike) -> InertialParameters:
+    def to_frame(self, rotation: ArrayLike, translation: ArrayLike) -> InertialParameters:
         """The same body in another frame; see `frame_change`."""
         return InertialParameters(frame_change(rotation, translation) @ self.phi)
 

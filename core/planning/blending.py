@@ -34,7 +34,7 @@ def corners(q: Array) -> Array:
     return q[np.concatenate(([True], turn > 1e-6, [True]))]
 
 
-def rounded(q: Array, is_clear: Callable[[Array], bool] | None = None, *, step: float = 0.02) -> PPoly:
+def round_corners(q: Array, is_clear: Callable[[Array], bool] | None = None, *, step: float = 0.02) -> PPoly:
     """Smooth curve along a polyline.
 
     Args:

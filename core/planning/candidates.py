@@ -24,7 +24,7 @@ class Weights:
     """What a good start configuration is.
 
     Args:
-        distance: w_d of Eq. (6), of the least of the normalised distances to obstacles and zones (`LinkRoom.normalised`).
+        distance: w_d of Eq. (6), of the least of the normalised distances to obstacles and zones (`LinkRoom.normalise`).
         manipulability: w_m of Eq. (6), of the smallest over the largest singular value of the Jacobian.
         travel_per_s: what one second of the way from the previous configuration costs, in the unit of the objective. Not in Eq. (6), but
             robot time is limited: 0.01 trades one second for 20 mm of the payload's room on an arm of 1 m reach.
@@ -92,7 +92,9 @@ class CandidateSearch:
         """Candidates at vertices (V, 3): for each vertex inverse kinematics from its `per_vertex` nearest postures."""
         which = postures.nearest(vertices, per_vertex).ravel()
         vertex = np.repeat(np.arange(len(vertices)), per_vertex)
-        solutions = solve_poses(self._robot.chain, self._lower, self._upper, postures.q[which], postures.aligned(which), vertices[vertex])
+        solutions = solve_poses(
+            self._robot.chain, self._lower, self._upper, postures.q[which], postures.align_with_gravity(which), vertices[vertex]
+        )
         q = self._on_nearest_turn(solutions.q[solutions.solved])
         return self._evaluate(q, vertex[solutions.solved], len(which))
 
@@ -106,7 +108,7 @@ class CandidateSearch:
         distances = self._room.distances(q)
         clearance = distances.min(axis=1, initial=np.inf)
         manipulability = self._manipulability(q)
-        least = self._room.normalised(distances).min(axis=1, initial=1.0)
+        least = self._room.normalise(distances).min(axis=1, initial=1.0)
         objective = weights.distance * least + weights.manipulability * manipulability
         score = objective - weights.travel_per_s * self._travel_seconds(q)
         return Candidates(q, vertex, objective, score, clearance, manipulability, tried)

@@ -55,22 +55,22 @@ class Swept:
             (np.zeros((1, len(margins.reach))), np.cumsum(np.abs(np.diff(self._q, axis=0)) @ margins.reach.T, axis=0))
         )
 
-    def sample(self, at: float) -> Sample:
+    def sample(self, at: float) -> MarginSample:
         """Configuration, margins and way so far at the parameter."""
         i = min(int(at), max(len(self._q) - 2, 0))
         j = min(i + 1, len(self._q) - 1)
         q = self._q[i] + (at - i) * (self._q[j] - self._q[i])
         moved = self._moved[i] + (at - i) * (self._moved[j] - self._moved[i])
         margins = self._margins(q)
-        return Sample(at, q, margins, moved, float(margins.min(initial=np.inf)))
+        return MarginSample(at, q, margins, moved, float(margins.min(initial=np.inf)))
 
-    def ends(self) -> tuple[Sample, Sample]:
+    def ends(self) -> tuple[MarginSample, MarginSample]:
         """First and last sample."""
         return self.sample(0.0), self.sample(float(len(self._q) - 1))
 
 
 @dataclass(frozen=True, order=True)
-class Sample:
+class MarginSample:
     """One configuration of a swept polyline: margins (n_pairs,), and how far each pair has moved at most since the start, m."""
 
     at: float
@@ -87,7 +87,7 @@ def is_clear(margins: PairMargins, q: Array, spare: Spare | float = 0.0) -> bool
     """
     swept = Swept(margins, q)
 
-    def is_enough(sample: Sample) -> bool:
+    def is_enough(sample: MarginSample) -> bool:
         asked = spare(sample.q) if callable(spare) else spare
         return sample.margin_m >= 0.0 and bool((sample.margins >= asked * margins.share).all())
 
@@ -131,10 +131,10 @@ def least_margin(margins: PairMargins, q: Array, *, tolerance_m: float = 0.001) 
         heappush(intervals, (_bound(middle, b), middle, b))
 
 
-def _bound(a: Sample, b: Sample) -> float:
+def _bound(a: MarginSample, b: MarginSample) -> float:
     """Certified smallest margin between two samples."""
     return 0.5 * float((a.margins + b.margins - (b.moved - a.moved)).min(initial=np.inf))
 
 
-def _margin_of(sample: Sample) -> float:
+def _margin_of(sample: MarginSample) -> float:
     return sample.margin_m

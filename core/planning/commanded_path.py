@@ -22,7 +22,7 @@ from core.sessions.session import RobotState
 Array = NDArray[np.float64]
 
 
-class Motion(NamedTuple):
+class PlanPart(NamedTuple):
     """One motion of a plan.
 
     Args:
@@ -34,7 +34,9 @@ class Motion(NamedTuple):
     about: str = ""
 
 
-def commanded_paths(cell: Cell, robot: RobotModel, collision: CollisionModel, motions: Sequence[Motion], start: Array) -> list[JointPath]:
+def compute_joint_paths(
+    cell: Cell, robot: RobotModel, collision: CollisionModel, motions: Sequence[PlanPart], start: Array
+) -> list[JointPath]:
     """The set points of motions that follow each other from joint positions `start` (n,), holds left out.
 
     A rotation is no trajectory but a task that the controller solves period by period: here it is solved as it will be then, by the

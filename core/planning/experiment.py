@@ -17,9 +17,9 @@ from core.cell.tools import widest_box
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.planning.effort import grid_rounds, path_iterations
-from core.planning.joint_torques import JointTorques, Load, guessed_load
+from core.planning.joint_torques import JointTorques, Load, guess_load
 from core.planning.path import one_turn_away
-from core.planning.plan import Leg, Plan, check_standing, confirmed, way_home
+from core.planning.plan import Leg, Plan, check_standing, confirm_plan, way_home
 from core.planning.settings import Planner, Timing
 from core.planning.start_configuration import Attitude, Grid, StartConfiguration, find_attitude
 from core.planning.stop import HOLD_S, Stop, Swings, wave_shape
@@ -63,7 +63,7 @@ def plan_experiment(
         PlanDisputed: the second opinion does not confirm the plan, or a motion of it cannot be carried out.
     """
     began = time.perf_counter()
-    torques = check_standing(cell, robot, collision, start, load or guessed_load(cell, payload_box, MASS_GUESS_KG), period)
+    torques = check_standing(cell, robot, collision, start, load or guess_load(cell, payload_box, MASS_GUESS_KG), period)
     search = _Search(cell, robot, collision, payload_box, period, planner, seed, torques, effort)
     legs: list[Leg] = []
     here = start
@@ -72,7 +72,7 @@ def plan_experiment(
         here = legs[-1].transfer.goal
     back = way_home(cell, robot, collision, here, period=period, planner=planner, seed=seed, effort=effort)
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
-    found = confirmed(cell, robot, collision, payload_box, legs, back, torques)
+    found = confirm_plan(cell, robot, collision, payload_box, legs, back, torques)
     plan = Plan(tuple(legs), back, Timing(hold_s=HOLD_S), time.perf_counter() - began, found.opinion, found.torques)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan

@@ -44,11 +44,11 @@ class Postures:
         wanted = np.hstack((vertices, np.broadcast_to(_METRES_PER_RADIAN * self.gravity, vertices.shape)))
         return np.asarray(self._tree.query(wanted, k=range(1, count + 1))[1])
 
-    def reached(self, vertices: Array, distance: float) -> NDArray[np.bool_]:
+    def can_reach(self, vertices: Array, distance: float) -> NDArray[np.bool_]:
         """(V,), whether any posture, whatever its orientation, comes within `distance` of a vertex (V, 3)."""
         return np.asarray(KDTree(self.position).query(vertices)[0] <= distance)
 
-    def aligned(self, indices: NDArray[np.intp]) -> Array:
+    def align_with_gravity(self, indices: NDArray[np.intp]) -> Array:
         """(N, 3, 3), the sensor orientations of postures turned the shortest way until the axis lies along gravity.
 
         The orientation about gravity is thereby as random as the postures.
@@ -105,7 +105,7 @@ def first_grid(postures: Postures, count: int) -> tuple[Array, float]:
     for _ in range(2):  # the reached part is smaller than the box round it
         axes = [np.arange(a + 0.5 * spacing, b, spacing) for a, b in zip(low, high, strict=True)]
         vertices = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
-        vertices = vertices[postures.reached(vertices, 0.6 * spacing)]
+        vertices = vertices[postures.can_reach(vertices, 0.6 * spacing)]
         spacing *= (max(len(vertices), 1) / count) ** (1.0 / 3.0)
     return vertices, spacing
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell.cell import Box, Cell
-from core.cell.tools import felt_with
+from core.cell.tools import add_cell_tools
 from core.cell.urdf import check_urdf
 from core.errors import TooHeavy
 from core.payload.inertia import InertialParameters
@@ -44,7 +44,7 @@ class Load:
     source: str
 
 
-def known_load(cell: Cell, name: str | None) -> Load | None:
+def find_known_load(cell: Cell, name: str | None) -> Load | None:
     """A payload that the cell knows by name; None where it knows none of that name."""
     known = cell.payloads.get(name or "")
     return None if known is None else Load(known.parameters, f"payload {name!r} as the cell knows it")
@@ -57,7 +57,7 @@ def even_load(box: Box, mass_kg: float, source: str) -> Load:
     return Load(InertialParameters.from_com(mass_kg, box.pose.translation, inertia), f"{source}, spread evenly over the payload box")
 
 
-def guessed_load(cell: Cell, box: Box, mass_guess_kg: float) -> Load:
+def guess_load(cell: Cell, box: Box, mass_guess_kg: float) -> Load:
     """A payload of which only the box is known: as heavy as the cell says that the robot may carry, otherwise the guess."""
     limit = cell.robot.payload_limit_kg
     return even_load(box, mass_guess_kg, "a guessed mass") if limit is None else even_load(box, limit, "the robot's payload limit")
@@ -71,7 +71,7 @@ class JointTorques:
 
     def __init__(self, cell: Cell, robot: RobotModel, load: Load) -> None:
         self.load = load
-        self._dynamics = LinkDynamics(robot, cell.gravity, felt_with(cell, load.parameters))
+        self._dynamics = LinkDynamics(robot, cell.gravity, add_cell_tools(cell, load.parameters))
         self._joints = robot.description.joints
         effort = {joint.name: joint.effort or 0.0 for joint in check_urdf(cell.urdf, str(cell.folder / cell.robot.urdf)).joints}
         self._limits = np.array([effort[joint] for joint in self._joints])

@@ -50,7 +50,7 @@ class LinkRoom:
         rooms = np.array([self._collision.obstacle_rooms(row) for row in q])
         return np.stack([rooms[:, own].min(axis=1) for own in self._pairs_of], axis=1) + self._required
 
-    def normalised(self, distances: Array) -> Array:
+    def normalise(self, distances: Array) -> Array:
         """(N, L), D of Eq. (6) for distances (N, L).
 
         The link that can have the most room is measured by the diameter of the workspace, as printed; each other one by as much less as

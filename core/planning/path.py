@@ -20,7 +20,7 @@ from core.planning.effort import PATH_ITERATIONS
 from core.planning.pair_margins import PairMargins
 from core.planning.room import Room
 from core.planning.settings import Planner
-from core.planning.shortcut import shortened
+from core.planning.shortcut import shorten_path
 from core.planning.throw import ThrowCheck
 from core.planning.timing import MotionLimits, least_seconds
 from core.robot.collision import CollisionModel
@@ -90,7 +90,7 @@ def plan_path(
     straight = next((line for line in lines if room.has_all(line)), None)
     found = _find_paths(room, collision, ends, planner, seed, iterations) if straight is None else [straight]
     rng = np.random.default_rng(seed)
-    short = [shortened(q, cost, room.has_all, rng, attempts=_SHORTENING_ATTEMPTS) for q in found]
+    short = [shorten_path(q, cost, room.has_all, rng, attempts=_SHORTENING_ATTEMPTS) for q in found]
     return _describe_path(min(short, key=cost), room.margins, collision)
 
 

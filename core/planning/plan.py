@@ -19,17 +19,26 @@ from core.cell.cell import Box, Cell
 from core.cell.tools import widest_box
 from core.errors import NoPath
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
-from core.planning.commanded_path import Motion, commanded_paths
+from core.planning.commanded_path import PlanPart, compute_joint_paths
 from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
-from core.planning.joint_torques import JointTorques, Load, guessed_load, refuse_too_heavy
+from core.planning.joint_torques import JointTorques, Load, guess_load, refuse_too_heavy
 from core.planning.path import check_end, one_turn_away
 from core.planning.settings import WHOLE, Planner, Timing
 from core.planning.start_configuration import Grid, StartConfiguration, find_start_configuration
-from core.planning.summary import ClosestPair, FastestCorner, LeftOutPair, LostLoad, PlannedPose, PlanSummary, PlanTorques, SecondOpinion
+from core.planning.summary import (
+    ClosestPair,
+    FastestCorner,
+    LeftOutPair,
+    NearestFlight,
+    PlannedPose,
+    PlanSummary,
+    PlanTorques,
+    SecondOpinion,
+)
 from core.planning.throw import ThrowCheck
 from core.planning.transfer import Transfer, plan_transfer
 from core.robot.collision import CollisionModel
-from core.robot.decoupling import decoupling_profile, expected_inertia, repetitions_for
+from core.robot.decoupling import decoupling_profile, predict_inertia, repetitions_for
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile, JointTrajectory
 from core.second_opinion.opinion import JointPath, Opinion, second_opinion
@@ -131,7 +140,7 @@ def plan_procedure(
     timing = timing or Timing()
     speed = cell.limits.cartesian_speed_m_s
     once = decoupling_profile(widest_box(cell, payload_box), cartesian_speed=speed, period=period, excursion=timing.swing_rad)
-    torques = check_standing(cell, robot, collision, start, load or guessed_load(cell, payload_box, mass_guess_kg), period)
+    torques = check_standing(cell, robot, collision, start, load or guess_load(cell, payload_box, mass_guess_kg), period)
     search = _Search(cell, robot, collision, once, rotations, planner, seed, torques, effort)
     reached: list[Reached] = []
     for _, group in groupby(poses, key=lambda pose: pose[0]):
@@ -153,7 +162,7 @@ def plan_procedure(
         )
         for axis, start, transfer in reached
     )
-    found = confirmed(cell, robot, collision, payload_box, legs, back, torques)
+    found = confirm_plan(cell, robot, collision, payload_box, legs, back, torques)
     plan = Plan(legs, back, timing, time.perf_counter() - began, found.opinion, found.torques)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
@@ -180,7 +189,7 @@ class Confirmation(NamedTuple):
     torques: PlanTorques
 
 
-def confirmed(
+def confirm_plan(
     cell: Cell,
     robot: RobotModel,
     collision: CollisionModel,
@@ -196,7 +205,7 @@ def confirmed(
         PlanDisputed: the second opinion does not confirm them, or one of their motions cannot be carried out.
     """
     first = legs[0].transfer if legs else home
-    paths = commanded_paths(cell, robot, collision, motions_of(legs, home), first.trajectory.q[0])
+    paths = compute_joint_paths(cell, robot, collision, motions_of(legs, home), first.trajectory.q[0])
     asked = torques.of(paths, home.trajectory.period)
     refuse_too_heavy(asked)
     opinion = second_opinion(cell, payload_box, paths, home.trajectory.period)
@@ -204,14 +213,14 @@ def confirmed(
     return Confirmation(opinion, asked)
 
 
-def motions_of(legs: Sequence[Leg], home: Transfer) -> list[Motion]:
+def motions_of(legs: Sequence[Leg], home: Transfer) -> list[PlanPart]:
     """Everything that moves, in order."""
-    motions: list[Motion] = []
+    motions: list[PlanPart] = []
     for leg in legs:
-        motions.append(Motion(f"transfer {leg.axis}", leg.transfer.trajectory))
-        motions += [] if leg.profile is None else [Motion(f"rotation {leg.about}", leg.profile, leg.about)]
-        motions += [] if leg.wave is None else [Motion(f"wave {leg.axis}", leg.wave)]
-    return [*motions, Motion("home", home.trajectory)]
+        motions.append(PlanPart(f"transfer {leg.axis}", leg.transfer.trajectory))
+        motions += [] if leg.profile is None else [PlanPart(f"rotation {leg.about}", leg.profile, leg.about)]
+        motions += [] if leg.wave is None else [PlanPart(f"wave {leg.axis}", leg.wave)]
+    return [*motions, PlanPart("home", home.trajectory)]
 
 
 def way_home(
@@ -319,7 +328,7 @@ def _repeat_rotation(
     repetitions = repetitions_for(
         once,
         torque_std=cell.sensor.noise_std[3 + k],
-        inertia_std=timing.inertia_std * expected_inertia(payload_box, mass_guess_kg, k),
+        inertia_std=timing.inertia_std * predict_inertia(payload_box, mass_guess_kg, k),
         budget=max(budget, once.duration),
     )
     return decoupling_profile(
@@ -379,5 +388,5 @@ def _opinion_summary(opinion: Opinion) -> SecondOpinion:
         ],
         fastest=FastestCorner(body=fast.body, speed_m_s=fast.speed_m_s, limit_m_s=fast.limit_m_s, part=fast.part, time_s=fast.time_s),
         samples=opinion.samples,
-        lost_load=None if lost is None else LostLoad(**vars(lost)),
+        lost_load=None if lost is None else NearestFlight(**vars(lost)),
     )

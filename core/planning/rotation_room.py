@@ -17,7 +17,7 @@ from core.cell.cell import Cell
 from core.planning.timing import MotionLimits
 from core.robot.chain import Chain, joint_frames
 from core.robot.collision import CollisionModel
-from core.robot.inverse_kinematics import _damped_step, _fill_jacobian, _pose_error
+from core.robot.inverse_kinematics import _fill_damped_step, _fill_jacobian, _pose_error
 from core.robot.model import RobotModel
 from core.robot.point_speed import point_speeds
 from core.robot.trajectory import AngularProfile
@@ -94,7 +94,7 @@ def _track(placements: Array, axes: Array, q0: Array, axis: Array, angle: Array,
             joint_frames(placements, axes, here, R, p)  # back onto the task
             _pose_error(R[n], p[n], goal, origin, e)
             _fill_jacobian(R, p, axes, J)
-            _damped_step(J, e, _DAMPING, A, y, step)
+            _fill_damped_step(J, e, _DAMPING, A, y, step)
             for j in range(n):
                 here[j] += step[j]
             joint_frames(placements, axes, here, R, p)
@@ -102,7 +102,7 @@ def _track(placements: Array, axes: Array, q0: Array, axis: Array, angle: Array,
             if not np.max(np.abs(e)) < 1e-5:
                 return False
             _fill_jacobian(R, p, axes, J)
-            _damped_step(J, twist, _DAMPING, A, y, step)
+            _fill_damped_step(J, twist, _DAMPING, A, y, step)
             q[k], dq[k] = here, step
             if np.max(np.abs(step)) > 50.0:
                 return False
@@ -110,7 +110,7 @@ def _track(placements: Array, axes: Array, q0: Array, axis: Array, angle: Array,
             middle = here + 0.5 * direction * width * step
             joint_frames(placements, axes, middle, R, p)
             _fill_jacobian(R, p, axes, J)
-            _damped_step(J, twist, _DAMPING, A, y, step)
+            _fill_damped_step(J, twist, _DAMPING, A, y, step)
             for j in range(n):
                 here[j] += direction * width * step[j]
             k += direction

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from core.cell.cell import Cell
 from core.errors import BadInput
 from core.files.whole_file import write_whole
-from core.planning.commanded_path import commanded_paths
+from core.planning.commanded_path import compute_joint_paths
 from core.planning.plan import Leg, Plan, motions_of
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
@@ -71,7 +71,7 @@ def set_points_of(cell: Cell, robot: RobotModel, collision: CollisionModel, plan
     every = multiple(period_s, own)
     first = plan.legs[0].transfer if plan.legs else plan.home
     here = first.trajectory.q[0]
-    paths = iter(commanded_paths(cell, robot, collision, motions_of(plan.legs, plan.home), here))
+    paths = iter(compute_joint_paths(cell, robot, collision, motions_of(plan.legs, plan.home), here))
     named: list[tuple[str, Array]] = []
     for leg in plan.legs:
         arrival = next(paths)
@@ -108,7 +108,7 @@ def _in_time(named: list[tuple[str, Array]], every: int, period_s: float) -> tup
     return tuple(motions)
 
 
-def check_target(file: Path | None, period_s: float | None, own: float) -> None:
+def check_set_points(file: Path | None, period_s: float | None, own: float) -> None:
     """Before anything long begins: whether the file can be written with that period, where a plan has its `own`.
 
     Raises:

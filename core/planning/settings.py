@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from core.estimation.determination import not_excited
+from core.estimation.determination import explain_not_excited
 
 Planner = Literal["rrt_connect", "rrt_star"]
 
@@ -53,7 +53,7 @@ class Scope:
     @property
     def not_excited(self) -> dict[str, str]:
         """Name of each inertial parameter that no rotation of this part shows -> why. Transfers may show it all the same."""
-        return not_excited(self.axes if self.rotations else "")
+        return explain_not_excited(self.axes if self.rotations else "")
 
 
 WHOLE = Scope()

@@ -20,7 +20,7 @@ _CORNER_COST = 0.02
 """s; keeps the number of corners small."""
 
 
-def shortened(q: Array, cost: Cost, is_clear: Clear, rng: np.random.Generator, *, attempts: int) -> Array:
+def shorten_path(q: Array, cost: Cost, is_clear: Clear, rng: np.random.Generator, *, attempts: int) -> Array:
     """A polyline (M, n) between the same ends that costs no more than q (N, n).
 
     Args:

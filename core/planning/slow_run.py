@@ -9,7 +9,7 @@ SLOWEST_M_S = 0.01
 """Slower than this a transfer takes minutes."""
 
 
-def allowed_speeds(cell: Cell) -> tuple[float, float]:
+def find_speed_range(cell: Cell) -> tuple[float, float]:
     """The lowest and the highest speed that may be asked for in a cell, m/s."""
     limit = cell.limits.cartesian_speed_m_s
     return min(SLOWEST_M_S, limit), limit
@@ -27,7 +27,7 @@ def slowed(cell: Cell, speed_m_s: float | None, where: str) -> Cell:
     """
     if speed_m_s is None:
         return cell
-    slowest, limit = allowed_speeds(cell)
+    slowest, limit = find_speed_range(cell)
     if not slowest <= speed_m_s <= limit:
         raise BadInput(where, f"{speed_m_s:g} m/s", f"{slowest:g} to {limit:g} m/s, the limit of the cell")
     return cell.model_copy(update={"limits": cell.limits.model_copy(update={"cartesian_speed_m_s": speed_m_s})})

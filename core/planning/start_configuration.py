@@ -118,7 +118,7 @@ class Checks:
         self._thrown_into: Counter[str] = Counter()
         self._too_weak: list[tuple[float, str]] = []
 
-    def passed(self, candidates: Candidates, row: int) -> Accepted | None:
+    def check_candidate(self, candidates: Candidates, row: int) -> Accepted | None:
         """The candidate with its rotation, or None, which is counted."""
         outcome = self._check(candidates.q[row], candidates.clearance[row])
         if isinstance(outcome, str):
@@ -269,7 +269,7 @@ def find_attitude(
 
 def _first_accepted(candidates: Candidates, checks: Checks, above: float = -np.inf) -> Accepted | None:
     """The candidate with the best score above a value that passes every check."""
-    return next((found for row in _best_first(candidates, above) if (found := checks.passed(candidates, row))), None)
+    return next((found for row in _best_first(candidates, above) if (found := checks.check_candidate(candidates, row))), None)
 
 
 def _best_first(candidates: Candidates, above: float) -> Iterator[int]:

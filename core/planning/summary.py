@@ -25,7 +25,7 @@ class ClosestPair(BaseModel):
     """Where the second opinion finds a kind of pair closest to what it has to keep, for JSON.
 
     Args:
-        kind: in words, as in `core.second_opinion.pairs.Kind`.
+        kind: in words, as in `core.second_opinion.pairs.PairKind`.
         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
     """
 
@@ -60,7 +60,7 @@ class SecondOpinion(BaseModel):
     closest: list[ClosestPair]
     fastest: FastestCorner
     samples: int
-    lost_load: LostLoad | None = None
+    lost_load: NearestFlight | None = None
     """None where there is no protected zone, and in plans made before it was looked for."""
 
 
@@ -102,7 +102,7 @@ class PlanTorques(BaseModel):
     not_judged: list[str]
 
 
-class LostLoad(BaseModel):
+class NearestFlight(BaseModel):
     """The flight of a load that comes off on the way which comes nearest to a protected zone, for JSON.
 
     Args:

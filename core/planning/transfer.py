@@ -13,7 +13,7 @@ from scipy.interpolate import PPoly
 
 from core.cell.cell import Cell
 from core.errors import NoPath
-from core.planning.blending import rounded
+from core.planning.blending import round_corners
 from core.planning.certificate import least_margin
 from core.planning.effort import PATH_ITERATIONS
 from core.planning.path import SPARE_M, check_drop, nearest_names, plan_path
@@ -95,7 +95,7 @@ def plan_transfer(
         path = plan_path(cell, robot, collision, start, goal, planner=planner, seed=seed + 1000 * attempt, iterations=iterations)
         room = Room(robot, collision, throws, path.q[[0, -1]], ROUNDING_SPARE_M)
         try:
-            trajectory = _time_clear_of_zones(path.q, rounded(path.q, room.has_all), robot, collision, throws, limits, period)
+            trajectory = _time_clear_of_zones(path.q, round_corners(path.q, room.has_all), robot, collision, throws, limits, period)
         except NoPath as error:
             failure = error
             continue

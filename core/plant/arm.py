@@ -99,11 +99,11 @@ def arm_of_cell(cell: Cell) -> Arm:
 
     at_base = np.eye(4)
     at_base[:3, :3], at_base[:3, 3] = cell.robot.base.rotation, cell.robot.base.translation
-    previous = at_base @ np.linalg.inv(tree.fixed_pose(cell.robot.base_frame)[1])
+    previous = at_base @ np.linalg.inv(tree.find_rigid_parent(cell.robot.base_frame)[1])
     joints = []
     for hinge in hinges:
         tag = tree.joints[hinge.name]
-        _, on_previous = tree.fixed_pose(end_of(tag, "parent"))
+        _, on_previous = tree.find_rigid_parent(end_of(tag, "parent"))
         joints.append(
             ArmJoint(
                 name=hinge.name,
@@ -117,7 +117,7 @@ def arm_of_cell(cell: Cell) -> Arm:
             )
         )
         previous = np.eye(4)
-    return Arm(tuple(joints), tree.fixed_pose(cell.robot.sensor_frame)[1])
+    return Arm(tuple(joints), tree.find_rigid_parent(cell.robot.sensor_frame)[1])
 
 
 def _body(tree: UrdfTree, hinge: Hinge, carried: tuple[str, ...], where: str) -> InertialParameters:

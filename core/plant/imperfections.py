@@ -22,7 +22,7 @@ class Drift(Protocol):
 
 
 @dataclass(frozen=True)
-class LinearDrift:
+class LinearOffsetDrift:
     """The offset grows steadily and reaches `size` (six values, N and N m) after `duration_s`."""
 
     size: Six
@@ -34,7 +34,7 @@ class LinearDrift:
 
 
 @dataclass(frozen=True)
-class ExponentialDrift:
+class ExponentialOffsetDrift:
     """The offset settles at `size` (six values, N and N m) as of a sensor warming up: `size (1 - exp(-t /
     time_constant_s))`."""
 

@@ -22,7 +22,7 @@ REST_DAMPING = 0.99
 """Share of its velocity that every step leaves to what comes to rest."""
 
 
-class Moved(NamedTuple):
+class LinkSideState(NamedTuple):
     """Joints on the link side (n,), and the wrench (6,), all of one instant."""
 
     q: Array
@@ -87,7 +87,7 @@ class Links:
             return data.qpos[self._motors].copy(), data.qvel[self._motors].copy()
         return data.qpos[self._motors], data.qvel[self._motors]
 
-    def step(self, t: float, q: Array, dq: Array, tau: Array) -> Moved:
+    def step(self, t: float, q: Array, dq: Array, tau: Array) -> LinkSideState:
         """One period under the torques tau (n,); returns what was at its beginning.
 
         Args:
@@ -105,7 +105,7 @@ class Links:
         ddq = np.array(data.qacc[self._motors])
         if len(springs):
             ddq[self._sprung] += data.qacc[springs]
-        return Moved(q, dq, ddq, data.sensordata.copy())
+        return LinkSideState(q, dq, ddq, data.sensordata.copy())
 
     def _apply(self, t: float, tau: Array) -> None:
         data = self._data

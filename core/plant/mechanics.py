@@ -93,7 +93,7 @@ def build_spec(arm: Arm, payload: InertialParameters, gravity: Array, drives: Dr
 
 
 def _add_body(parent: mujoco.MjsBody, name: str, placement: Array, parameters: InertialParameters) -> mujoco.MjsBody:
-    body = parent.add_body(name=name, pos=placement[:3, 3], quat=quaternion(placement[:3, :3]))
+    body = parent.add_body(name=name, pos=placement[:3, 3], quat=to_mujoco_quaternion(placement[:3, :3]))
     set_parameters(body, parameters)
     return body
 
@@ -110,12 +110,12 @@ def set_parameters(body: mujoco.MjsBody, parameters: InertialParameters) -> None
         body.mass = parameters.mass
         body.ipos = parameters.com
         body.inertia = principal.moments
-        body.iquat = quaternion(principal.axes)
+        body.iquat = to_mujoco_quaternion(principal.axes)
     else:
         body.mass, body.inertia = 0.0, np.zeros(3)
 
 
-def parameters_of(body: mujoco.MjsBody) -> InertialParameters:
+def get_parameters(body: mujoco.MjsBody) -> InertialParameters:
     """What `set_parameters` has given to a body, in the body's frame."""
     axes = Rotation.from_quat(np.array(body.iquat), scalar_first=True).as_matrix()
     inertia_com = axes @ np.diag(np.array(body.inertia)) @ axes.T
@@ -131,6 +131,6 @@ def arm_joints(spec: mujoco.MjSpec) -> list[mujoco.MjsJoint]:
     return joints
 
 
-def quaternion(rotation: Array) -> Array:
+def to_mujoco_quaternion(rotation: Array) -> Array:
     """(4,) in MuJoCo's order w, x, y, z."""
     return np.asarray(Rotation.from_matrix(rotation).as_quat(scalar_first=True))

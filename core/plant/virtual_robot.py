@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from core.cell.cell import Cell
-from core.cell.tools import felt_with
+from core.cell.tools import add_cell_tools
 from core.payload.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.controller import JointController
@@ -86,15 +86,15 @@ class VirtualRobot:
     ) -> None:
         imperfections, drives = imperfections or Imperfections(), drives or Drives()
         self.arm = arm_of_cell(cell)
-        self.carried = felt_with(cell, payload)
+        self.carried = add_cell_tools(cell, payload)
         """Tools and payload as one rigid body: what the sensor feels."""
         self.home = np.array(cell.robot.home_rad)
-        gravity = tilted_gravity(cell, imperfections.base_tilt_rad)
+        gravity = tilt_cell_gravity(cell, imperfections.base_tilt_rad)
         self._links = Links(self.arm, build_spec(self.arm, self.carried, gravity, drives), Setting(cell, self.carried), faults)
         self._machine = machine = self._links.machine
         frictionless = Drives(drives.armature_s2, drives.damping_s, friction=0.0)
         self._controller = JointController(
-            build_model(self.arm, felt_with(cell, NOTHING), cell.gravity, frictionless),
+            build_model(self.arm, add_cell_tools(cell, NOTHING), cell.gravity, frictionless),
             torque_limit=self.arm.effort,
             acceleration_limit=2 * np.array(cell.robot.acceleration_rad_s2),
         )
@@ -162,7 +162,7 @@ def _present(hooks: Iterable[Hook | None]) -> list[Hook]:
     return [hook for hook in hooks if hook is not None]
 
 
-def tilted_gravity(cell: Cell, tilt_rad: tuple[float, float]) -> Array:
+def tilt_cell_gravity(cell: Cell, tilt_rad: tuple[float, float]) -> Array:
     """(3,), gravity in the world frame of a cell whose base stands tilted; see `Imperfections`."""
     R_base = cell.robot.base.rotation
     tilt = Rotation.from_rotvec([*tilt_rad, 0.0]).as_matrix()

@@ -9,11 +9,11 @@ import numpy as np
 
 from core.cell.cell import Box, Cell
 from core.events import Event
-from core.planning.joint_torques import known_load
+from core.planning.joint_torques import find_known_load
 from core.planning.settings import Planner
 from core.planning.stop import Stop
 from core.planning.stops import Stops
-from core.procedure.identify import Run, carried_out
+from core.procedure.identify import Run, move_and_estimate
 from core.procedure.outcome import Outcome
 from core.recording.recording import Recording, check_same_robot
 from core.sessions.session import RobotSession
@@ -51,6 +51,6 @@ def measure_more(
     """
     run = Run(cell, session, payload_box, Stops.of(stops), planner, seed)
     check_same_robot(before, run.robot.description, cell.gravity_in_base)
-    run.twin, run.before, run.load, run.effort = twin, before, known_load(cell, before.payload), effort
-    plan = yield from run.planned(np.array(cell.robot.home_rad))
-    return (yield from carried_out(run, plan, before.payload, None, out))
+    run.twin, run.before, run.load, run.effort = twin, before, find_known_load(cell, before.payload), effort
+    plan = yield from run.make_plan(np.array(cell.robot.home_rad))
+    return (yield from move_and_estimate(run, plan, before.payload, None, out))

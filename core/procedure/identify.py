@@ -22,7 +22,7 @@ from core.errors import Held, Interrupted, Refused, Stopped
 from core.estimation.identification import identify_recording
 from core.estimation.online import OnlineEstimator
 from core.events import Event, Finished, PhaseStarted, Progress, RecordingWritten, RobotStopped, StepFinished
-from core.planning.joint_torques import Load, known_load
+from core.planning.joint_torques import Load, find_known_load
 from core.planning.plan import Leg, Plan
 from core.planning.sequence import MotionSequence, PlanRequest, Procedure
 from core.planning.settings import WHOLE, Planner, Scope, Timing
@@ -85,9 +85,9 @@ def identify(
         Interrupted: Ctrl-C; the robot is stopped and the recording written.
     """
     run = Run(cell, session, payload_box, Procedure(timing or Timing(), mass_guess_kg, scope), planner, seed)
-    run.twin, run.load, run.effort = twin, known_load(cell, payload), effort
-    plan = yield from run.planned(np.array(cell.robot.home_rad) if start is None else start)
-    return (yield from carried_out(run, plan, payload, reference, out))
+    run.twin, run.load, run.effort = twin, find_known_load(cell, payload), effort
+    plan = yield from run.make_plan(np.array(cell.robot.home_rad) if start is None else start)
+    return (yield from move_and_estimate(run, plan, payload, reference, out))
 
 
 def carry_out(
@@ -105,16 +105,18 @@ def carry_out(
 ) -> Generator[Event, None, Outcome]:
     """The second half of `identify`, for a plan that starts where the robot stands. Arguments and errors as there."""
     run = Run(cell, session, payload_box, Procedure(plan.timing, mass_guess_kg), "rrt_connect", seed)
-    run.plan_s, run.twin, run.load = plan.plan_s, twin, known_load(cell, payload)
-    return (yield from carried_out(run, plan, payload, reference, out))
+    run.plan_s, run.twin, run.load = plan.plan_s, twin, find_known_load(cell, payload)
+    return (yield from move_and_estimate(run, plan, payload, reference, out))
 
 
-def carried_out(run: Run, plan: Plan, payload: str | None, reference: Payload | None, out: Path | None) -> Generator[Event, None, Outcome]:
+def move_and_estimate(
+    run: Run, plan: Plan, payload: str | None, reference: Payload | None, out: Path | None
+) -> Generator[Event, None, Outcome]:
     """Moves, closes the recording whatever ended the motion, and estimates."""
     log = SampleLog(run.cell, run.robot, payload=payload, reference=reference, before=run.before)
     try:
         with run.session:
-            plan = yield from run.moved(plan, log)
+            plan = yield from run.execute_plan(plan, log)
     except (Stopped, Refused):
         yield from _write_log(log, out)
         raise
@@ -178,7 +180,7 @@ class Run:
         self.restarts = 0
         self.plan_s = 0.0
 
-    def planned(self, start: Array, done: int = 0) -> Generator[Event, None, Plan]:
+    def make_plan(self, start: Array, done: int = 0) -> Generator[Event, None, Plan]:
         """A plan through what is left to do after so many legs, from where the robot stands.
 
         Another seed after each stop gives other start configurations.
@@ -192,7 +194,7 @@ class Run:
         seed = self.seed + self.restarts
         return PlanRequest(self.cell, self.payload_box, start, done, self.session.period, self.planner, seed, self.load, self.effort)
 
-    def moved(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
+    def execute_plan(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
         """Carries the plan out; after a stop by the guard the rest of it from new start configurations, as the paper says.
 
         Returns the last plan.
@@ -211,7 +213,7 @@ class Run:
                 if final:
                     raise
                 self.restarts += 1
-                plan = yield from self.planned(here, self.done)
+                plan = yield from self.make_plan(here, self.done)
                 self.session.release()
             else:
                 return plan
@@ -240,7 +242,7 @@ class Run:
             BadCell: there is none of that name.
         """
         self.collision.move(name, pose)
-        self.cell = self.cell.with_moved(name, pose)
+        self.cell = self.cell.with_pose_of(name, pose)
 
     def leg(self, leg: Leg, log: SampleLog, plan: Plan, *, step: int) -> Generator[Event, None, None]:
         """Transfer, motionless phase, and where there is one the movement and another motionless phase."""
@@ -274,7 +276,7 @@ class Run:
             yield PhaseStarted(phase=phase, toward=toward, step=step, steps=self.sequence.steps + 1)
             try:
                 for batch in execute(self.session, self.guard, mover, phase, batch=size):
-                    known = self.learned(log.extend(batch.states, batch.phase))
+                    known = self.update_estimate(log.extend(batch.states, batch.phase))
                     yield Progress(phase=phase, done_s=log.seconds, total_s=max(plan.robot_s, log.seconds), estimate_phi=known)
             except Held as held:
                 here = self._record_braking(log)
@@ -284,7 +286,7 @@ class Run:
             else:
                 return
 
-    def learned(self, states: Sequence[RobotState]) -> tuple[float | None, ...]:
+    def update_estimate(self, states: Sequence[RobotState]) -> tuple[float | None, ...]:
         """The estimate along the way, after some more samples; None where a parameter is not yet known."""
         for state in states:
             self.online.update(state.q, state.wrench)

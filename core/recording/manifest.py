@@ -30,13 +30,13 @@ Six = tuple[Number, Number, Number, Number, Number, Number]
 SixPositive = tuple[Positive, Positive, Positive, Positive, Positive, Positive]
 
 
-class Part(BaseModel):
+class ManifestPart(BaseModel):
     """Keys that the format does not know are left alone, unless they look like a misspelt one that is absent."""
 
     model_config = ConfigDict(frozen=True, extra="ignore", allow_inf_nan=False)
 
 
-class FrictionPart(Part):
+class FrictionPart(ManifestPart):
     """Friction that the joints are known to have, one value for each."""
 
     coulomb_n_m: tuple[NotNegative, ...]
@@ -48,7 +48,7 @@ class FrictionPart(Part):
         return FrictionDescription(np.array(self.coulomb_n_m), np.array(self.viscous_n_m_s))
 
 
-class RobotPart(Part):
+class RobotPart(ManifestPart):
     """Nominal kinematics; `urdf` is a path inside the folder."""
 
     urdf: str
@@ -58,7 +58,7 @@ class RobotPart(Part):
     friction: FrictionPart | None = None
 
 
-class SensorPart(Part):
+class SensorPart(ManifestPart):
     """The wrist sensor; sign -1 where it states what the payload exerts on it."""
 
     sign: Literal[1, -1] = 1
@@ -73,7 +73,7 @@ class SensorPart(Part):
         return SensorDescription(**{key: np.array(value) for key, value in given.items() if value is not None})
 
 
-class ReferencePart(Part):
+class PayloadReferencePart(ManifestPart):
     """The payload as somebody else knows it, without the tools; inertia about the sensor origin, Ixx Ixy Ixz Iyy Iyz Izz."""
 
     mass: Positive
@@ -87,7 +87,7 @@ class ReferencePart(Part):
         return InertialParameters(np.array([self.mass, *self.first_moment, *self.inertia]))
 
 
-class ToolPart(Part):
+class KnownToolPart(ManifestPart):
     """A known body between sensor and payload; inertia about the sensor origin, Ixx Ixy Ixz Iyy Iyz Izz; `std` where stated."""
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
@@ -108,22 +108,22 @@ class ToolPart(Part):
         return KnownTool(self.name, self.title, parameters, np.array(std))
 
 
-class Manifest(Part):
+class Manifest(ManifestPart):
     """The whole file; `cell`, `payload` and `software` are written by our own runs."""
 
     format: Literal["recording/1"] = FORMAT
     gravity: Vector3
     robot: RobotPart | None = None
     sensor: SensorPart = SensorPart()
-    payload_reference: ReferencePart | None = None
-    tools: Annotated[tuple[ToolPart, ...], Field(max_length=32)] | None = None
+    payload_reference: PayloadReferencePart | None = None
+    tools: Annotated[tuple[KnownToolPart, ...], Field(max_length=32)] | None = None
     source: str | None = None
     cell: str | None = None
     payload: str | None = None
     software: str | None = None
 
 
-PARTS: dict[str, type[Part]] = {"robot": RobotPart, "sensor": SensorPart, "payload_reference": ReferencePart}
+PARTS: dict[str, type[ManifestPart]] = {"robot": RobotPart, "sensor": SensorPart, "payload_reference": PayloadReferencePart}
 
 
 def read_manifest(folder: Path) -> Manifest:
@@ -142,7 +142,7 @@ def read_manifest(folder: Path) -> Manifest:
             _refuse_misspelt(content[key], part, f"{where}: {key}")
     for tool in content["tools"] if isinstance(content.get("tools"), list) else []:
         if isinstance(tool, dict):
-            _refuse_misspelt(tool, ToolPart, f"{where}: tools")
+            _refuse_misspelt(tool, KnownToolPart, f"{where}: tools")
     if isinstance(content.get("robot"), dict) and isinstance(friction := content["robot"].get("friction"), dict):
         _refuse_misspelt(friction, FrictionPart, f"{where}: robot.friction")
     try:
@@ -213,7 +213,7 @@ def _json_object(text: str, where: str) -> dict[str, Any]:
     return content
 
 
-def _refuse_misspelt(content: dict[str, Any], part: type[Part], where: str) -> None:
+def _refuse_misspelt(content: dict[str, Any], part: type[ManifestPart], where: str) -> None:
     absent = [name for name in part.model_fields if name not in content]
     for key in content:
         close = difflib.get_close_matches(key, absent, n=1, cutoff=0.75) if key not in part.model_fields else []

@@ -122,7 +122,7 @@ def check_same_robot(first: Recording, robot: RobotDescription | None, gravity: 
         raise BadRecording("what is appended: gravity", f"{gravity.tolist()}", f"that of the recording, {first.gravity.tolist()}")
 
 
-def appended(first: Recording, then: Recording) -> Recording:
+def append_recording(first: Recording, then: Recording) -> Recording:
     """Both as one recording with a gap in time; columns that one of them lacks are left out.
 
     Args:

@@ -171,11 +171,11 @@ def _draw_simulation(upper: Axes, lower: Axes, t: Array, values: Array, sigmas: 
     """A simulated line with what it leaves below; in alarm colour where that is more than noise can be."""
     colour = ALARM if float(np.sqrt(np.mean(sigmas**2))) > GAP else INK
     for axes, line in ((upper, values), (lower, sigmas)):
-        x, y = decimated(t, line)
+        x, y = decimate(t, line)
         axes.plot(x, y, color=colour, linewidth=1.1, linestyle=(0, (5, 2)) if dashed else "-")
 
 
-def decimated(t: Array, values: Array) -> tuple[Array, Array]:
+def decimate(t: Array, values: Array) -> tuple[Array, Array]:
     """At most `POINTS` points of a line that keep its extremes: the least and the greatest value of each stretch."""
     if len(t) <= POINTS:
         return t, values
@@ -185,7 +185,7 @@ def decimated(t: Array, values: Array) -> tuple[Array, Array]:
 
 
 def _line(axes: Axes, t: Array, values: Array, colour: str, *, width: float = 1.1, alpha: float = 1.0) -> None:
-    x, y = decimated(t, values)
+    x, y = decimate(t, values)
     few = len(t) < 100  # single poses: the line between them means nothing
     axes.plot(
         x,

@@ -12,7 +12,16 @@ from numpy.typing import NDArray
 from core.gap.answer import SIDES, Also, Diagnosis, GapPart, JointGap, Minor, Tied, Where
 from core.gap.limits import GAP
 from core.report.charts import CHANNELS, gap_chart, overlay_chart
-from core.report.diagnosis_rows import explanation_rows, heat_map, leading, parameter_texts, payload_rows, percent, rest_sentences, title_of
+from core.report.diagnosis_rows import (
+    explanation_rows,
+    find_leading_explanation,
+    heat_map,
+    parameter_texts,
+    payload_rows,
+    percent,
+    rest_sentences,
+    title_of,
+)
 from core.report.html_file import write_html
 from core.report.rows import Fact, sentence
 from core.version import code_version
@@ -95,7 +104,7 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
 def _facts(diagnosis: Diagnosis) -> list[Fact]:
     gap, where = diagnosis.gap, diagnosis.where
     found = []
-    first = leading(diagnosis)
+    first = find_leading_explanation(diagnosis)
     if gap is not None:
         found.append(Fact("Gap", f"{gap.before:.2f}", "noise alone is 1", alarm=gap.before > GAP * gap.floor))
         if first is not None:
@@ -126,7 +135,7 @@ def _to_do_about_the_wrench(diagnosis: Diagnosis) -> list[str]:
     if diagnosis.verdict == "unknown":
         where = "" if diagnosis.where is None else f" Look at {diagnosis.where.channel} during {diagnosis.where.phase} first."
         return ["Add no effect to the simulation: none of them is the cause." + where]
-    first = leading(diagnosis)
+    first = find_leading_explanation(diagnosis)
     ids = () if first is None else first.ids
     if diagnosis.verdict == "explained":
         return [sentence(effect.advice) for effect in diagnosis.effects if effect.id in ids]

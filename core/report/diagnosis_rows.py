@@ -12,7 +12,7 @@ import numpy as np
 from core.gap.answer import Diagnosis, PatchPart, PayloadPart, Value
 from core.gap.limits import BEYOND_STD, SHARES, sizes
 from core.report.charts import CHANNELS
-from core.report.rows import LABELS, rounded
+from core.report.rows import LABELS, round_to_uncertainty
 
 SHOWN = 0.005
 """Probability from which an explanation has a row of its own."""
@@ -89,7 +89,7 @@ class Leading:
     interval: tuple[float, float] | None
 
 
-def leading(diagnosis: Diagnosis) -> Leading | None:
+def find_leading_explanation(diagnosis: Diagnosis) -> Leading | None:
     """The most probable explanation; None where there is none."""
     titles = {effect.id: effect.title for effect in diagnosis.effects}
     singles = [Leading((e.id,), e.title, e.probability, e.closure, e.closure_interval) for e in diagnosis.effects]
@@ -151,9 +151,9 @@ def value_text(name: str, value: Value) -> str:
     """A parameter with its uncertainty in everyday units."""
     factor, unit = _scale(name, value)
     label = UNIT_SUFFIX.sub("", name).replace("_", " ")
-    text = f"{label} {rounded(factor * value.value, None if value.std is None else factor * value.std)}"
+    text = f"{label} {round_to_uncertainty(factor * value.value, None if value.std is None else factor * value.std)}"
     if value.std is not None and value.std > 0:
-        text += f" ± {rounded(factor * value.std, factor * value.std)}"
+        text += f" ± {round_to_uncertainty(factor * value.std, factor * value.std)}"
     return text + (unit if unit == "°" else f" {unit}").rstrip() + (" (at its bound)" if value.at_bound else "")
 
 
@@ -268,10 +268,10 @@ def payload_rows(payload: PayloadPart) -> list[PayloadRow]:
             PayloadRow(
                 name=LABELS[k],
                 unit=unit,
-                before=rounded(factor * float(a), factor * a_std),
-                before_std=rounded(factor * a_std, factor * a_std),
-                after=rounded(factor * float(b), factor * b_std),
-                after_std=rounded(factor * b_std, factor * b_std),
+                before=round_to_uncertainty(factor * float(a), factor * a_std),
+                before_std=round_to_uncertainty(factor * a_std, factor * a_std),
+                after=round_to_uncertainty(factor * float(b), factor * b_std),
+                after_std=round_to_uncertainty(factor * b_std, factor * b_std),
                 change=f"{-100 * shift / size[k]:+.2f} %" if size[k] > 0 else "",
                 sigmas=f"{-shift / b_std:+.1f}" if b_std > 0 else "",
                 material=bool(share > SHARES[k] and abs(shift) > BEYOND_STD * b_std),

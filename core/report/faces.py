@@ -71,7 +71,7 @@ def box_faces(size: Array) -> Faces:
     return faces
 
 
-def turned_faces(profile: Array) -> Faces:
+def revolve_profile(profile: Array) -> Faces:
     """A body of revolution about z; profile (k, 2) of radius and height from bottom to top, radius 0 at both ends."""
     angle = np.linspace(0.0, 2.0 * np.pi, ROUND + 1)
     circle = np.column_stack([np.cos(angle), np.sin(angle)])
@@ -93,7 +93,7 @@ def turned_faces(profile: Array) -> Faces:
 def cylinder_faces(radius: float, length: float) -> Faces:
     """A cylinder along z about the origin."""
     h = length / 2
-    return turned_faces(np.array([[0, -h], [radius, -h], [radius, h], [0, h]], dtype=float))
+    return revolve_profile(np.array([[0, -h], [radius, -h], [radius, h], [0, h]], dtype=float))
 
 
 def capsule_faces(radius: float, length: float) -> Faces:
@@ -101,7 +101,7 @@ def capsule_faces(radius: float, length: float) -> Faces:
     arc = np.linspace(0.0, np.pi / 2, 6)
     top = np.column_stack([radius * np.cos(arc), length / 2 + radius * np.sin(arc)])
     top[-1, 0] = 0.0
-    return turned_faces(np.concatenate([top[::-1] * [1, -1], top]))
+    return revolve_profile(np.concatenate([top[::-1] * [1, -1], top]))
 
 
 def sphere_faces(radius: float) -> Faces:
@@ -109,10 +109,10 @@ def sphere_faces(radius: float) -> Faces:
     arc = np.linspace(-np.pi / 2, np.pi / 2, 11)
     profile = np.column_stack([radius * np.cos(arc), radius * np.sin(arc)])
     profile[[0, -1], 0] = 0.0
-    return turned_faces(profile)
+    return revolve_profile(profile)
 
 
-def placed(faces: Faces, rotation: Array, position: Array) -> Faces:
+def place_faces(faces: Faces, rotation: Array, position: Array) -> Faces:
     """Faces in the frame that rotation (3, 3) and position (3,) refer to."""
     return [face @ rotation.T + position for face in faces]
 
@@ -128,7 +128,7 @@ def shape_faces(shape: Shape) -> Faces:
             faces = capsule_faces(shape.radius_m, shape.length_m)
         case Cylinder():
             faces = cylinder_faces(shape.radius_m, shape.length_m)
-    return placed(faces, shape.pose.rotation, shape.pose.translation)
+    return place_faces(faces, shape.pose.rotation, shape.pose.translation)
 
 
 def arm_faces(cell: Cell, robot: RobotModel, q: Array, parts: list[Part] | None = None) -> Faces:
@@ -138,13 +138,13 @@ def arm_faces(cell: Cell, robot: RobotModel, q: Array, parts: list[Part] | None 
         parts: what `arm_parts` has read, for who draws it more than once.
     """
     poses = joint_poses(robot, q)
-    return [face for joint, faces in parts or arm_parts(cell, robot) for face in placed(faces, *poses[joint])]
+    return [face for joint, faces in parts or arm_parts(cell, robot) for face in place_faces(faces, *poses[joint])]
 
 
 def arm_parts(cell: Cell, robot: RobotModel) -> list[Part]:
     """The robot's bodies, each with the number of the joint that carries it (0 for the base) and its faces in that joint's frame."""
     shapes = visual_shapes(cell, robot) or collision_shapes(cell, robot)
-    return [(each.joint, placed(_faces(each), each.placement.rotation, each.placement.translation)) for each in shapes]
+    return [(each.joint, place_faces(_faces(each), each.placement.rotation, each.placement.translation)) for each in shapes]
 
 
 def joint_poses(robot: RobotModel, q: Array) -> list[tuple[Array, Array]]:

@@ -15,7 +15,7 @@ def overlay_of(evidence: Evidence) -> Overlay:
         t=windows.centres,
         phase=windows.phase,
         measured=measured,
-        before=measured - windows.unwhitened(evidence.nominal.residual),
-        after=measured - windows.unwhitened(best.residual),
+        before=measured - windows.unwhiten(evidence.nominal.residual),
+        after=measured - windows.unwhiten(best.residual),
         noise_std=windows.noise_std,
     )

@@ -64,7 +64,7 @@ class ChannelRow:
     alarm: bool
 
 
-def rounded(value: float, uncertainty: float | None = None) -> str:
+def round_to_uncertainty(value: float, uncertainty: float | None = None) -> str:
     """A value with the digits that its uncertainty leaves (two of it), or five significant ones."""
     if not np.isfinite(value):
         return ""
@@ -93,10 +93,10 @@ def _parameter_row(identification: Identification, reference: InertialParameters
     return ParameterRow(
         name=LABELS[k],
         unit=PHI_UNITS[k].replace("m2", "m²"),
-        reference=rounded(truth),
-        paper=rounded(float(paper.phi[k]), float(paper.std[k])),
+        reference=round_to_uncertainty(truth),
+        paper=round_to_uncertainty(float(paper.phi[k]), float(paper.std[k])),
         paper_std=two_digits(float(paper.std[k])),
-        ours=rounded(value, half) if known else "not determined",
+        ours=round_to_uncertainty(value, half) if known else "not determined",
         interval=two_digits(half) if known else "",
         paper_error=error_of(float(paper.phi[k]), truth),
         error=error_of(value, truth) if known else "",
@@ -108,7 +108,7 @@ def _parameter_row(identification: Identification, reference: InertialParameters
 
 def two_digits(value: float) -> str:
     """An uncertainty; empty where there is none."""
-    return rounded(value, value) if np.isfinite(value) and value > 0 else ""
+    return round_to_uncertainty(value, value) if np.isfinite(value) and value > 0 else ""
 
 
 def error_of(value: float, truth: float) -> str:
@@ -128,7 +128,7 @@ def channel_rows(estimate: Estimate) -> list[ChannelRow]:
             ChannelRow(
                 name,
                 unit,
-                rounded(float(estimate.offset[k]), half),
+                round_to_uncertainty(float(estimate.offset[k]), half),
                 two_digits(half),
                 two_digits(float(estimate.residual_rms[k])),
                 two_digits(float(estimate.noise_std[k])),
@@ -167,10 +167,10 @@ def _payload_facts(estimate: Estimate) -> list[Fact]:
     found = []
     if estimate.determined[0]:
         half_kg = INTERVAL * float(estimate.std[0])
-        found.append(Fact("Mass", f"{rounded(float(estimate.phi[0]), half_kg)} kg", f"± {two_digits(half_kg)} kg (95 %)"))
+        found.append(Fact("Mass", f"{round_to_uncertainty(float(estimate.phi[0]), half_kg)} kg", f"± {two_digits(half_kg)} kg (95 %)"))
     if estimate.determined[:4].all():
         half = 1000 * INTERVAL * estimate.com_std
-        com = ", ".join(rounded(float(1000 * c), float(h)) for c, h in zip(estimate.com_m, half, strict=True))
+        com = ", ".join(round_to_uncertainty(float(1000 * c), float(h)) for c, h in zip(estimate.com_m, half, strict=True))
         note = "sensor frame; ± " + ", ".join(two_digits(float(h)) for h in half) + " mm (95 %)"
         found.append(Fact("Centre of mass", f"{com} mm", note))
     if estimate.determined.all():
@@ -197,7 +197,7 @@ def _mounting_facts(estimate: Estimate) -> list[Fact]:
 
 
 def _format_signed(value: float, uncertainty: float) -> str:
-    return ("+" if value >= 0 else "") + rounded(value, uncertainty)
+    return ("+" if value >= 0 else "") + round_to_uncertainty(value, uncertainty)
 
 
 def _safety_facts(run: RunSummary) -> list[Fact]:

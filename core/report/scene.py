@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from core.cell.cell import Box, Cell
 from core.cell.tools import tool_boxes
 from core.planning.start_configuration import StartConfiguration
-from core.report.faces import Faces, Part, arm_faces, box_faces, placed, shape_faces
+from core.report.faces import Faces, Part, arm_faces, box_faces, place_faces, shape_faces
 from core.robot.model import RobotModel, SensorPose
 
 Array = NDArray[np.float64]
@@ -31,7 +31,7 @@ Thing = tuple[str, str, Faces]
 
 
 @dataclass(frozen=True)
-class View:
+class Projection:
     """A parallel projection onto the picture.
 
     Args:
@@ -73,9 +73,9 @@ def scene(cell: Cell, robot: RobotModel, payload_box: Box, start: StartConfigura
     """
     sensor = robot.sensor_pose(start.q)
     carried = (payload_box, *tool_boxes(cell).values())
-    boxes = [placed(box_faces(np.array(box.size_m)), box.pose.rotation, box.pose.translation) for box in carried]
+    boxes = [place_faces(box_faces(np.array(box.size_m)), box.pose.rotation, box.pose.translation) for box in carried]
     arm = arm_faces(cell, robot, start.q, robot_parts)
-    load = [face for box in boxes for face in placed(box, sensor.rotation, sensor.position)]
+    load = [face for box in boxes for face in place_faces(box, sensor.rotation, sensor.position)]
     body = np.concatenate([*arm, *load])
     things = [(thing.name, "obstacle", shape_faces(thing.shape)) for thing in cell.obstacles]
     things += [(zone.name, "zone", shape_faces(zone.shape)) for zone in cell.zones]
@@ -117,27 +117,27 @@ def _normal(face: Array) -> Array:
     return np.asarray(np.cross(face, following).sum(axis=0))
 
 
-def _hides(face: Array, body: Array, view: View) -> bool:
+def _hides(face: Array, body: Array, view: Projection) -> bool:
     """Whether a face stands between the viewer and the body (k, 3): the two are on different sides of its plane."""
     normal = _normal(face)
     side = (body - face[0]) @ normal
     return bool(np.mean(side * (view.axes[2] @ normal) > 0) < 0.5)
 
 
-def _least_hidden(things: list[Thing], body: Array) -> View:
+def _least_hidden(things: list[Thing], body: Array) -> Projection:
     """The view with the least area of faces before the body."""
     points = np.concatenate([body, *[np.concatenate(faces) for _, _, faces in things]])
     low, high = points.min(axis=0), points.max(axis=0)
 
     def hidden(azimuth: float) -> float:
-        view = View(azimuth, low, high)
+        view = Projection(azimuth, low, high)
         faces = [face for _, _, shape in things for face in shape if _hides(face, body, view)]
         return sum(abs(float(view.axes[2] @ _normal(face))) for face in faces)
 
-    return View(min(AZIMUTHS, key=hidden), low, high)
+    return Projection(min(AZIMUTHS, key=hidden), low, high)
 
 
-def _split(things: list[Thing], body: Array, view: View) -> tuple[list[str], list[str]]:
+def _split(things: list[Thing], body: Array, view: Projection) -> tuple[list[str], list[str]]:
     """Obstacles and zones as polygons: those behind the robot, and those before it."""
     behind: list[tuple[float, str]] = []
     before: list[tuple[float, str]] = []
@@ -151,7 +151,7 @@ def _split(things: list[Thing], body: Array, view: View) -> tuple[list[str], lis
     return [part for _, part in sorted(behind)], [part for _, part in sorted(before)]
 
 
-def _solids(arm: Faces, load: Faces, view: View) -> list[str]:
+def _solids(arm: Faces, load: Faces, view: Projection) -> list[str]:
     """Robot and payload box, the farthest face first."""
     drawn: list[tuple[float, str]] = []
     for name, faces, shade in (("arm", arm, (105, 205)), ("load", load, (70, 150))):
@@ -167,13 +167,13 @@ def _solids(arm: Faces, load: Faces, view: View) -> list[str]:
     return [part for _, part in sorted(drawn)]
 
 
-def _polygon(face: Array, view: View, name: str, colour: str | None = None) -> str:
+def _polygon(face: Array, view: Projection, name: str, colour: str | None = None) -> str:
     points = " ".join(f"{x:.1f},{y:.1f}" for x, y in view.pixels(face))
     paint = f' fill="{colour}" stroke="{colour}"' if colour else ""  # the style sheet has the last word on the stroke
     return f'<polygon class="{name}" points="{points}"{paint}/>'
 
 
-def _labels(things: list[Thing], body: Array, view: View) -> list[str]:
+def _labels(things: list[Thing], body: Array, view: Projection) -> list[str]:
     """The names, each where it is farthest from the robot and from the names before it."""
     taken = view.pixels(body)
     labels = []
@@ -187,7 +187,7 @@ def _labels(things: list[Thing], body: Array, view: View) -> list[str]:
     return labels
 
 
-def _arrow(tail: Array, tip: Array, view: View, name: str, text: str) -> str:
+def _arrow(tail: Array, tip: Array, view: Projection, name: str, text: str) -> str:
     (x0, y0), (x1, y1) = view.pixels(np.array([tail, tip]))
     length = max(float(np.hypot(x1 - x0, y1 - y0)), 1e-9)
     ux, uy = (x1 - x0) / length, (y1 - y0) / length
@@ -208,12 +208,12 @@ def _arrow(tail: Array, tip: Array, view: View, name: str, text: str) -> str:
     )
 
 
-def _sensor_axes(sensor: SensorPose, view: View) -> list[str]:
+def _sensor_axes(sensor: SensorPose, view: Projection) -> list[str]:
     tips = sensor.position + 0.7 * ARROW_M * sensor.rotation.T
     return [_arrow(sensor.position, tip, view, "axis", letter) for tip, letter in zip(tips, "xyz", strict=True)]
 
 
-def _throw(start: StartConfiguration, box: Box, sensor: SensorPose, view: View) -> list[str]:
+def _throw(start: StartConfiguration, box: Box, sensor: SensorPose, view: Projection) -> list[str]:
     """Where the load's centre would fly if it came off at the start, for either sense of the rotation."""
     about = start.about or start.axis[0]
     if start.throw is None or about not in "xyz":
@@ -227,7 +227,7 @@ def _throw(start: StartConfiguration, box: Box, sensor: SensorPose, view: View) 
     return [_arrow(sensor.position, sensor.position + sign * flight, view, "throw", text) for sign, text in ((1.0, "throw"), (-1.0, ""))]
 
 
-def _gravity(cell: Cell, view: View) -> list[str]:
+def _gravity(cell: Cell, view: Projection) -> list[str]:
     """Gravity's direction in a corner of the picture."""
     down = cell.gravity / np.linalg.norm(cell.gravity)
     x, y = (view.axes[:2] @ down) * [1, -1]

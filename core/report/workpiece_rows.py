@@ -10,7 +10,7 @@ from core.estimation.estimate import Identification
 from core.payload.inertia import PHI_UNITS
 from core.recording.recording import Recording
 from core.recording.workpiece import Workpiece, workpiece_alone
-from core.report.rows import INTERVAL, LABELS, error_of, rounded, sentence, two_digits
+from core.report.rows import INTERVAL, LABELS, error_of, round_to_uncertainty, sentence, two_digits
 
 
 @dataclass(frozen=True)
@@ -63,8 +63,8 @@ def _row(found: Workpiece, truth: float, k: int) -> WorkpieceRow:
     return WorkpieceRow(
         name=LABELS[k],
         unit=PHI_UNITS[k].replace("m2", "m²"),
-        reference=rounded(truth),
-        value=rounded(value, half) if known else "not determined",
+        reference=round_to_uncertainty(truth),
+        value=round_to_uncertainty(value, half) if known else "not determined",
         interval=two_digits(half) if known else "",
         error=error_of(value, truth),
         known=known,

@@ -171,7 +171,7 @@ def _attach_box(name: str, robot: RobotModel, box: Box) -> Body:
     return Body(name, robot.n, coal.Box(*box.size_m), placement, carried=True)
 
 
-def fixed_body(name: str, shape: Shape) -> Body:
+def make_fixed_body(name: str, shape: Shape) -> Body:
     """An obstacle or a zone."""
     return Body(name, 0, _coal(shape), pin.SE3(shape.pose.rotation, shape.pose.translation))
 

@@ -24,9 +24,9 @@ from core.robot.bodies import (
     Body,
     SpeedPoints,
     corners_of,
-    fixed_body,
     floor_body,
     link_bodies,
+    make_fixed_body,
     payload_body,
     reach_of,
     tool_bodies,
@@ -87,7 +87,7 @@ class CollisionModel:
         self.robot = robot
         self.payload_box = payload_box
         bodies = [*link_bodies(cell, robot), *tool_bodies(cell, robot), payload_body(robot, payload_box)]
-        self._things = {item.name: fixed_body(item.name, item.shape) for item in _list_obstacles_and_zones(cell)}
+        self._things = {item.name: make_fixed_body(item.name, item.shape) for item in _list_obstacles_and_zones(cell)}
         things = [*self._things.values(), floor_body(cell.floor_z_m)]  # whose name may be an obstacle's as well
         self._zones = [self._things[zone.name] for zone in cell.zones]
         self._base = [body for body in bodies if body.joint == 0]
@@ -166,7 +166,7 @@ class CollisionModel:
         """The smallest distance to obstacles, protected zones and the floor at q (n,), without `left_out_distance`."""
         return min((group.nearest(q) for group in self._standing.values()), key=lambda pair: pair.distance_m)
 
-    def left_out_distance(self, q: Array) -> Nearest:
+    def find_nearest_left_out(self, q: Array) -> Nearest:
         """The smallest distance at q (n,) of the first links to what they cannot come too close to; infinite where there is none."""
         return self._clear.nearest(q)
 

@@ -79,12 +79,12 @@ def decoupling_profile(
     return AngularProfile(period, angle, rate)
 
 
-def accelerating_samples(profile: AngularProfile) -> int:
+def count_accelerating_samples(profile: AngularProfile) -> int:
     """How many periods of the profile have angular acceleration."""
     return int(np.count_nonzero(np.abs(np.diff(profile.rate)) > 1e-9))
 
 
-def expected_inertia(box: Box, mass: float, axis: int) -> float:
+def predict_inertia(box: Box, mass: float, axis: int) -> float:
     """Moment of a body that fills the box evenly, about a sensor axis (0, 1, 2) through the sensor origin, kg m2.
 
     What `repetitions_for` is told as long as nothing better is known; `mass` (kg) may come from the motionless phases.
@@ -110,5 +110,5 @@ def repetitions_for(once: AngularProfile, *, torque_std: float, inertia_std: flo
     if min(torque_std, inertia_std, budget) <= 0:
         raise ValueError("noise, wanted standard deviation and budget must be positive")
     acceleration = float(np.abs(np.diff(once.rate)).max()) / once.period
-    needed = math.ceil((torque_std / (acceleration * inertia_std)) ** 2 / accelerating_samples(once))
+    needed = math.ceil((torque_std / (acceleration * inertia_std)) ** 2 / count_accelerating_samples(once))
     return max(1, min(needed, math.floor(budget / once.duration)))

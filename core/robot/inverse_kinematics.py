@@ -74,7 +74,7 @@ def _fill_jacobian(R: Array, p: Array, axes: Array, J: Array) -> None:
 
 
 @njit(cache=True)
-def _damped_step(J: Array, e: Array, damping: float, A: Array, y: Array, dq: Array) -> None:
+def _fill_damped_step(J: Array, e: Array, damping: float, A: Array, y: Array, dq: Array) -> None:
     """dq = J^T (J J^T + damping I)^-1 e by Cholesky; A (6, 6) and y (6,) are room to work in."""
     n = J.shape[1]
     for r in range(6):
@@ -129,7 +129,7 @@ def _solve(placements: Array, axes: Array, lower: Array, upper: Array, q: Array,
                     break
                 watched = E
             _fill_jacobian(R, p, axes, J)
-            _damped_step(J, e, 0.05 * E + 1e-9, A, y, dq)
+            _fill_damped_step(J, e, 0.05 * E + 1e-9, A, y, dq)
             longest = 0.0
             for j in range(n):
                 longest = max(longest, abs(dq[j]))

@@ -80,7 +80,7 @@ class OwnPairs:
     def __init__(self, cell: Cell, robot: RobotModel, bodies: list[Body]) -> None:
         self._cell, self._robot = cell, robot
         self._declared = {frozenset(pair) for pair in cell.robot.adjacent}
-        self._joined = set(joined_links(check_urdf(cell.urdf, cell.robot.urdf), {body.name for body in bodies}))
+        self._joined = set(find_joined_links(check_urdf(cell.urdf, cell.robot.urdf), {body.name for body in bodies}))
 
     def rule(self, first: Body, second: Body, distance: Distance) -> Rule:
         """Of two bodies, the first carried by the farther joint."""
@@ -182,7 +182,7 @@ def _ranges(robot: RobotModel, joints: NDArray[np.int64]) -> tuple[Array, Array]
     return low, np.minimum(robot.upper[joints], low + 2.0 * np.pi)
 
 
-def joined_links(urdf: Urdf, bodies: set[str]) -> Iterator[frozenset[str]]:
+def find_joined_links(urdf: Urdf, bodies: set[str]) -> Iterator[frozenset[str]]:
     """Pairs of links with a body and exactly one moving joint between them, and no other link with a body."""
     above = {joint.child: joint for joint in urdf.joints}
     for link in bodies & set(urdf.links):

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell.cell import Box, Cell, Pose
-from core.second_opinion.solids import Solid, box, numbers, solids_of_geometries
+from core.second_opinion.solids import Solid, box, parse_vector, solids_of_geometries
 
 Array = NDArray[np.float64]
 
@@ -27,7 +27,7 @@ class Frames(NamedTuple):
         """Placements that are given in these frames, in the frame that these are given in."""
         return Frames(self.rotation @ following.rotation, self.position + np.einsum("...ij,...j->...i", self.rotation, following.position))
 
-    def seen_from(self, other: Frames) -> Frames:
+    def express_in(self, other: Frames) -> Frames:
         """These placements in other frames, both in the world."""
         back = np.swapaxes(other.rotation, -1, -2)
         return Frames(back @ self.rotation, np.einsum("...ij,...j->...i", back, self.position - other.position))
@@ -37,7 +37,7 @@ IDENTITY = Frames(np.eye(3), np.zeros(3))
 
 
 @dataclass(frozen=True)
-class Body:
+class ArmBody:
     """A convex part of the arm, the box of a tool, or the payload box.
 
     Args:
@@ -55,7 +55,7 @@ class Body:
 
 
 @dataclass(frozen=True)
-class Arm:
+class SolidArm:
     """A chain of n hinges with everything that hangs on it; joints outside the chain stand at zero.
 
     Args:
@@ -70,7 +70,7 @@ class Arm:
     placements: tuple[Frames, ...]
     axes: Array
     sensor: Frames
-    bodies: tuple[Body, ...]
+    bodies: tuple[ArmBody, ...]
     lower: Array
     upper: Array
     joined: tuple[tuple[str, str], ...]
@@ -90,7 +90,7 @@ class Arm:
         return self.frames(q)[-1].after(self.sensor)
 
 
-def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
+def build_solid_arm(cell: Cell, payload_box: Box) -> SolidArm:
     """The cell's robot with the boxes of its tools and a payload box, in the world frame.
 
     Raises:
@@ -113,19 +113,19 @@ def arm_of_cell(cell: Cell, payload_box: Box) -> Arm:
     solids = solids_of_geometries([geometry for _, _, geometry in shapes], cell.folder)
     of_tools = {link for tool in cell.tools.values() for link in tool.links or ()}
     bodies = [
-        Body(name, carried[name][0], carried[name][1].after(_origin(owner)), solid, name in of_tools)
+        ArmBody(name, carried[name][0], carried[name][1].after(_origin(owner)), solid, name in of_tools)
         for (name, owner, _), solid in zip(shapes, solids, strict=True)
     ]
     n, sensor = carried[cell.robot.sensor_frame]
     boxes = {name: tool.box for name, tool in cell.tools.items() if tool.box is not None} | {PAYLOAD: payload_box}
     for name, each in boxes.items():
-        bodies.append(Body(name, n, sensor.after(frame_of_pose(each.pose)), box(np.array(each.size_m)), carried=True))
+        bodies.append(ArmBody(name, n, sensor.after(frame_of_pose(each.pose)), box(np.array(each.size_m)), carried=True))
     limits = np.array(
         [[float(limit.get(key, "")) for key in ("lower", "upper")] for link in chain for limit in joints[link].findall("limit")]
     )
     axes = np.array([_axis(joints[link]) for link in chain])
     lower, upper = limits.T
-    return Arm(
+    return SolidArm(
         tuple(placements), axes, sensor, tuple(bodies), lower, upper, _find_joined_links(joints, chain, {body.name for body in bodies})
     )
 
@@ -183,7 +183,7 @@ def _link(joint: ET.Element, end: str) -> str:
 def _origin(owner: ET.Element) -> Frames:
     """Of a joint or a collision body."""
     for origin in owner.findall("origin"):
-        return Frames(_rpy(*numbers(origin.get("rpy", "0 0 0"))), numbers(origin.get("xyz", "0 0 0")))
+        return Frames(_rpy(*parse_vector(origin.get("rpy", "0 0 0"))), parse_vector(origin.get("xyz", "0 0 0")))
     return IDENTITY
 
 
@@ -191,7 +191,7 @@ def _axis(joint: ET.Element) -> Array:
     """(3,), unit vector."""
     direction = np.array([1.0, 0.0, 0.0])
     for axis in joint.findall("axis"):
-        direction = numbers(axis.get("xyz", "1 0 0"))
+        direction = parse_vector(axis.get("xyz", "1 0 0"))
     return np.asarray(direction / np.linalg.norm(direction))
 
 

@@ -25,7 +25,7 @@ class Least(NamedTuple):
     sample: int
 
 
-def least_margin(ways: Sequence[Array], margin: Callable[[int, int], float], resolution: float = 0.0) -> Least:
+def find_least(ways: Sequence[Array], margin: Callable[[int, int], float], resolution: float = 0.0) -> Least:
     """The least of `margin(pair, sample)` over all pairs and samples.
 
     Args:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from core.second_opinion.pairs import AccountedPair
 
 
-def left_out_lines(pairs: Sequence[AccountedPair]) -> list[str]:
+def describe_left_out(pairs: Sequence[AccountedPair]) -> list[str]:
     """A line for each reason, with all pairs that have it."""
     return [
         f"{', '.join(f'{pair.first} - {pair.second}' for pair in pairs if pair.why == why)}: {why}"

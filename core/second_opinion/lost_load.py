@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
 from core.second_opinion.arm import Frames, frame_of_pose
-from core.second_opinion.least import least_margin
+from core.second_opinion.least import find_least
 
 Array = NDArray[np.float64]
 
@@ -73,7 +73,7 @@ def nearest_flight(cell: Cell, payload_box: Box, sensor: Frames, period: float) 
     def margin(zone: int, sample: int) -> float:
         return fall.nearest(x[sample], v[sample], radius, zones[zone])
 
-    least = least_margin([way] * len(zones), margin, RESOLUTION_M)
+    least = find_least([way] * len(zones), margin, RESOLUTION_M)
     speed = float(np.linalg.norm(v[least.sample], axis=1).max())
     return Flight(cell.zones[least.pair].name, least.margin, speed, least.sample)
 

@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell.cell import Box, Cell
-from core.second_opinion.arm import Frames, arm_of_cell
-from core.second_opinion.least import least_margin
+from core.second_opinion.arm import Frames, build_solid_arm
+from core.second_opinion.least import find_least
 from core.second_opinion.lost_load import nearest_flight
-from core.second_opinion.pairs import AccountedPair, Kind, Placed, accounted_pairs, placed, standing
+from core.second_opinion.pairs import AccountedPair, PairKind, Placed, classify_pairs, place_bodies, place_standing
 from core.second_opinion.solids import PlacedSolid, distance
 
 Array = NDArray[np.float64]
@@ -42,7 +42,7 @@ class Approach:
         time_s: since the beginning of that part.
     """
 
-    kind: Kind
+    kind: PairKind
     first: str
     second: str
     distance_m: float
@@ -52,7 +52,7 @@ class Approach:
 
 
 @dataclass(frozen=True)
-class FastestPoint:
+class PeakSpeed:
     """The fastest corner of a body, or of a box round it where that keeps the limit, over one period.
 
     Args:
@@ -95,13 +95,13 @@ class Opinion:
     """
 
     approaches: tuple[Approach, ...]
-    fastest: FastestPoint
+    fastest: PeakSpeed
     pairs: tuple[AccountedPair, ...]
     samples: int
     lost_load: LostLoad | None = None
 
     @property
-    def violations(self) -> tuple[Approach | FastestPoint | LostLoad, ...]:
+    def violations(self) -> tuple[Approach | PeakSpeed | LostLoad, ...]:
         """What does not keep the cell's limits, distances first, then where a lost load flies."""
         close = [each for each in self.approaches if each.distance_m < each.required_m - NUMERICAL_M]
         fast = [self.fastest] if self.fastest.speed_m_s > self.fastest.limit_m_s * (1.0 + NUMERICAL) else []
@@ -111,7 +111,7 @@ class Opinion:
     @property
     def nearest_thing(self) -> Approach | None:
         """Where anything that moves comes closest to an obstacle or a zone, the first link included; None where there is neither."""
-        around = [each for each in self.approaches if each.kind in (Kind.ENVIRONMENT, Kind.FIRST_LINK, Kind.MOUNT)]
+        around = [each for each in self.approaches if each.kind in (PairKind.ENVIRONMENT, PairKind.FIRST_LINK, PairKind.MOUNT)]
         return min(around, key=lambda each: each.distance_m, default=None)
 
     @property
@@ -151,16 +151,16 @@ def second_opinion(cell: Cell, payload_box: Box, paths: Sequence[JointPath], per
         BadRobot: the second opinion cannot read one of the arm's meshes.
         ValueError: a set point is not finite.
     """
-    arm = arm_of_cell(cell, payload_box)
+    arm = build_solid_arm(cell, payload_box)
     q = np.concatenate([path.q for path in paths])
     if not np.isfinite(q).all():
         raise ValueError("a set point of the plan is not finite")
     times = _Times([path.name for path in paths], np.cumsum([0, *(len(path.q) for path in paths[:-1])]), period)
-    pairs = accounted_pairs(cell, arm)
-    bodies = [*placed(arm, q), *standing(cell)]
+    pairs = classify_pairs(cell, arm)
+    bodies = [*place_bodies(arm, q), *place_standing(cell)]
     steps = [_steps(body.frames, body.solid.corners) for body in bodies]
     alone = [_way(step, len(q)) for step in steps]
-    kinds = [kind for kind in Kind if kind != Kind.JOINED and any(pair.kind == kind for pair in pairs)]
+    kinds = [kind for kind in PairKind if kind != PairKind.JOINED and any(pair.kind == kind for pair in pairs)]
     at = cache(lambda body, sample: bodies[body].at(sample))
     approaches = []
     for kind in kinds:
@@ -191,10 +191,12 @@ def _way(steps: Array, samples: int) -> Array:
 def _way_between(bodies: list[Placed], pair: AccountedPair) -> Array:
     """(N,), how far the first body of a pair has moved as seen from the second."""
     first, second = (bodies[k] for k in pair.bodies)
-    return _way(_steps(first.frames.seen_from(second.frames), first.solid.corners), len(first.frames.position))
+    return _way(_steps(first.frames.express_in(second.frames), first.solid.corners), len(first.frames.position))
 
 
-def _approach(kind: Kind, pairs: list[AccountedPair], at: Callable[[int, int], PlacedSolid], ways: list[Array], times: _Times) -> Approach:
+def _approach(
+    kind: PairKind, pairs: list[AccountedPair], at: Callable[[int, int], PlacedSolid], ways: list[Array], times: _Times
+) -> Approach:
     """Where the pairs of a kind come closest to what they have to keep.
 
     Args:
@@ -206,16 +208,16 @@ def _approach(kind: Kind, pairs: list[AccountedPair], at: Callable[[int, int], P
         first, second = pairs[k].bodies
         return distance(at(first, sample), at(second, sample)) - pairs[k].required_m
 
-    least = least_margin(ways, margin, kind.resolution_m)
+    least = find_least(ways, margin, kind.resolution_m)
     pair = pairs[least.pair]
     return Approach(kind, pair.first, pair.second, least.margin + pair.required_m, pair.required_m, *times.of(least.sample))
 
 
-def _fastest(bodies: list[Placed], steps: list[Array], times: _Times, limit: float) -> FastestPoint:
+def _fastest(bodies: list[Placed], steps: list[Array], times: _Times, limit: float) -> PeakSpeed:
     moving = [(body, _exact(body, step, limit * times.period)) for body, step in zip(bodies, steps, strict=True) if len(step)]
     fastest = [(float(step.max()), int(step.argmax()), body.name) for body, step in moving]
     moved, sample, name = max(fastest, default=(0.0, -1, bodies[0].name))
-    return FastestPoint(moved / times.period, limit, name, *times.of(sample + 1))
+    return PeakSpeed(moved / times.period, limit, name, *times.of(sample + 1))
 
 
 def _exact(body: Placed, steps: Array, allowed: float) -> Array:

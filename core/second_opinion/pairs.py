@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.cell.cell import Cell, Obstacle, Zone
-from core.second_opinion.arm import Arm, Body, Frames, frame_of_pose
+from core.second_opinion.arm import ArmBody, Frames, SolidArm, frame_of_pose
 from core.second_opinion.solids import PlacedSolid, Solid, box, distance, place, solid_of_shape
 
 Array = NDArray[np.float64]
@@ -37,7 +37,7 @@ ACROSS_M = 40.0
 """Of the block that stands for the floor: farther than any arm reaches."""
 
 
-class Kind(StrEnum):
+class PairKind(StrEnum):
     """What two solids are to each other."""
 
     ENVIRONMENT = "obstacles, zones and floor"
@@ -55,7 +55,7 @@ class Kind(StrEnum):
     @property
     def is_judged(self) -> bool:
         """Whether something is asked of its pairs."""
-        return self != Kind.JOINED
+        return self != PairKind.JOINED
 
     @property
     def resolution_m(self) -> float:
@@ -63,12 +63,12 @@ class Kind(StrEnum):
 
         Distances that hardly change cannot be told apart but by looking at every sample.
         """
-        return 0.001 if self in (Kind.FIRST_LINK, Kind.MOUNT) or self.is_close else 0.0
+        return 0.001 if self in (PairKind.FIRST_LINK, PairKind.MOUNT) or self.is_close else 0.0
 
     @property
     def is_close(self) -> bool:
         """Whether few joints are between its pairs, which move little against each other however far the arm moves."""
-        return self == Kind.NEAR
+        return self == PairKind.NEAR
 
 
 @dataclass(frozen=True)
@@ -100,19 +100,19 @@ class AccountedPair:
 
     first: str
     second: str
-    kind: Kind
+    kind: PairKind
     required_m: float
     why: str
     bodies: tuple[int, int]
 
 
-def placed(arm: Arm, q: Array) -> list[Placed]:
+def place_bodies(arm: SolidArm, q: Array) -> list[Placed]:
     """The arm's bodies at joint positions q (N, n)."""
     frames = arm.frames(q)
     return [Placed(body.name, body.joint, body.solid, frames[body.joint].after(body.placement)) for body in arm.bodies]
 
 
-def standing(cell: Cell) -> list[Placed]:
+def place_standing(cell: Cell) -> list[Placed]:
     """Obstacles, zones and, last, the floor."""
     found = []
     for item in _things(cell):
@@ -124,9 +124,9 @@ def standing(cell: Cell) -> list[Placed]:
     return found
 
 
-def accounted_pairs(cell: Cell, arm: Arm) -> list[AccountedPair]:
+def classify_pairs(cell: Cell, arm: SolidArm) -> list[AccountedPair]:
     """All pairs of the moving bodies with what stands in the cell, and of the arm's bodies with each other."""
-    things = standing(cell)
+    things = place_standing(cell)
     zones = range(len(cell.obstacles), len(cell.obstacles) + len(cell.zones))
     mounts = [k not in zones and _is_mount(arm, thing) for k, thing in enumerate(things)]
     found = []
@@ -142,21 +142,21 @@ def _things(cell: Cell) -> list[Obstacle | Zone]:
     return [*cell.obstacles, *cell.zones]
 
 
-def _is_mount(arm: Arm, thing: Placed) -> bool:
+def _is_mount(arm: SolidArm, thing: Placed) -> bool:
     """Whether the base is there where a thing is."""
     at = place(thing.solid, thing.frames.rotation[0], thing.frames.position[0])
     bases = [place(body.solid, body.placement.rotation, body.placement.position) for body in arm.bodies if body.joint == 0]
     return any(distance(base, at) <= MOUNT_M for base in bases)
 
 
-def _classify_against_standing(cell: Cell, arm: Arm, body: Body, thing: Placed, *, is_mount: bool) -> tuple[Kind, float, str]:
+def _classify_against_standing(cell: Cell, arm: SolidArm, body: ArmBody, thing: Placed, *, is_mount: bool) -> tuple[PairKind, float, str]:
     clearance = cell.limits.clearance_m
     if is_mount and body.joint <= FEW_JOINTS and not body.carried and _range(arm, (body, thing))[1] < clearance + CONTACT_M:
-        return Kind.MOUNT, -CONTACT_M, "never as far apart as the clearance: the robot is mounted there"
-    return Kind.FIRST_LINK if body.joint == 1 else Kind.ENVIRONMENT, clearance, "the cell's clearance"
+        return PairKind.MOUNT, -CONTACT_M, "never as far apart as the clearance: the robot is mounted there"
+    return PairKind.FIRST_LINK if body.joint == 1 else PairKind.ENVIRONMENT, clearance, "the cell's clearance"
 
 
-def _own_pairs(cell: Cell, arm: Arm) -> Iterator[AccountedPair]:
+def _own_pairs(cell: Cell, arm: SolidArm) -> Iterator[AccountedPair]:
     """Of the arm with itself and the payload."""
     for i, first in enumerate(arm.bodies):
         for k, second in enumerate(arm.bodies):
@@ -164,25 +164,25 @@ def _own_pairs(cell: Cell, arm: Arm) -> Iterator[AccountedPair]:
                 yield AccountedPair(first.name, second.name, *_classify_own_pair(cell, arm, (first, second)), (i, k))
 
 
-def _classify_own_pair(cell: Cell, arm: Arm, pair: tuple[Body, Body]) -> tuple[Kind, float, str]:
+def _classify_own_pair(cell: Cell, arm: SolidArm, pair: tuple[ArmBody, ArmBody]) -> tuple[PairKind, float, str]:
     """What two bodies of the arm are to each other, what they have to keep, and why."""
     first, second = pair
     names = {first.name, second.name}
-    keep = Kind.PAYLOAD if first.carried else Kind.LINKS, cell.limits.self_clearance_m, "the cell's self-clearance"
+    keep = PairKind.PAYLOAD if first.carried else PairKind.LINKS, cell.limits.self_clearance_m, "the cell's self-clearance"
     joined = _why_joined(cell, arm, pair, names)
     if joined is not None:
-        return Kind.JOINED, 0.0, joined
+        return PairKind.JOINED, 0.0, joined
     least, most = _range(arm, pair) if first.joint - second.joint <= FEW_JOINTS else (-np.inf, np.inf)
     if least >= CONTACT_M:
-        return Kind.NEAR, -CONTACT_M, "they cannot touch, as a grid of the angles between them says"
+        return PairKind.NEAR, -CONTACT_M, "they cannot touch, as a grid of the angles between them says"
     if first.carried or most >= keep[1] + CONTACT_M:
         return keep
     if most < CONTACT_M:
-        return Kind.JOINED, 0.0, OVERLAP
-    return Kind.NEAR, -CONTACT_M, "never as far apart as the self-clearance"
+        return PairKind.JOINED, 0.0, OVERLAP
+    return PairKind.NEAR, -CONTACT_M, "never as far apart as the self-clearance"
 
 
-def _why_joined(cell: Cell, arm: Arm, pair: tuple[Body, Body], names: set[str]) -> str | None:
+def _why_joined(cell: Cell, arm: SolidArm, pair: tuple[ArmBody, ArmBody], names: set[str]) -> str | None:
     """Why two bodies of the arm belong together; None where they do not."""
     first, second = pair
     if first.joint == second.joint:
@@ -194,7 +194,7 @@ def _why_joined(cell: Cell, arm: Arm, pair: tuple[Body, Body], names: set[str]) 
     return None
 
 
-def _range(arm: Arm, pair: tuple[Body, Body | Placed]) -> tuple[float, float]:
+def _range(arm: SolidArm, pair: tuple[ArmBody, ArmBody | Placed]) -> tuple[float, float]:
     """Least and largest distance of two bodies over a grid of the one or two joints between them."""
     first, second = pair
     joints = list(range(second.joint, first.joint))

@@ -91,7 +91,7 @@ def box(size: Array) -> Solid:
     return Solid(fcl.Box(*size), corners, 0.0, corners)
 
 
-def ball(radius: float) -> Solid:
+def sphere(radius: float) -> Solid:
     """About its origin, m."""
     return Solid(fcl.Box(0.0, 0.0, 0.0), np.zeros((1, 3)), radius, _corners(np.full(3, -radius), np.full(3, radius)))
 
@@ -133,7 +133,7 @@ def solid_of_shape(shape: Shape) -> Solid:
         case Box():
             return box(np.array(shape.size_m))
         case Sphere():
-            return ball(shape.radius_m)
+            return sphere(shape.radius_m)
         case Capsule():
             return capsule(shape.radius_m, shape.length_m)
         case Cylinder():
@@ -147,7 +147,7 @@ def solids_of_geometries(geometries: Sequence[ET.Element], folder: Path) -> list
         BadRobot: a mesh that cannot be read here.
     """
     meshes = [geometry[0] for geometry in geometries if geometry[0].tag == "mesh"]
-    scales = [numbers(mesh.get("scale", "1 1 1")) for mesh in meshes]
+    scales = [parse_vector(mesh.get("scale", "1 1 1")) for mesh in meshes]
     surfaces = iter(read_surfaces([folder / mesh.get("filename", "") for mesh in meshes], scales))
     return [_of_surface(next(surfaces)) if geometry[0].tag == "mesh" else _primitive(geometry[0]) for geometry in geometries]
 
@@ -160,9 +160,9 @@ def _of_surface(surface: Surface) -> Solid:
 def _primitive(shape: ET.Element) -> Solid:
     match shape.tag:
         case "box":
-            return box(numbers(shape.get("size", "")))
+            return box(parse_vector(shape.get("size", "")))
         case "sphere":
-            return ball(float(shape.get("radius", "")))
+            return sphere(float(shape.get("radius", "")))
         case "capsule":
             return capsule(float(shape.get("radius", "")), float(shape.get("length", "")))
     return cylinder(float(shape.get("radius", "")), float(shape.get("length", "")))
@@ -230,7 +230,7 @@ def _shortest(a: Array, b: Array) -> Array:
     return np.asarray(of_b @ b / of_b.sum() - of_a @ a / of_a.sum())
 
 
-def numbers(text: str) -> Array:
+def parse_vector(text: str) -> Array:
     """The numbers of a URDF's attribute."""
     return np.array([float(word) for word in text.split()])
 

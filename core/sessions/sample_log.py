@@ -7,8 +7,8 @@ from collections.abc import Iterable
 import numpy as np
 
 from core.cell.cell import Cell, Payload
-from core.cell.tools import known_tools
-from core.recording.recording import Recording, SensorDescription, appended
+from core.cell.tools import find_tools
+from core.recording.recording import Recording, SensorDescription, append_recording
 from core.recording.stated_friction import stated_friction
 from core.robot.model import RobotModel
 from core.sessions.session import RobotState
@@ -59,7 +59,7 @@ class SampleLog:
 
     def recording(self) -> Recording:
         """The samples so far, after those of the recording that they continue."""
-        return self._new() if self.before is None else appended(self.before, self._new())
+        return self._new() if self.before is None else append_recording(self.before, self._new())
 
     def _new(self) -> Recording:
         """Gravity is turned into the base frame, which the recording's URDF starts from."""
@@ -85,5 +85,5 @@ class SampleLog:
             source="heft run",
             cell=self.cell.name,
             payload=self.payload,
-            tools=known_tools(self.cell),
+            tools=find_tools(self.cell),
         )

@@ -10,7 +10,7 @@ from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.plant.virtual_robot import Truth
 from core.robot.model import RobotModel
-from core.twin.twin import Twin, standing
+from core.twin.twin import Twin, make_home_scene
 
 Array = NDArray[np.float64]
 
@@ -29,9 +29,9 @@ class TwinWrench:
         self._robot = RobotModel(RobotModel.of_cell(cell).description)  # without the base's place: scenes are in the base frame
         self._phi = phi
         self._period = period
-        known = standing(cell)
+        known = make_home_scene(cell)
         self._gravity, self._range, self._resolution = known.gravity, known.range, known.resolution
-        self._effects = twin.composed(known)
+        self._effects = twin.compose_effects(known)
 
     def change(self, robot: Truth) -> Array:
         """(6,), to be added to the sensor's reading of this period, N and N m."""

@@ -15,7 +15,7 @@ from threadpoolctl import threadpool_limits
 
 from core.errors import BadInput
 from core.trial.draw import Drawn
-from core.trial.outcome import Outcome, unanswered
+from core.trial.outcome import Outcome, make_stopped_outcome
 from core.trial.run import run_trial
 
 CONNECT_S = 10
@@ -84,7 +84,7 @@ def outcomes(drawn: Sequence[Drawn], executor: Executor, keep: Path | None = Non
             error = future.exception()
             if isinstance(error, BrokenProcessPool):
                 raise error
-            yield future.result() if error is None else unanswered(futures[future], f"{type(error).__name__}: {error}")
+            yield future.result() if error is None else make_stopped_outcome(futures[future], f"{type(error).__name__}: {error}")
     finally:
         for future in futures:
             future.cancel()

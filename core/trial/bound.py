@@ -101,7 +101,7 @@ def _measure_added_noise(recording: Recording, clean: Recording, noise_std: Arra
 
 def _residual(windows: Windows, nominal: Array) -> Array:
     """(K, 6), measured less what the nominal payload asks of the sensor in the reported motion, N and N m."""
-    return windows.unwhitened(windows.target - windows.X[:, :, PHI] @ nominal)
+    return windows.unwhiten(windows.target - windows.X[:, :, PHI] @ nominal)
 
 
 def _materiality(windows: Windows, fooled: EffectFit, payload: Array, std: Array) -> float:

@@ -109,13 +109,13 @@ def planned(name: str) -> tuple[Cell, dict[str, Plan]]:
     robot = RobotModel.of_cell(cell)
     home = np.array(cell.robot.home_rad)
     plans = {
-        payload: returned(plan_procedure(cell, robot, CollisionModel(cell, robot, known.box), known.box, start=home))
+        payload: run_to_end(plan_procedure(cell, robot, CollisionModel(cell, robot, known.box), known.box, start=home))
         for payload, known in cell.payloads.items()
     }
     return cell, plans
 
 
-def returned(run: Generator[Event, None, Answer]) -> Answer:
+def run_to_end(run: Generator[Event, None, Answer]) -> Answer:
     """What a generator of events returns in the end."""
     while True:
         try:

@@ -172,7 +172,7 @@ def payload_errors(outcomes: Sequence[Outcome]) -> PayloadErrors:
     return PayloadErrors(float(before_), float(after_), float(stated), Share.among(inside))
 
 
-def half_named(x: Sequence[float], hit: Sequence[bool]) -> float | None:
+def fit_halfway_size(x: Sequence[float], hit: Sequence[bool]) -> float | None:
     """The x > 0 at which half of the answers are hits, by a logistic curve over log x; None where there are only hits or only misses."""
     if not (any(hit) and not all(hit)):
         return None

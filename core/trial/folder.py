@@ -16,7 +16,7 @@ OUTCOMES = "trials.jsonl"
 SEALS = "seals.txt"
 
 
-def finished(folder: Path) -> dict[int, Outcome]:
+def read_outcomes(folder: Path) -> dict[int, Outcome]:
     """The outcomes in a folder by seed; none where it does not exist yet. A last line that was cut off while it was written is dropped.
 
     Raises:

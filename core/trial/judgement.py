@@ -78,7 +78,7 @@ def counts(outcome: Outcome) -> bool:
     return material(outcome) and shows
 
 
-def named(outcome: Outcome) -> frozenset[str]:
+def find_named_effects(outcome: Outcome) -> frozenset[str]:
     """The most probable explanation: one effect or two."""
     if outcome.verdict not in NAMED or outcome.first is None:
         return frozenset()
@@ -105,10 +105,10 @@ def right(outcome: Outcome) -> bool:
     if kind == "double" and counts(outcome):
         return exact_pair(outcome)
     tied = outcome.tied if outcome.verdict in NAMED else frozenset()
-    return bool((named(outcome) | tied | set(outcome.also)) & ids)
+    return bool((find_named_effects(outcome) | tied | set(outcome.also)) & ids)
 
 
-def named_first(outcome: Outcome) -> bool:
+def names_truth_first(outcome: Outcome) -> bool:
     """Whether the truth is the first name, ties or not."""
     return right(outcome) if is_beside(outcome) else outcome.first in outcome.sealed.ids
 
@@ -120,13 +120,13 @@ def is_beside(outcome: Outcome) -> bool:
 
 def stands_beside(outcome: Outcome) -> bool:
     """What was planted stands beside the verdict with its parameters, and the verdict names nothing."""
-    return not named(outcome) and all(outcome.also.get(name) for name in outcome.sealed.ids)
+    return not find_named_effects(outcome) and all(outcome.also.get(name) for name in outcome.sealed.ids)
 
 
 def exact_pair(outcome: Outcome) -> bool:
     """Both names and no other, each where it belongs: in the verdict, or beside it."""
     ids = set(outcome.sealed.ids)
-    return named(outcome) == ids - SEEN_BESIDE and ids & SEEN_BESIDE <= set(outcome.also)
+    return find_named_effects(outcome) == ids - SEEN_BESIDE and ids & SEEN_BESIDE <= set(outcome.also)
 
 
 def mark(outcome: Outcome) -> str:

@@ -19,29 +19,29 @@ from core.trial.truth import Parameters
 Array = NDArray[np.float64]
 
 
-class Part(BaseModel):
+class TrialPart(BaseModel):
     """Frozen, without NaN."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
 
-class Estimate(Part):
+class ParameterEstimate(TrialPart):
     """A parameter with its standard uncertainty; None where none is stated or the value sits on its bound."""
 
     value: float
     std: float | None
 
 
-class Named(Part):
+class Named(TrialPart):
     """One effect of the answer. Parameters are kept of the first name and of what was planted."""
 
     id: str
     probability: float
     closure: float
-    parameters: dict[str, Estimate] = {}
+    parameters: dict[str, ParameterEstimate] = {}
 
 
-class PayloadTruth(Part):
+class PayloadTruth(TrialPart):
     """Phi, ten values each: as it was, and as it was found before and after the effect was added, with standard uncertainties."""
 
     true: tuple[float, ...]
@@ -51,7 +51,7 @@ class PayloadTruth(Part):
     after_std: tuple[float, ...]
 
 
-class Outcome(Part):
+class Outcome(TrialPart):
     """One trial.
 
     Args:
@@ -77,7 +77,7 @@ class Outcome(Part):
     none_probability: float = 0.0
     unknown_probability: float = 0.0
     minor: tuple[str, ...] = ()
-    also: dict[str, dict[str, Estimate]] = {}
+    also: dict[str, dict[str, ParameterEstimate]] = {}
     ties: tuple[tuple[tuple[str, ...], float], ...] = ()
     gap_before: float | None = None
     gap_after: float | None = None
@@ -104,7 +104,7 @@ class Outcome(Part):
         return frozenset(name for names, _ in self.ties for name in names)
 
 
-def answered(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Parameters], payload: Array, bound: Bound) -> Outcome:
+def make_outcome(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Parameters], payload: Array, bound: Bound) -> Outcome:
     """The outcome of a trial that was diagnosed; `payload` (10,) is the true one."""
     kept = {*sealed.ids, *(effect.id for effect in diagnosis.effects[:1])}
     return Outcome(
@@ -128,7 +128,7 @@ def answered(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Parameters],
     )
 
 
-def unanswered(sealed: Sealed, reason: str) -> Outcome:
+def make_stopped_outcome(sealed: Sealed, reason: str) -> Outcome:
     """The outcome of a trial that the guard stopped, or that failed."""
     return Outcome(sealed=sealed, stopped=reason, verdict="stopped", version=release())
 
@@ -138,8 +138,8 @@ def _summarise_effect(effect: Explanation, kept: set[str]) -> Named:
     return Named(id=effect.id, probability=effect.probability, closure=effect.closure, parameters=parameters)
 
 
-def _estimates(parameters: dict[str, Value]) -> dict[str, Estimate]:
-    return {name: Estimate(value=v.value, std=None if v.at_bound else v.std) for name, v in parameters.items()}
+def _estimates(parameters: dict[str, Value]) -> dict[str, ParameterEstimate]:
+    return {name: ParameterEstimate(value=v.value, std=None if v.at_bound else v.std) for name, v in parameters.items()}
 
 
 def _payload(found: PayloadPart, true: Array) -> PayloadTruth:

@@ -20,10 +20,10 @@ from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 from core.trial.bound import Bound, bound_of
-from core.trial.draw import Drawn, returned
-from core.trial.outcome import Outcome, answered, unanswered
+from core.trial.draw import Drawn, run_to_end
+from core.trial.outcome import Outcome, make_outcome, make_stopped_outcome
 from core.trial.second_look import second_look
-from core.trial.truth import Parameters, difference_of, parameters_of, payload_of
+from core.trial.truth import Parameters, difference_of, translate_truth, true_payload_of
 
 SMOOTH = Drives(damping_s=0.0, friction=0.0)
 """Friction is one of the faults: where it is not planted, there is none."""
@@ -37,22 +37,22 @@ def run_trial(drawn: Drawn, keep: Path | None = None) -> Outcome:
     """
     sealed = drawn.sealed
     try:
-        recording = recorded(drawn, (drawn.background, *drawn.faults))
+        recording = record_procedure(drawn, (drawn.background, *drawn.faults))
     except Stopped as error:
-        return unanswered(sealed, str(error))
+        return make_stopped_outcome(sealed, str(error))
     if keep is not None:
         write_recording(recording, keep / str(sealed.seed))
     diagnosis, evidence = examine(recording, fit_all=one_by_one)
     nominal = drawn.cell.payloads[sealed.payload].parameters
-    payload = payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
+    payload = true_payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
     bound = Bound() if evidence is None or not sealed.ids else _bound(drawn, recording, evidence)
     truth = _truth(drawn)
     after = None if evidence is None else second_look(drawn, recording, evidence, SMOOTH)
-    second = None if after is None else answered(sealed, after, truth, payload, bound)
-    return answered(sealed, diagnosis, truth, payload, bound).model_copy(update={"second": second})
+    second = None if after is None else make_outcome(sealed, after, truth, payload, bound)
+    return make_outcome(sealed, diagnosis, truth, payload, bound).model_copy(update={"second": second})
 
 
-def recorded(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
+def record_procedure(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
     """The procedure on the virtual robot.
 
     Raises:
@@ -64,7 +64,7 @@ def recorded(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
     run = _Recorder(cell, session, carried.box, Procedure(drawn.plan.timing), "rrt_connect", 0)
     log = SampleLog(cell, run.robot, payload=name, reference=carried)
     with session:
-        returned(run.moved(drawn.plan, log))
+        run_to_end(run.execute_plan(drawn.plan, log))
     return log.recording()
 
 
@@ -78,7 +78,7 @@ def without_friction(cell: Cell) -> Cell:
 class _Recorder(Run):
     """The procedure's motions without an estimate along the way, which nobody would see."""
 
-    def learned(self, states: Sequence[RobotState]) -> tuple[float | None, ...]:
+    def update_estimate(self, states: Sequence[RobotState]) -> tuple[float | None, ...]:
         """Nothing."""
         del states
         return (None,) * 10
@@ -86,16 +86,16 @@ class _Recorder(Run):
 
 def _bound(drawn: Drawn, recording: Recording, evidence: Evidence) -> Bound:
     nominal = drawn.cell.payloads[drawn.sealed.payload].parameters
-    payload = payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
-    return bound_of(drawn.sealed.ids, recording, evidence, recorded(drawn, (drawn.background,)), nominal.phi, payload)
+    payload = true_payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
+    return bound_of(drawn.sealed.ids, recording, evidence, record_procedure(drawn, (drawn.background,)), nominal.phi, payload)
 
 
 def _truth(drawn: Drawn) -> dict[str, Parameters]:
     """Parameters of what was planted, in the effects' words; empty ones are left out."""
     nominal = drawn.cell.payloads[drawn.sealed.payload].parameters
     setting = Setting(drawn.cell, nominal, drawn.plan.robot_s)
-    told = {name: parameters_of(name, variant, truth, setting) for name, variant, truth in drawn.sealed.planted}
+    told = {name: translate_truth(name, variant, truth, setting) for name, variant, truth in drawn.sealed.planted}
     if "payload_mismatch" in told:
-        payload = payload_of(drawn.cell, nominal, drawn.faults)
+        payload = true_payload_of(drawn.cell, nominal, drawn.faults)
         told["payload_mismatch"] = difference_of(payload.phi, nominal.phi)
     return {name: parameters for name, parameters in told.items() if parameters}

@@ -18,14 +18,14 @@ from core.trial.figures import (
     calibration_error,
     closure_ratios,
     first_answers,
-    half_named,
+    fit_halfway_size,
     parameter_errors,
     payload_errors,
     reliability,
     share_right,
     tie_honesty,
 )
-from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, counts, material, named, named_first, right
+from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, counts, find_named_effects, material, names_truth_first, right
 from core.trial.outcome import Outcome
 
 KINDS = ("none", "single", "double", "unknown")
@@ -80,12 +80,12 @@ def detections(outcomes: Sequence[Outcome]) -> dict[str, list[tuple[float, bool]
 
 
 def _describe_answer(outcome: Outcome) -> str:
-    return "+".join(sorted(named(outcome) or outcome.also)) or outcome.verdict
+    return "+".join(sorted(find_named_effects(outcome) or outcome.also)) or outcome.verdict
 
 
 def _names(outcome: Outcome) -> frozenset[str]:
     """Whatever was named, material or not, alone or in a declared tie, in the verdict or beside it."""
-    return named(outcome) | outcome.tied | set(outcome.minor) | set(outcome.also)
+    return find_named_effects(outcome) | outcome.tied | set(outcome.minor) | set(outcome.also)
 
 
 def _head(outcomes: Sequence[Outcome]) -> list[str]:
@@ -123,7 +123,7 @@ def _figures(outcomes: Sequence[Outcome]) -> list[str]:
     rivals = [o.bound.nearest_rival_sigma for o in counted["single"]]
     clear = [distance for distance in rivals if distance is not None and distance > CLEAR_SIGMA]
     unknown, second = [o.bound.undescribed_sigma for o in counted["unknown"]], [o.bound.second_sigma for o in counted["double"]]
-    single = Share.among(named_first(o) for o in counted["single"])
+    single = Share.among(names_truth_first(o) for o in counted["single"])
     seconds = [o.seconds for o in outcomes if o.stopped is None]
     rows = [
         ("false alarms on runs without effect", "<= 0.5 %", str(alarms), "-"),
@@ -175,7 +175,7 @@ def _smallest(x: Sequence[float], hits: Sequence[bool]) -> str:
     """The place of the logistic curve's middle, or the end of what was tried."""
     if not x:
         return "-"
-    middle = half_named(x, hits)
+    middle = fit_halfway_size(x, hits)
     if middle is None or not min(x) <= middle <= max(x):
         return f"below {min(x):.2g}" if 2 * sum(hits) > len(hits) else f"above {max(x):.2g}"
     return f"{middle:.2g}"
@@ -189,7 +189,7 @@ def _failures(outcomes: Sequence[Outcome]) -> list[str]:
 def _failure(o: Outcome) -> str:
     sigma = "" if o.bound.fault_sigma is None else f", {o.bound.fault_sigma:.0f} sigma (material from {o.bound.material_sigma:.0f})"
     gap = "" if o.gap_before is None or o.gap_after is None else f", gap {o.gap_before:.2f} to {o.gap_after:.2f}"
-    answer = o.stopped or " ".join(part for part in (o.verdict, "+".join(sorted(named(o)))) if part)
+    answer = o.stopped or " ".join(part for part in (o.verdict, "+".join(sorted(find_named_effects(o)))) if part)
     answer += f", beside it {', '.join(sorted(o.also))}" if o.also else ""
     where = f"{o.sealed.cell}, {o.sealed.payload}"
     asked = "" if counts(o) else " (does not count)"

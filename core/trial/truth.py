@@ -29,7 +29,7 @@ Parameters: TypeAlias = dict[str, float]
 MINUTE_S = 60.0
 
 
-def parameters_of(name: str, variant: str, truth: Truth, setting: Setting) -> Parameters:
+def translate_truth(name: str, variant: str, truth: Truth, setting: Setting) -> Parameters:
     """An effect's parameters by name, as the fault has them; empty where the fault has another shape than the model.
 
     Args:
@@ -40,17 +40,17 @@ def parameters_of(name: str, variant: str, truth: Truth, setting: Setting) -> Pa
     return {} if told is None else told(truth, setting)
 
 
-def six(values: list[float], what: str) -> Parameters:
+def name_by_channel(values: list[float], what: str) -> Parameters:
     """`fx_<what>` and so on."""
     return {f"{channel}_{what}": value for channel, value in zip(CHANNELS, values, strict=True)}
 
 
-def amplitudes(values: list[float], what: str) -> Parameters:
+def name_amplitudes(values: list[float], what: str) -> Parameters:
     """`fx_<what>_n` to `tz_<what>_nm`."""
     return {f"{c}_{what}_{suffix}": value for c, suffix, value in zip(CHANNELS, SUFFIXES, values, strict=True)}
 
 
-def along(values: list[float], before: str, after: str) -> Parameters:
+def name_by_axis(values: list[float], before: str, after: str) -> Parameters:
     """One parameter for each axis."""
     return {f"{before}{axis}{after}": value for axis, value in zip("xyz", values, strict=False)}
 
@@ -74,12 +74,12 @@ def _butterworth(truth: Truth, _: Setting) -> Parameters:
 
 def _exponential_drift(truth: Truth, _: Setting) -> Parameters:
     share = -math.expm1(-MINUTE_S / truth["time_constant_s"])
-    minute = amplitudes([share * drift for drift in truth["drift_wrench"]], "first_minute")
+    minute = name_amplitudes([share * drift for drift in truth["drift_wrench"]], "first_minute")
     return {**minute, "settling_rate_per_s": 1.0 / truth["time_constant_s"]}
 
 
 def _linear_drift(truth: Truth, _: Setting) -> Parameters:
-    minute = amplitudes([MINUTE_S / truth["duration_s"] * drift for drift in truth["drift_wrench"]], "first_minute")
+    minute = name_amplitudes([MINUTE_S / truth["duration_s"] * drift for drift in truth["drift_wrench"]], "first_minute")
     return {**minute, "settling_rate_per_s": 0.0}
 
 
@@ -93,12 +93,12 @@ def _crosstalk(truth: Truth, _: Setting) -> Parameters:
 
 
 def _mass_step(truth: Truth, _: Setting) -> Parameters:
-    return {"at_s": truth["begin_s"], "mass_kg": truth["change_kg"], **along(truth["at_m"], "place_", "_m")}
+    return {"at_s": truth["begin_s"], "mass_kg": truth["change_kg"], **name_by_axis(truth["at_m"], "place_", "_m")}
 
 
 def _slip(truth: Truth, setting: Setting) -> Parameters:
     part = truth["part_share"] * setting.payload.mass
-    return {"at_s": truth["at_s"], **along([part * shift for shift in truth["shift_m"]], "first_moment_", "_kgm")}
+    return {"at_s": truth["at_s"], **name_by_axis([part * shift for shift in truth["shift_m"]], "first_moment_", "_kgm")}
 
 
 TOLD: dict[tuple[str, str], Callable[[Truth, Setting], Parameters]] = {
@@ -106,27 +106,30 @@ TOLD: dict[tuple[str, str], Callable[[Truth, Setting], Parameters]] = {
     ("kinematic_lag", "first_order"): lambda t, _: {"lag_s": lag(t["lag_s"])},
     ("sensor_lowpass", "first_order"): lambda t, _: {"time_constant_s": lag(0.5 / (math.pi * t["cut_off_hz"])), "second_order_share": 0.0},
     ("sensor_lowpass", "second_order"): _butterworth,
-    ("sensor_gain", "linear"): lambda t, _: six(t["gain_share"], "gain_error_share"),
-    ("sensor_nonlinearity", "quadratic"): lambda t, _: six(t["share_of_range"], "full_scale_error_share"),
+    ("sensor_gain", "linear"): lambda t, _: name_by_channel(t["gain_share"], "gain_error_share"),
+    ("sensor_nonlinearity", "quadratic"): lambda t, _: name_by_channel(t["share_of_range"], "full_scale_error_share"),
     ("sensor_crosstalk", "linear"): _crosstalk,
     ("sensor_drift", "exponential"): _exponential_drift,
     ("sensor_drift", "linear"): _linear_drift,
-    ("sensor_offset_step", "step"): lambda t, _: amplitudes(t["step_wrench"], "step"),
+    ("sensor_offset_step", "step"): lambda t, _: name_amplitudes(t["step_wrench"], "step"),
     ("sensor_creep", "exponential"): lambda t, _: {
-        **six([t["creep_share"]] * 6, "creep_share"),
+        **name_by_channel([t["creep_share"]] * 6, "creep_share"),
         "time_constant_s": lag(t["time_constant_s"][0]),
     },
-    ("sensor_rotation", "sensor_alone"): lambda t, _: along(t["rotation_rad"], "about_", "_rad"),
-    ("sensor_rotation", "with_payload"): lambda t, _: along(t["rotation_rad"], "about_", "_rad"),
-    ("sensor_translation", "sensor_alone"): lambda t, _: along(t["translation_m"], "", "_m"),
-    ("sensor_translation", "with_payload"): lambda t, _: along(t["translation_m"], "", "_m"),
-    ("base_tilt", "fixed"): lambda t, _: along(t["tilt_rad"], "about_", "_rad"),
+    ("sensor_rotation", "sensor_alone"): lambda t, _: name_by_axis(t["rotation_rad"], "about_", "_rad"),
+    ("sensor_rotation", "with_payload"): lambda t, _: name_by_axis(t["rotation_rad"], "about_", "_rad"),
+    ("sensor_translation", "sensor_alone"): lambda t, _: name_by_axis(t["translation_m"], "", "_m"),
+    ("sensor_translation", "with_payload"): lambda t, _: name_by_axis(t["translation_m"], "", "_m"),
+    ("base_tilt", "fixed"): lambda t, _: name_by_axis(t["tilt_rad"], "about_", "_rad"),
     ("joint_offset", "fixed"): lambda t, _: joints(t["offset_rad"]),
     ("payload_mass_change", "step"): _mass_step,
     ("payload_shift", "step"): _slip,
-    ("sensor_noise", "white"): lambda t, _: six([t["factor"]] * 6, "noise_factor"),
-    ("sensor_interference", "sine"): lambda t, _: {"frequency_hz": t["frequency_hz"], **amplitudes(t["amplitude_wrench"], "amplitude")},
-    ("sensor_quantization", "rounded"): lambda t, _: amplitudes(t["step_wrench"], "step"),
+    ("sensor_noise", "white"): lambda t, _: name_by_channel([t["factor"]] * 6, "noise_factor"),
+    ("sensor_interference", "sine"): lambda t, _: {
+        "frequency_hz": t["frequency_hz"],
+        **name_amplitudes(t["amplitude_wrench"], "amplitude"),
+    },
+    ("sensor_quantization", "rounded"): lambda t, _: name_amplitudes(t["step_wrench"], "step"),
     ("sample_dropout", "held"): lambda t, _: {"held_share": t["lost_share"]},
     ("sample_dropout", "slow_rate"): lambda t, _: {"held_share": 1.0 - 1.0 / t["every"]},
 }
@@ -142,7 +145,7 @@ def difference_of(payload: Array, nominal: Array) -> Parameters:
     }
 
 
-def payload_of(cell: Cell, nominal: InertialParameters, faults: tuple[Fault, ...]) -> InertialParameters:
+def true_payload_of(cell: Cell, nominal: InertialParameters, faults: tuple[Fault, ...]) -> InertialParameters:
     """What the wrist sensor carries when the run begins, in its true axes about its true origin: what an ideal identification finds.
 
     A fault may have made the payload another one, or may have turned or shifted the sensor against it; what slips, falls off or is put

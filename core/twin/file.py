@@ -14,7 +14,7 @@ from core.errors import BadTwin
 from core.files.jail import read_inside
 from core.files.schema_flaw import schema_flaw
 from core.files.whole_file import write_whole
-from core.twin.twin import NOMINAL, Entry, Twin, standing
+from core.twin.twin import NOMINAL, Entry, Twin, make_home_scene
 
 MAX_BYTES = 1_000_000
 MINUS_ZERO = -1e-6
@@ -45,7 +45,7 @@ def write_twin(cell: Cell, twin: Twin) -> None:
     Raises:
         BadTwin: an effect, parameter or value that could not be read again, or a folder that cannot be written.
     """
-    file, text = cell.folder / TWIN_FILE, checked_text(cell, twin)
+    file, text = cell.folder / TWIN_FILE, serialise_twin(cell, twin)
     try:
         if twin.effects:
             write_whole(file, text)
@@ -55,7 +55,7 @@ def write_twin(cell: Cell, twin: Twin) -> None:
         raise BadTwin(str(file), f"a folder that cannot be written ({error.strerror})", "one that is yours to change") from error
 
 
-def checked_text(cell: Cell, twin: Twin) -> str:
+def serialise_twin(cell: Cell, twin: Twin) -> str:
     """What is to stand in the cell's `twin.json`.
 
     Raises:
@@ -73,7 +73,7 @@ def close_name(identifier: str, known: list[str]) -> str:
 
 def _check(twin: Twin, cell: Cell, where: str) -> None:
     known = {effect.id: effect for effect in library()}
-    scene = standing(cell)
+    scene = make_home_scene(cell)
     for k, entry in enumerate(twin.effects):
         here = f"{where}: effects.{k}"
         if entry.effect not in known:

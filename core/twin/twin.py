@@ -27,13 +27,13 @@ LONGEST_RUN_S = 86_400.0
 """What happens once happens within a day."""
 
 
-class Part(BaseModel):
+class TwinPart(BaseModel):
     """Frozen; unknown keys, NaN and infinity are refused."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
-class Fitted(Part):
+class Fitted(TwinPart):
     """A parameter's value with its standard uncertainty."""
 
     value: Number
@@ -41,7 +41,7 @@ class Fitted(Part):
     unit: str
 
 
-class Entry(Part):
+class Entry(TwinPart):
     """One effect and where it comes from.
 
     Args:
@@ -82,13 +82,13 @@ class Entry(Part):
         known = size > 1e-6 * max(float(size.max(initial=0.0)), math.ulp(0.0))
         return [dict(zip(self.parameters, np.sqrt(s) * axis, strict=True)) for s, axis in zip(size[known], axes.T[known], strict=True)]
 
-    def moved(self, by: dict[str, float]) -> Entry:
+    def move_parameters(self, by: dict[str, float]) -> Entry:
         """The same effect with other values."""
         values = {name: p.model_copy(update={"value": p.value + by.get(name, 0.0)}) for name, p in self.parameters.items()}
         return self.model_copy(update={"parameters": values})
 
 
-class Twin(Part):
+class Twin(TwinPart):
     """What the cell's simulation has beyond the nominal one."""
 
     format: Literal["twin/1"] = "twin/1"
@@ -103,20 +103,20 @@ class Twin(Part):
         """The twin without one effect."""
         return Twin(effects=tuple(entry for entry in self.effects if entry.effect != identifier))
 
-    def having(self, entry: Entry) -> Twin:
+    def with_entry(self, entry: Entry) -> Twin:
         """The twin with an effect, in the place of an older entry of the same identifier."""
         return Twin(effects=(*self.without(entry.effect).effects, entry))
 
     def lacking(self, scene: Scene) -> tuple[str, ...]:
         """Effects that cannot be evaluated in this scene, with the reasons."""
-        reasons = {entry.effect: entry.model.lacking(scene) for entry in self.effects}
+        reasons = {entry.effect: entry.model.explain_lack(scene) for entry in self.effects}
         return tuple(f"{identifier}: {reason}" for identifier, reason in reasons.items() if reason is not None)
 
     def in_scene(self, scene: Scene) -> tuple[Entry, ...]:
         """The effects that can be evaluated in this scene."""
-        return tuple(entry for entry in self.effects if entry.model.lacking(scene) is None)
+        return tuple(entry for entry in self.effects if entry.model.explain_lack(scene) is None)
 
-    def composed(self, scene: Scene) -> Composition:
+    def compose_effects(self, scene: Scene) -> Composition:
         """The effects that can be evaluated in this scene, ready to act."""
         return Composition(self.terms(scene))
 
@@ -133,7 +133,7 @@ def effect_of(identifier: str) -> Effect:
     return {effect.id: effect for effect in library()}[identifier]
 
 
-def standing(cell: Cell) -> Scene:
+def make_home_scene(cell: Cell) -> Scene:
     """The cell's robot at home for a day, with all that a scene can know: the scene that is asked what an effect's parameters may be."""
     n = len(cell.robot.home_rad)
     gravity = cell.gravity_in_base

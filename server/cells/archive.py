@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 
 from core.cell.cell import CELL_FILE
 from core.errors import BadCell
-from server.http.zip_file import opened_zip, write_entry
+from server.http.zip_file import open_zip, write_entry
 
 MAX_FILES = 200
 MAX_BYTES = 60_000_000  # of all files together, unpacked
@@ -24,7 +24,7 @@ UPLOAD, CELL = "upload.zip", "cell"
 _PART = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}", re.ASCII)
 
 
-def unpack(archive: Path, folder: Path) -> None:
+def unpack_cell(archive: Path, folder: Path) -> None:
     """Unpacks a zip of a cell: its files at the top, or all in one folder, which is left out.
 
     Args:
@@ -33,7 +33,7 @@ def unpack(archive: Path, folder: Path) -> None:
     Raises:
         BadCell: no zip, or an entry that no honest cell has.
     """
-    with opened_zip(archive, BadCell, "a plain zip of a cell's folder") as opened:
+    with open_zip(archive, BadCell, "a plain zip of a cell's folder") as opened:
         files = [entry for entry in opened.infolist() if not entry.is_dir()]
         _check_amount(files)
         names = [_parse_name(entry) for entry in files]

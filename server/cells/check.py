@@ -23,7 +23,7 @@ from core.files.confinement import stay_here
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.twin.file import read_twin
-from server.cells.archive import CELL, UPLOAD, unpack
+from server.cells.archive import CELL, UPLOAD, unpack_cell
 
 SECONDS = 15.0
 MEMORY = 512_000_000  # bytes of private data
@@ -36,7 +36,7 @@ CheckAnswer = dict[str, Any]
 def check(folder: Path) -> CheckAnswer:
     """Unpacks and loads the cell, up to the models that planning would use and the effects of its twin."""
     try:
-        unpack(folder / UPLOAD, folder / CELL)
+        unpack_cell(folder / UPLOAD, folder / CELL)
         os.chdir(folder / CELL)  # errors name files as the upload does
         cell = load_cell(Path())
         _build(cell)

@@ -9,7 +9,7 @@ from pathlib import Path
 from threading import Lock
 from typing import Annotated
 
-from core.cell.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cells, read_cell
+from core.cell.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cells, read_cell_folder
 from core.errors import BadCell, BadInput, BadTwin, refuse, together
 from core.files.whole_file import write_whole
 from server.http.dependencies import depend_on
@@ -88,7 +88,7 @@ class CellFolder:
 
     def _read_anew(self, name: str) -> CellRead:
         try:
-            cell, robot_flaws = read_cell(self.folder / name)
+            cell, robot_flaws = read_cell_folder(self.folder / name)
         except BadInput as error:
             raise together([self._shorten_paths(each) for each in (error, *error.others)]) from error
         if cell.name == name:

@@ -21,7 +21,7 @@ from server.cells.twin_answer import twin_of
 from server.cells.uploads import CheckerDep, take_in, upload_folder
 from server.cells.zones import ZonePosition
 from server.http.dependencies import MetricsDep, NamePath, NowDep, StoreDep
-from server.http.problems import Flaw, flaws_of
+from server.http.problems import Flaw, list_flaws
 from server.http.schemas import Answer
 from server.http.zip_body import ZIP, check_is_zip, write_body
 from server.people import audit
@@ -111,7 +111,7 @@ def read_cell(cell: NamePath, cells: CellsDep, store: StoreDep, now: NowDep) -> 
     in_file = {} if cell_read is None else {each.name: each.shape.pose for each in cells.read(cell).cell.zones}
     return CellShown(
         cell=None if cell_read is None else cell_read.cell,
-        flaws=flaws_of(flaws),
+        flaws=list_flaws(flaws),
         in_the_way=[flaw.in_the_way for flaw in flaws if flaw.in_the_way is not None],
         drawn=cell_read is not None and not cell_read.robot_flaws,
         sha256=cells.digest(cell),
@@ -179,7 +179,7 @@ def _inspect(cells: CellFolder, db: Session, name: str) -> tuple[CellRead | None
 
 def _summarise(name: str, cell_read: CellRead | None, flaws: list[BadInput]) -> CellListed:
     title = None if cell_read is None else cell_read.cell.title
-    return CellListed(name=name, title=title, flaw=str(flaws[0]) if flaws else None, flaws=flaws_of(flaws))
+    return CellListed(name=name, title=title, flaw=str(flaws[0]) if flaws else None, flaws=list_flaws(flaws))
 
 
 def _place(row: ZonePosition, in_file: Pose) -> ZonePlace:

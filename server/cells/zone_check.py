@@ -8,7 +8,7 @@ from core.cell.cell import Cell
 from core.errors import BadCell
 from server.http.errors import Unprocessable
 from server.runner.messages import Answered, Failed
-from server.runner.work import said
+from server.runner.work import run_work
 
 
 def flaws_of_bodies(cell: Cell) -> list[BadCell]:
@@ -17,7 +17,7 @@ def flaws_of_bodies(cell: Cell) -> list[BadCell]:
     Raises:
         Unprocessable: the process that looks failed.
     """
-    for word in said("server.runner.zone_checking", cell):
+    for word in run_work("server.runner.zone_checking", cell):
         match word:
             case Answered(text=text):
                 return [BadCell(*flaw) for flaw in json.loads(text)]

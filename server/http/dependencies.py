@@ -48,7 +48,7 @@ NamePath = Annotated[Name, Path()]
 """A name in the path, such as that of a cell or a zone."""
 
 
-def accepted(response: Response, location: str, retry_after_s: int) -> None:
+def set_accepted_headers(response: Response, location: str, retry_after_s: int) -> None:
     """The headers of a 202: where what was asked for is, and when it is worth a look."""
     response.headers["Location"] = location
     response.headers["Retry-After"] = str(retry_after_s)

@@ -20,7 +20,7 @@ HARMLESS = {"Content-Security-Policy": "sandbox; default-src 'none'; style-src '
 """Names in a report come from cells and recordings that somebody sent in."""
 
 
-def zipped(folder: Path, name: str, missing: str) -> StreamingResponse:
+def send_zip(folder: Path, name: str, missing: str) -> StreamingResponse:
     """A folder of plain files as `name`.zip, which unpacks into a folder of that name.
 
     Raises:

@@ -8,7 +8,7 @@ from typing import Any
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
-from server.http.problems import MEDIA_TYPE, Problem
+from server.http.problems import MEDIA_TYPE, ProblemDetails
 
 Json = dict[str, Any]
 Authority = Mapping[str, frozenset[Any] | None]
@@ -48,7 +48,7 @@ def _build_description(app: FastAPI, authority: Authority) -> Json:
     schemas = found.setdefault("components", {}).setdefault("schemas", {})
     schemas.pop("HTTPValidationError", None)
     schemas.pop("ValidationError", None)
-    problem = Problem.model_json_schema(ref_template=f"{REF}{{model}}")
+    problem = ProblemDetails.model_json_schema(ref_template=f"{REF}{{model}}")
     schemas |= problem.pop("$defs") | {"Problem": problem}
     found["components"]["securitySchemes"] = SECURITY
     return found

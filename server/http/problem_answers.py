@@ -18,7 +18,7 @@ from starlette.requests import HTTPConnection
 from core.errors import HeftError
 from core.files.schema_flaw import schema_flaw
 from server.http.errors import StoreUnavailable
-from server.http.problems import HTTP_KINDS, MEDIA_TYPE, Flaw, Problem, headers_of, kinds_by_name, problem, problem_of
+from server.http.problems import HTTP_KINDS, MEDIA_TYPE, Flaw, ProblemDetails, headers_of, kinds_by_name, problem, problem_of
 
 log = logging.getLogger("heft.problems")
 
@@ -46,7 +46,7 @@ async def _answer_heft_error(connection: HTTPConnection, error: Exception) -> JS
 
 async def _answer_validation_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     assert isinstance(error, RequestValidationError)
-    flaws = flaws_of(error.errors())
+    flaws = list_request_flaws(error.errors())
     kind = HTTP_KINDS["bad-request"]
     if any(each["type"] == "json_invalid" for each in error.errors()):
         kind = replace(kind, status=HTTPStatus.BAD_REQUEST)
@@ -78,7 +78,7 @@ async def _answer_unexpected_error(connection: HTTPConnection, error: Exception)
     return await _send(connection, problem("internal-error", HTTP_KINDS["internal-error"], detail))
 
 
-async def _send(connection: HTTPConnection, found: Problem, headers: dict[str, str] | None = None) -> JSONResponse:
+async def _send(connection: HTTPConnection, found: ProblemDetails, headers: dict[str, str] | None = None) -> JSONResponse:
     body = found.model_dump(mode="json", exclude_none=True)
     answer = JSONResponse(body, found.status, headers_of(found) | (headers or {}), MEDIA_TYPE)
     if isinstance(connection, WebSocket):
@@ -86,7 +86,7 @@ async def _send(connection: HTTPConnection, found: Problem, headers: dict[str, s
     return answer
 
 
-def flaws_of(found: Sequence[Any]) -> list[Flaw]:
+def list_request_flaws(found: Sequence[Any]) -> list[Flaw]:
     """Pydantic's errors as ours; secrets are not repeated."""
     flaws = [schema_flaw(each) for each in found]
     return [

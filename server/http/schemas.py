@@ -17,7 +17,7 @@ NewPassword = Annotated[SecretStr, Field(min_length=12, max_length=200)]
 """One from now on: long enough not to be guessed."""
 
 
-class Body(BaseModel):
+class RequestBody(BaseModel):
     """Frozen; unknown keys, NaN and infinity are refused."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)

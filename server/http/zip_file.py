@@ -15,7 +15,7 @@ CHUNK = 1 << 16
 
 
 @contextmanager
-def opened_zip(archive: Path, kind: type[BadInput], expected: str) -> Iterator[zipfile.ZipFile]:
+def open_zip(archive: Path, kind: type[BadInput], expected: str) -> Iterator[zipfile.ZipFile]:
     """The zip, to be looked at and unpacked inside.
 
     Args:

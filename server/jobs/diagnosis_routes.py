@@ -14,21 +14,21 @@ from starlette.status import HTTP_202_ACCEPTED
 from core.gap.answer import Diagnosis, Verdict
 from server.cells.folder import CellsDep
 from server.http import downloads
-from server.http.dependencies import LimitQuery, NowDep, SettingsDep, StoreDep, accepted
+from server.http.dependencies import LimitQuery, NowDep, SettingsDep, StoreDep, set_accepted_headers
 from server.http.errors import Conflict
-from server.http.schemas import Body, Name
+from server.http.schemas import Name, RequestBody
 from server.http.zip_body import ZIP, check_is_zip, write_body
 from server.jobs import jobs
 from server.jobs.answer import JobAnswer
 from server.jobs.jobs import DiagnosesDep, Worker
-from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder, overlay_of, report_of
+from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder, locate_overlay, locate_report
 from server.people import audit
 from server.people.auth import CallerDep
 from server.runner.overlay_schemas import OverlayAnswer
 from server.runner.run_folder import RECORDING
 from server.runs import ledger as run_ledger
 from server.runs.conductor import ConductorDep
-from server.runs.recording_archive import unpack
+from server.runs.recording_archive import unpack_recording
 from server.runs.tables import JobRow
 from server.store.store import Store
 
@@ -37,7 +37,7 @@ router = APIRouter(prefix="/api/diagnoses", tags=["diagnoses"])
 TYPICAL_S = 30
 
 
-class DiagnosisBody(Body):
+class DiagnosisBody(RequestBody):
     """The run whose recording is to be diagnosed."""
 
     run: str
@@ -70,7 +70,7 @@ async def _receive_recording(request: Request, settings: SettingsDep, now: NowDe
     archive = place.with_suffix(".zip.part")
     try:
         await write_body(request, archive)
-        await anyio.to_thread.run_sync(unpack, archive, place)
+        await anyio.to_thread.run_sync(unpack_recording, archive, place)
     finally:
         archive.unlink(missing_ok=True)
     yield place
@@ -116,7 +116,7 @@ def diagnose_upload(
 def list_diagnoses(store: StoreDep, diagnoses: DiagnosesDep, limit: LimitQuery = 50) -> list[DiagnosisAnswer]:
     """Newest first, each with its summary alone."""
     with store.read() as db:
-        return [_answer(diagnoses, row, whole=False) for row in jobs.listed(db, DIAGNOSIS, limit)]
+        return [_answer(diagnoses, row, whole=False) for row in jobs.list_jobs(db, DIAGNOSIS, limit)]
 
 
 @router.get("/{diagnosis}")
@@ -142,7 +142,7 @@ def read_overlay(diagnosis: str, store: StoreDep, settings: SettingsDep) -> Over
     """Measured and simulated before and after, for plots; none where there was too little to compare."""
     with store.read() as db:
         row = jobs.load(db, DIAGNOSIS, diagnosis)
-    file = overlay_of(settings, diagnosis)
+    file = locate_overlay(settings, diagnosis)
     if not file.is_file():
         raise Conflict(f"diagnosis {diagnosis}: has nothing to overlay, it is {row.state}; a done one has, if there was enough to compare")
     return OverlayAnswer.model_validate_json(file.read_bytes())
@@ -154,16 +154,16 @@ def download_diagnosis_report(diagnosis: str, store: StoreDep, settings: Setting
     with store.read() as db:
         row = jobs.load(db, DIAGNOSIS, diagnosis)
     missing = f"diagnosis {diagnosis}: has no report, it is {row.state}; a report comes with a diagnosis that is done"
-    return downloads.page(report_of(settings, diagnosis), f"diagnosis-{diagnosis}", missing)
+    return downloads.page(locate_report(settings, diagnosis), f"diagnosis-{diagnosis}", missing)
 
 
 def _queue(store: Store, diagnoses: Worker, order: DiagnosisOrder, who: str, now: datetime, response: Response) -> DiagnosisAnswer:
     with store.write() as db:
-        row = jobs.queue(db, DIAGNOSIS, order, order.run, who, now)
+        row = jobs.add_job(db, DIAGNOSIS, order, order.run, who, now)
         audit.record(db, who, "diagnosis.queue", {"diagnosis": row.id, "run": order.run}, now=now)
         found = _answer(diagnoses, row)
     diagnoses.wake()
-    accepted(response, f"/api/diagnoses/{found.diagnosis}", TYPICAL_S)
+    set_accepted_headers(response, f"/api/diagnoses/{found.diagnosis}", TYPICAL_S)
     return found
 
 

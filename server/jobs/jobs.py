@@ -21,7 +21,7 @@ from server.http.errors import Conflict, NotFound
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.work import Work
 from server.runs.ledger import new_id
-from server.runs.reason import Reason, because, cancelled, failed, of_error
+from server.runs.reason import Reason, explain_cancellation, explain_error, explain_failure, set_reason
 from server.runs.tables import JobRow
 from server.store.store import Store
 
@@ -48,7 +48,7 @@ def _record_nothing(_db: Session, _row: JobRow) -> None:
 
 
 @dataclass(frozen=True)
-class Kind:
+class JobKind:
     """One kind of job.
 
     Args:
@@ -64,7 +64,7 @@ class Kind:
     also: Callable[[Session, JobRow], object] = _record_nothing
 
 
-def queue(db: Session, kind: str, order: BaseModel, about: str | None, who: str, now: datetime) -> JobRow:
+def add_job(db: Session, kind: str, order: BaseModel, about: str | None, who: str, now: datetime) -> JobRow:
     """A job that waits for its turn."""
     row = JobRow(id=new_id(now), kind=kind, about=about, order=order.model_dump_json(), state=JobStatus.waiting)
     row.requested_by, row.requested_at = who, now
@@ -96,11 +96,11 @@ def cancel(db: Session, kind: str, job: str, who: str, now: datetime) -> JobRow:
     if row.state not in UNDER_WAY:
         raise Conflict(f"{kind} {job}: it is {row.state}; only what waits or runs can be cancelled")
     row.state, row.ended_at = JobStatus.cancelled, now
-    because(row, cancelled(who))
+    set_reason(row, explain_cancellation(who))
     return row
 
 
-def listed(db: Session, kind: str, limit: int) -> list[JobRow]:
+def list_jobs(db: Session, kind: str, limit: int) -> list[JobRow]:
     """Newest first."""
     return list(db.scalars(select(JobRow).where(JobRow.kind == kind).order_by(JobRow.id.desc()).limit(limit)))
 
@@ -108,7 +108,7 @@ def listed(db: Session, kind: str, limit: int) -> list[JobRow]:
 class Worker:
     """Works through the waiting jobs of one kind."""
 
-    def __init__(self, store: Store, now: Callable[[], datetime], kind: Kind) -> None:
+    def __init__(self, store: Store, now: Callable[[], datetime], kind: JobKind) -> None:
         self._store, self._now, self._kind = store, now, kind
         self.progress: dict[str, float] = {}
         """Of the one that runs, 0 to 1."""
@@ -170,7 +170,7 @@ class Worker:
             work = Work(self._kind.module, *self._kind.arguments(row))
             self._running = row.id, work
             for word in work.words():
-                if self._closing or not self._wanted(row.id):
+                if self._closing or not self._is_running(row.id):
                     return
                 match word:
                     case Advanced(done=done, told=None):
@@ -180,14 +180,14 @@ class Worker:
                     case Answered(text=text):
                         self._end(row.id, JobStatus.done, result=text)
                     case Failed():
-                        self._fail(row.id, failed(word))
+                        self._fail(row.id, explain_failure(word))
         except HeftError as error:
-            self._fail(row.id, of_error(error))
+            self._fail(row.id, explain_error(error))
         finally:
             self._running = None
             self.progress.pop(row.id, None)
 
-    def _wanted(self, job: str) -> bool:
+    def _is_running(self, job: str) -> bool:
         """Whether nobody has cancelled it."""
         with self._store.read() as db:
             return load(db, self._kind.name, job).state == JobStatus.running

@@ -9,8 +9,8 @@ from pathlib import Path
 from sqlalchemy.orm import Session
 
 from server.cells.folder import CellFolder
-from server.http.schemas import Body
-from server.jobs.jobs import JobStatus, Kind
+from server.http.schemas import RequestBody
+from server.jobs.jobs import JobKind, JobStatus
 from server.people import audit
 from server.runs.tables import JobRow
 from server.settings import Settings
@@ -18,7 +18,7 @@ from server.settings import Settings
 DIAGNOSIS, ADDITION, TRIALS = "diagnosis", "addition", "trials"
 
 
-class DiagnosisOrder(Body):
+class DiagnosisOrder(RequestBody):
     """A recording to be diagnosed; that of a run, or an uploaded one. `cell` is the one it was made in, where that is known."""
 
     recording: Path
@@ -26,7 +26,7 @@ class DiagnosisOrder(Body):
     cell: str | None = None
 
 
-class AdditionOrder(Body):
+class AdditionOrder(RequestBody):
     """An effect to be added to a cell's twin, as a diagnosis found it in a recording."""
 
     cell: str
@@ -35,35 +35,35 @@ class AdditionOrder(Body):
     recording: Path
 
 
-class TrialsOrder(Body):
+class TrialsOrder(RequestBody):
     """So many blind trials, from a seed on."""
 
     count: int
     seed: int
 
 
-def report_of(settings: Settings, diagnosis: str) -> Path:
+def locate_report(settings: Settings, diagnosis: str) -> Path:
     """Where a diagnosis leaves its page."""
     return settings.reports_folder / f"{diagnosis}.html"
 
 
-def overlay_of(settings: Settings, diagnosis: str) -> Path:
+def locate_overlay(settings: Settings, diagnosis: str) -> Path:
     """Where a diagnosis leaves what it compared."""
     return settings.reports_folder / f"{diagnosis}.overlay.json"
 
 
-def diagnoses(settings: Settings, cells: CellFolder) -> Kind:
+def diagnoses(settings: Settings, cells: CellFolder) -> JobKind:
     """What parts simulation and recording."""
 
     def arguments(row: JobRow) -> tuple[object, ...]:
         order = DiagnosisOrder.model_validate_json(row.order)
         cell = None if order.cell is None else cells.load(order.cell)
-        return order.recording, cell, report_of(settings, row.id).absolute(), overlay_of(settings, row.id).absolute()
+        return order.recording, cell, locate_report(settings, row.id).absolute(), locate_overlay(settings, row.id).absolute()
 
-    return Kind(DIAGNOSIS, "server.runner.diagnosing", arguments)
+    return JobKind(DIAGNOSIS, "server.runner.diagnosing", arguments)
 
 
-def additions(cells: CellFolder) -> Kind:
+def additions(cells: CellFolder) -> JobKind:
     """Effects for the twins of cells."""
 
     def arguments(row: JobRow) -> tuple[object, ...]:
@@ -77,10 +77,10 @@ def additions(cells: CellFolder) -> Kind:
             audit.record(db, row.requested_by, "twin.add", said)
             cells.put_twin(order.cell, row.result)  # last in the transaction: a store that refuses it leaves the twin as it was
 
-    return Kind(ADDITION, "server.runner.twin_adding", arguments, also)
+    return JobKind(ADDITION, "server.runner.twin_adding", arguments, also)
 
 
-def trials(settings: Settings) -> Kind:
+def trials(settings: Settings) -> JobKind:
     """Blind trials. Their seals go into the audit log before the first of them begins: nobody can change what was planted afterwards."""
 
     def arguments(row: JobRow) -> tuple[object, ...]:
@@ -92,7 +92,7 @@ def trials(settings: Settings) -> Kind:
             said: audit.Detail = {"trials": row.id, "count": len(json.loads(row.told)), "sha256": sha256_of(row.told)}
             audit.record(db, row.requested_by, "trials.seal", said)
 
-    return Kind(TRIALS, "server.runner.trialling", arguments, also)
+    return JobKind(TRIALS, "server.runner.trialling", arguments, also)
 
 
 def sha256_of(text: str | None) -> str:

@@ -10,11 +10,11 @@ from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Conflict
 from server.jobs import jobs
 from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder
-from server.jobs.proposed_motion import MotionBody, motion_of, order_of
+from server.jobs.proposed_motion import MotionBody, make_motion_order, read_proposed_motion
 from server.people.auth import CallerDep
 from server.runs import ledger as run_ledger
 from server.runs.conductor import ConductorDep
-from server.runs.queue import IdempotencyKeyHeader, RunRequest, queued
+from server.runs.queue import IdempotencyKeyHeader, RunRequest, queue_once
 from server.runs.schemas import RunAnswer
 
 router = APIRouter(prefix="/api/diagnoses", tags=["diagnoses"])
@@ -35,11 +35,11 @@ def queue_motion(
     """Queues the motion that a diagnosis proposes as a run, to be released like any other; its recording continues the diagnosed one."""
     with store.read() as db:
         diagnosed = jobs.load(db, DIAGNOSIS, diagnosis)
-        motion = motion_of(diagnosed)
-        continued = None if motion.continues is None else run_ledger.load(db, motion.continues)
+        motion = read_proposed_motion(diagnosed)
+        continued = None if motion.continues is None else run_ledger.load_run(db, motion.continues)
     cell = DiagnosisOrder.model_validate_json(diagnosed.order).cell
     if cell is None:
         raise Conflict(f"diagnosis {diagnosis}: its recording was made in no cell of this service; upload it again with ?cell=")
-    order = order_of(motion, continued, cells.read(cell).cell, body)
+    order = make_motion_order(motion, continued, cells.read(cell).cell, body)
     same = f"{diagnosis} {body.model_dump_json()}".encode()
-    return queued(store, conductor, response, RunRequest(caller.who, now, idempotency_key, same), order, motion)
+    return queue_once(store, conductor, response, RunRequest(caller.who, now, idempotency_key, same), order, motion)

@@ -16,14 +16,14 @@ from core.planning.settings import Planner
 from core.planning.stop import Stop
 from core.recording.manifest import Manifest, RobotPart, read_manifest
 from server.http.errors import Conflict
-from server.http.schemas import Body, Name
+from server.http.schemas import Name, RequestBody
 from server.jobs.kinds import DiagnosisOrder
 from server.runner.messages import Pace
 from server.runs.schemas import ProposedMotion, RunOrder
 from server.runs.tables import JobRow, RunRow
 
 
-class MotionBody(Body):
+class MotionBody(RequestBody):
     """How the proposed motion is to be made.
 
     Args:
@@ -38,7 +38,7 @@ class MotionBody(Body):
     pace: Pace = "real_time"
 
 
-def motion_of(diagnosed: JobRow) -> ProposedMotion:
+def read_proposed_motion(diagnosed: JobRow) -> ProposedMotion:
     """What the diagnosis proposes.
 
     Raises:
@@ -48,7 +48,7 @@ def motion_of(diagnosed: JobRow) -> ProposedMotion:
     return ProposedMotion(diagnosis=diagnosed.id, continues=order.run, recording=order.recording, stops=_stops(diagnosed))
 
 
-def order_of(motion: ProposedMotion, continued: RunRow | None, cell: Cell, body: MotionBody) -> RunOrder:
+def make_motion_order(motion: ProposedMotion, continued: RunRow | None, cell: Cell, body: MotionBody) -> RunOrder:
     """What the run of a motion is told.
 
     Args:

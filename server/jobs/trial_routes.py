@@ -6,8 +6,8 @@ from fastapi import APIRouter, Response
 from pydantic import Field
 from starlette.status import HTTP_202_ACCEPTED
 
-from server.http.dependencies import LimitQuery, NowDep, StoreDep, accepted
-from server.http.schemas import Body
+from server.http.dependencies import LimitQuery, NowDep, StoreDep, set_accepted_headers
+from server.http.schemas import RequestBody
 from server.jobs import jobs
 from server.jobs.answer import JobAnswer
 from server.jobs.jobs import TrialsDep, Worker
@@ -22,7 +22,7 @@ router = APIRouter(prefix="/api/trials", tags=["trials"])
 TYPICAL_S = 60
 
 
-class TrialsBody(Body):
+class TrialsBody(RequestBody):
     """So many trials, with the seeds from `seed` on."""
 
     count: int = Field(1, ge=1, le=1000)
@@ -49,11 +49,11 @@ class TrialsAnswer(JobAnswer):
 def queue_trials(body: TrialsBody, response: Response, store: StoreDep, worker: TrialsDep, caller: CallerDep, now: NowDep) -> TrialsAnswer:
     """Queues blind trials; they run one after the other on one core, and give way to robots."""
     with store.write() as db:
-        row = jobs.queue(db, TRIALS, TrialsOrder(count=body.count, seed=body.seed), None, caller.who, now)
+        row = jobs.add_job(db, TRIALS, TrialsOrder(count=body.count, seed=body.seed), None, caller.who, now)
         audit.record(db, caller.who, "trials.queue", {"trials": row.id, "count": body.count, "seed": body.seed}, now=now)
         found = _answer(worker, row)
     worker.wake()
-    accepted(response, f"/api/trials/{found.trials}", TYPICAL_S)
+    set_accepted_headers(response, f"/api/trials/{found.trials}", TYPICAL_S)
     return found
 
 
@@ -61,7 +61,7 @@ def queue_trials(body: TrialsBody, response: Response, store: StoreDep, worker: 
 def list_trials(store: StoreDep, worker: TrialsDep, limit: LimitQuery = 50) -> list[TrialsAnswer]:
     """Newest first, without their answers."""
     with store.read() as db:
-        return [_answer(worker, row, whole=False) for row in jobs.listed(db, TRIALS, limit)]
+        return [_answer(worker, row, whole=False) for row in jobs.list_jobs(db, TRIALS, limit)]
 
 
 @router.get("/{trials}")

@@ -14,9 +14,9 @@ from core.cell.cell import Cell
 from core.gap.answer import Diagnosis
 from server.cells.folder import CellsDep
 from server.cells.twin_answer import TwinAnswer, twin_of
-from server.http.dependencies import NamePath, NowDep, StoreDep, accepted
+from server.http.dependencies import NamePath, NowDep, StoreDep, set_accepted_headers
 from server.http.errors import Conflict, NotFound, Unprocessable
-from server.http.schemas import Body
+from server.http.schemas import RequestBody
 from server.jobs import jobs
 from server.jobs.answer import JobAnswer
 from server.jobs.jobs import UNDER_WAY, AdditionsDep, Worker
@@ -24,7 +24,7 @@ from server.jobs.kinds import ADDITION, DIAGNOSIS, AdditionOrder, DiagnosisOrder
 from server.people import audit
 from server.people.auth import CallerDep
 from server.runner.messages import Answered, Failed
-from server.runner.work import said
+from server.runner.work import run_work
 from server.runs.tables import JobRow
 
 router = APIRouter(prefix="/api/cells/{cell}/twin", tags=["cells"])
@@ -32,7 +32,7 @@ router = APIRouter(prefix="/api/cells/{cell}/twin", tags=["cells"])
 TYPICAL_S = 30
 
 
-class AdditionBody(Body):
+class AdditionBody(RequestBody):
     """An effect that a diagnosis names, or two joined by a plus sign."""
 
     diagnosis: str
@@ -73,11 +73,11 @@ def add_effect(
         _check_named(diagnosed, body.effect)
         recording = DiagnosisOrder.model_validate_json(diagnosed.order).recording
         order = AdditionOrder(cell=cell, effect=body.effect, diagnosis=body.diagnosis, recording=recording)
-        row = jobs.queue(db, ADDITION, order, cell, caller.who, now)
+        row = jobs.add_job(db, ADDITION, order, cell, caller.who, now)
         audit.record(db, caller.who, "twin.queue", {"addition": row.id, "cell": cell, "effect": body.effect}, now=now)
         found = _answer(additions, row)
     additions.wake()
-    accepted(response, f"/api/cells/{cell}/twin/additions/{found.addition}", TYPICAL_S)
+    set_accepted_headers(response, f"/api/cells/{cell}/twin/additions/{found.addition}", TYPICAL_S)
     return found
 
 
@@ -126,7 +126,7 @@ def _load(db: Session, cell: str, addition: str) -> JobRow:
 
 def _remove_from_twin(cell: Cell, effect: str) -> str:
     """The twin that is left, as JSON, from a process that knows the effects."""
-    for word in said("server.runner.twin_removing", cell, effect):
+    for word in run_work("server.runner.twin_removing", cell, effect):
         match word:
             case Answered(text=text):
                 return text

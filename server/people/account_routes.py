@@ -10,7 +10,7 @@ from pydantic import Field
 from sqlalchemy import select
 
 from server.http.dependencies import NamePath, NowDep, StoreDep
-from server.http.schemas import Answer, Body, Name, NewPassword
+from server.http.schemas import Answer, Name, NewPassword, RequestBody
 from server.people import accounts, audit
 from server.people.accounts import Account
 from server.people.audit import Detail
@@ -22,7 +22,7 @@ router = APIRouter(prefix="/api/accounts", tags=["accounts"])
 Roles = Annotated[frozenset[Role], Field(min_length=1)]
 
 
-class NewAccount(Body):
+class NewAccount(RequestBody):
     """Somebody who is to sign in."""
 
     name: Name
@@ -30,7 +30,7 @@ class NewAccount(Body):
     roles: Roles
 
 
-class AccountChange(Body):
+class AccountChange(RequestBody):
     """What is to change; the rest stays."""
 
     password: NewPassword | None = None
@@ -65,7 +65,7 @@ def list_accounts(store: StoreDep) -> list[AccountShown]:
 )
 def create_account(body: NewAccount, response: Response, caller: CallerDep, store: StoreDep, now: NowDep) -> AccountShown:
     """Adds an account."""
-    password_hash = accounts.hashed(body.password.get_secret_value())
+    password_hash = accounts.hash_password(body.password.get_secret_value())
     with store.write() as db:
         account = accounts.add_account(db, body.name, password_hash, body.roles, now)
         audit.record(db, caller.who, "account.create", {"account": body.name, "roles": account.roles_text}, now=now)
@@ -83,9 +83,9 @@ def change_account(
     now: NowDep,
 ) -> AccountShown:
     """Changes an account and signs it out everywhere."""
-    password_hash = None if body.password is None else accounts.hashed(body.password.get_secret_value())
+    password_hash = None if body.password is None else accounts.hash_password(body.password.get_secret_value())
     with store.write() as db:
-        changed = accounts.change_account(db, account, password_hash=password_hash, roles=body.roles, disabled=body.disabled)
+        changed = accounts.update_account(db, account, password_hash=password_hash, roles=body.roles, disabled=body.disabled)
         said: Detail = {
             "account": account,
             "roles": changed.roles_text,

@@ -86,7 +86,7 @@ def add_account(db: Session, name: str, password_hash: str, roles: frozenset[Rol
     return account
 
 
-def change_account(
+def update_account(
     db: Session, name: str, *, password_hash: str | None = None, roles: frozenset[Role] | None = None, disabled: bool | None = None
 ) -> Account:
     """Changes what is given and signs the account out everywhere.
@@ -108,7 +108,7 @@ def change_account(
     return account
 
 
-def hashed(password: str) -> str:
+def hash_password(password: str) -> str:
     """The password as argon2id."""
     return hasher.hash(password)
 
@@ -168,7 +168,7 @@ def add_key(db: Session, name: str, role: Role, created_by: str, now: datetime, 
     return key, row
 
 
-def revoke_key(db: Session, name: str) -> None:
+def delete_key(db: Session, name: str) -> None:
     """Makes a key worthless.
 
     Raises:

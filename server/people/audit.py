@@ -39,7 +39,7 @@ class Deed(BaseModel):
     request: str
 
 
-def deed(who: str, action: str, detail: Detail, *, now: datetime) -> Deed:
+def make_deed(who: str, action: str, detail: Detail, *, now: datetime) -> Deed:
     """What the request at hand has done; arguments as for `record`."""
     return Deed(who=who, action=action, detail=dict(detail), at=now, request=request_id.get())
 
@@ -61,7 +61,7 @@ class AuditEntry(Table):
 
 def record(db: Session, who: str, action: str, detail: Detail | None = None, *, now: datetime | None = None) -> AuditEntry:
     """Appends what the request at hand has done; arguments as for `record_deed`."""
-    return record_deed(db, deed(who, action, detail or {}, now=now or datetime.now(UTC)))
+    return record_deed(db, make_deed(who, action, detail or {}, now=now or datetime.now(UTC)))
 
 
 def record_deed(db: Session, done: Deed) -> AuditEntry:

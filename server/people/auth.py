@@ -87,7 +87,7 @@ def _hash_credentials(connection: HTTPConnection) -> str | None:
     return None if secret is None else sha256(secret)
 
 
-def identify(db: Session, connection: HTTPConnection, settings: Settings, now: datetime) -> Caller:
+def identify_caller(db: Session, connection: HTTPConnection, settings: Settings, now: datetime) -> Caller:
     """The caller, by key or by cookie; NOBODY where neither is shown.
 
     Raises:

@@ -17,7 +17,7 @@ from server.http.dependencies import depend_on
 from server.http.errors import NotAllowed
 from server.people import audit
 from server.people.accounts import SignIn
-from server.people.auth import NOBODY, Caller, RecentCallers, check_authority, check_origin, identify
+from server.people.auth import NOBODY, Caller, RecentCallers, check_authority, check_origin, identify_caller
 from server.people.authority import ANYBODY, AUTHORITY, SIGNED_IN
 from server.settings import Settings
 from server.store.store import Store
@@ -70,7 +70,7 @@ class Door:
         """By the database; while that is away, as it said last."""
         try:
             with self.store.read() as db:
-                caller = identify(db, connection, self.settings, now)
+                caller = identify_caller(db, connection, self.settings, now)
         except SQLAlchemyError:
             recent = self.recent_callers.recall(connection, now)
             if recent is None:

@@ -10,7 +10,7 @@ from pydantic import Field
 from sqlalchemy import select
 
 from server.http.dependencies import NamePath, NowDep, StoreDep
-from server.http.schemas import Answer, Body, Name
+from server.http.schemas import Answer, Name, RequestBody
 from server.people import accounts, audit
 from server.people.accounts import ApiKey
 from server.people.auth import CallerDep, RecentCallersDep
@@ -19,7 +19,7 @@ from server.people.roles import MACHINE_ROLES, Role
 router = APIRouter(prefix="/api/keys", tags=["keys"])
 
 
-class NewKey(Body):
+class NewKey(RequestBody):
     """A machine that is to be let in."""
 
     name: Name
@@ -70,6 +70,6 @@ def create_key(body: NewKey, response: Response, caller: CallerDep, store: Store
 def revoke_key(key: NamePath, caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep) -> None:
     """Makes a key worthless, at once."""
     with store.write() as db:
-        accounts.revoke_key(db, key)
+        accounts.delete_key(db, key)
         audit.record(db, caller.who, "key.revoke", {"key": key}, now=now)
     recent_callers.forget(f"key:{key}")

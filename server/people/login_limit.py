@@ -57,7 +57,7 @@ def check(db: Session, account: str, address: str, now: datetime) -> None:
             raise TooMany(f"sign-in: too many failures of late; try again in {seconds:.0f} s", seconds)
 
 
-def failed(db: Session, account: str, address: str, now: datetime) -> None:
+def count_failure(db: Session, account: str, address: str, now: datetime) -> None:
     """Counts one failure."""
     db.execute(delete(LoginFailures).where(LoginFailures.last_at < now - FORGET))
     for name, key in _keys(account, address).items():
@@ -66,7 +66,7 @@ def failed(db: Session, account: str, address: str, now: datetime) -> None:
         db.merge(LoginFailures(key=key, count=count, last_at=now, blocked_until=now + LIMITS[name].wait(count)))
 
 
-def succeeded(db: Session, account: str, address: str) -> None:
+def forget_failures(db: Session, account: str, address: str) -> None:
     """Forgets the failures of this account at this address; those of the address stay."""
     keys = _keys(account, address)
     db.execute(delete(LoginFailures).where(LoginFailures.key == keys["pair"]))

@@ -10,7 +10,7 @@ from sqlalchemy import delete
 from server.http.dependencies import ClientAddressDep, MetricsDep, NowDep, SettingsDep, StoreDep
 from server.http.errors import NotAllowed, NotSignedIn
 from server.http.openapi import COOKIE
-from server.http.schemas import Answer, Body, Name, NewPassword, Password
+from server.http.schemas import Answer, Name, NewPassword, Password, RequestBody
 from server.people import accounts, audit, login_limit
 from server.people.accounts import Account, SignIn
 from server.people.auth import CallerDep, RecentCallersDep
@@ -19,14 +19,14 @@ from server.people.roles import Role
 router = APIRouter(prefix="/api/session", tags=["session"])
 
 
-class Credentials(Body):
+class Credentials(RequestBody):
     """Who signs in."""
 
     name: Name
     password: Password
 
 
-class PasswordChange(Body):
+class PasswordChange(RequestBody):
     """The password until now, and from now on."""
 
     password: Password
@@ -58,14 +58,14 @@ def sign_in(
         account = db.get(Account, name)
     if not accounts.password_is_right(account, body.password.get_secret_value()) or account is None:
         with store.write() as db:
-            login_limit.failed(db, name, address, now)
+            login_limit.count_failure(db, name, address, now)
             audit.record(db, "nobody", "session.refuse", {"account": name, "address": address}, now=now)
         metrics.sign_ins.labels("refused").inc()
         raise NotSignedIn("name or password: not right; try again or ask whoever keeps the accounts")
     hours = timedelta(hours=settings.session_hours)
     with store.write() as db:
         accounts.sweep_sessions(db, now - hours, now - timedelta(minutes=settings.idle_minutes))
-        login_limit.succeeded(db, name, address)
+        login_limit.forget_failures(db, name, address)
         token, session = accounts.open_session(db, account, address, now)
         audit.record(db, f"account:{name}", "session.open", {"address": address}, now=now)
     metrics.sign_ins.labels("accepted").inc()
@@ -102,10 +102,10 @@ def change_password(
         account = db.get(Account, caller.name)
     if not accounts.password_is_right(account, body.password.get_secret_value()):
         with store.write() as db:
-            login_limit.failed(db, caller.name, address, now)
+            login_limit.count_failure(db, caller.name, address, now)
         raise NotAllowed("password: not the one until now")
-    new_hash = accounts.hashed(body.new_password.get_secret_value())
+    new_hash = accounts.hash_password(body.new_password.get_secret_value())
     with store.write() as db:
-        accounts.change_account(db, caller.name, password_hash=new_hash)
+        accounts.update_account(db, caller.name, password_hash=new_hash)
         audit.record(db, caller.who, "account.password", {"account": caller.name}, now=now)
     recent_callers.forget(caller.who)

@@ -19,7 +19,7 @@ def warm_up() -> None:
     forkserver.ensure_running()
 
 
-def started(module: str, *arguments: object, name: str, daemon: bool = False) -> ForkServerProcess:
+def start_process(module: str, *arguments: object, name: str, daemon: bool = False) -> ForkServerProcess:
     """A process that calls `main(*arguments)` of a module."""
     process = CONTEXT.Process(target=_main_of, args=(module, *arguments), name=name, daemon=daemon)
     process.start()

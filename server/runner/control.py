@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 from core.errors import Commanded, HeftError, Stopped
 from core.events import Event, Finished, RecordingWritten, RobotStopped
 from core.files.whole_file import write_whole
-from core.planning.joint_torques import known_load
+from core.planning.joint_torques import find_known_load
 from core.planning.plan import Plan
 from core.planning.sequence import MotionSequence, Procedure
 from core.planning.stops import Stops
-from core.procedure.identify import carried_out
+from core.procedure.identify import move_and_estimate
 from core.procedure.outcome import Outcome
 from core.recording.folder import read_recording
 from core.recording.recording import Recording, check_same_robot
@@ -32,9 +32,9 @@ from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnde
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
 from server.runner.priority import Priority, take
-from server.runner.run_folder import RECORDING, REPORT, RESULT, locked
+from server.runner.run_folder import RECORDING, REPORT, RESULT, lock_run_folder
 from server.runner.served_run import ServedRun
-from server.runner.shown_plan import shown
+from server.runner.shown_plan import build_run_plan
 
 ChildSpeaker = Speaker[FromChild]
 Array = NDArray[np.float64]
@@ -45,7 +45,7 @@ def main(order: Order, connection: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
     planning = PlanningProcess(_sequence_of(order), connection)  # before there are threads
     speaker: ChildSpeaker = Speaker(connection, Sampled)
-    _lock = locked(order.folder)  # as long as we live: who recovers the run's samples waits for it
+    _lock = lock_run_folder(order.folder)  # as long as we live: who recovers the run's samples waits for it
     take(Priority.CONTROL if order.pace == "real_time" else Priority.PLANNING)  # one that never waits would take it from the server
     try:
         _carry_out(order, connection, planning, speaker)
@@ -80,12 +80,12 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     start = _find_start(order, before)
     robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin, start=start)
     run = ServedRun(order, LeasedSession(robot, lease), planning, listener, speaker)
-    run.twin, run.load, run.effort = twin, known_load(order.cell, order.payload), order.effort
+    run.twin, run.load, run.effort = twin, find_known_load(order.cell, order.payload), order.effort
     if order.continues is not None and before is not None:
         check_same_robot(before, run.robot.description, order.cell.gravity_in_base)
         run.before, run.done = before, order.continues.done or 0
     plan = _wait_for_release(run, start, order, listener, speaker)
-    procedure = carried_out(run, plan, order.payload, carried, order.folder / RECORDING)
+    procedure = move_and_estimate(run, plan, order.payload, carried, order.folder / RECORDING)
     try:
         outcome = _pump(procedure, run, lease, listener, speaker)
     finally:
@@ -108,7 +108,7 @@ def _find_start(order: Order, before: Recording | None) -> Array:
 
 
 def _plan(run: ServedRun, start: Array, speaker: ChildSpeaker) -> Plan:
-    planning = run.planned(start, run.done)
+    planning = run.make_plan(start, run.done)
     while True:
         try:
             speaker.tell(Happened(next(planning)))
@@ -124,14 +124,14 @@ def _wait_for_release(run: ServedRun, start: Array, order: Order, listener: List
     """
     while True:
         plan = _plan(run, start, speaker)
-        ready = shown(run.cell, order.payload_box, plan)
+        ready = build_run_plan(run.cell, order.payload_box, plan)
         speaker.tell(Ready(ready))
         while not listener.zones:
             if listener.released == ready.sha256:
                 _pause_garbage_collection()
                 return plan
             if listener.ended.wait(0.01):
-                raise run.ending()
+                raise run.make_end_error()
 
 
 def _pause_garbage_collection() -> None:
@@ -162,4 +162,4 @@ def _wait(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: Lea
     while lease.waits(run.cell.control.hold_limit_s):
         listener.ended.wait(0.01)
     if isinstance(lease.refusal(), Commanded):
-        speaker.tell(Happened(procedure.throw(run.ending())))
+        speaker.tell(Happened(procedure.throw(run.make_end_error())))

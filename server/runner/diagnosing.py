@@ -24,7 +24,7 @@ from core.report.overlay import overlay_of
 from core.twin.file import read_twin
 from core.twin.twin import NOMINAL
 from server.runner.messages import Advanced, Answered, Failed
-from server.runner.shown_overlay import shown_overlay
+from server.runner.shown_overlay import thin_overlay
 from server.runner.work import give_way
 
 
@@ -40,20 +40,20 @@ def main(folder: Path, cell: Cell | None, report: Path, overlay: Path, connectio
         try:
             recording = read_recording(folder) if cell is None else knowing_friction(read_recording(folder), cell)
             twin = NOMINAL if cell is None else read_twin(cell)
-            diagnosis, evidence = examine(recording, twin=twin, fit_all=told_as_it_goes(connection))
+            diagnosis, evidence = examine(recording, twin=twin, fit_all=fit_with_progress(connection))
             if cell is not None:
                 diagnosis = addable_to(diagnosis, cell, recording, folder)
                 diagnosis = plan_next(diagnosis, evidence, recording, folder, cell, None, Console(quiet=True))
             compared = None if evidence is None else overlay_of(evidence)
             write_diagnosis(report, diagnosis=diagnosis, overlay=compared)
             if compared is not None:
-                write_whole(overlay, shown_overlay(compared).model_dump_json())
+                write_whole(overlay, thin_overlay(compared).model_dump_json())
             connection.send(Answered(diagnosis.model_dump_json()))
         except HeftError as error:
             connection.send(Failed(type(error).__name__, str(error)))
 
 
-def told_as_it_goes(connection: Connection) -> FitAll:
+def fit_with_progress(connection: Connection) -> FitAll:
     """Fits one effect after the other and says how far it is; more to fit may turn up on the way."""
     done = of = 0
 

@@ -10,7 +10,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.context import ForkServerProcess
 
 from core.sessions.leased import Renewal
-from server.runner.context import CONTEXT, started
+from server.runner.context import CONTEXT, start_process
 from server.runner.messages import Beat, Failed, FromChild, Order, PageLate, ToChild
 from server.runner.pipe import Speaker
 
@@ -70,7 +70,7 @@ class ControlProcess:
 
     def _run(self, order: Order, theirs: Connection) -> None:
         try:
-            process = started(CONTROL, order, theirs, name=f"heft-run-{order.run}")
+            process = start_process(CONTROL, order, theirs, name=f"heft-run-{order.run}")
         except (OSError, EOFError):
             log.exception("the control process of run %s could not be started", order.run)
             self._loop.call_soon_threadsafe(self._heard.put_nowait, None)

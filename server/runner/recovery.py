@@ -11,8 +11,8 @@ from core.recording.folder import read_recording
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from server.runner.messages import Failed, Recovered
-from server.runner.run_folder import RECORDING, locked
-from server.runner.sample_stream import recover
+from server.runner.run_folder import RECORDING, lock_run_folder
+from server.runner.sample_stream import recover_recording
 from server.runner.work import give_way
 
 
@@ -25,13 +25,13 @@ def main(folder: Path, cell: Cell, continues: Path | None, connection: Connectio
         continues: folder of the recording that the run continued.
     """
     give_way()
-    with locked(folder):
+    with lock_run_folder(folder):
         if (folder / RECORDING).exists():
             connection.send(Recovered(0))
             return
         try:
             before = None if continues is None else read_recording(continues)
             log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None, before=before)
-            connection.send(Recovered(recover(folder, log, folder / RECORDING)))
+            connection.send(Recovered(recover_recording(folder, log, folder / RECORDING)))
         except (HeftError, OSError) as error:
             connection.send(Failed(type(error).__name__, str(error)))

@@ -13,14 +13,14 @@ REPORT = "report.html"
 RESULT = "result.json"
 
 
-def locked(folder: Path) -> TextIO:
+def lock_run_folder(folder: Path) -> TextIO:
     """Waits until no other process has the run; it is ours as long as the returned file is open."""
     lock = (folder / LOCK).open("a")
     fcntl.flock(lock, fcntl.LOCK_EX)
     return lock
 
 
-def free(folder: Path) -> bool:
+def is_unlocked(folder: Path) -> bool:
     """Whether no process has the run."""
     try:
         with (folder / LOCK).open("r") as lock:

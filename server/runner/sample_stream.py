@@ -53,7 +53,7 @@ class SampleStream:
         self._file.flush()
 
 
-def recover(folder: Path, log: SampleLog, out: Path) -> int:
+def recover_recording(folder: Path, log: SampleLog, out: Path) -> int:
     """Writes the recording of a run that ended without closing one, and returns how many samples there were.
 
     Args:

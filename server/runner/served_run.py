@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.errors import Commanded
-from core.estimation.result import numbers
+from core.estimation.result import to_json_numbers
 from core.events import Event, Progress
 from core.payload.rigid_wrench import wrench
 from core.planning.plan import Plan
@@ -48,7 +48,7 @@ class ServedRun(Run):
         self._written = 0
         self._sent_s, self._began_s = -np.inf, np.inf
 
-    def planned(self, start: Array, done: int = 0) -> Generator[Event, None, Plan]:
+    def make_plan(self, start: Array, done: int = 0) -> Generator[Event, None, Plan]:
         """Has the planning process plan what is left to do after `done` steps, from `start` (n,), rad; returns the plan.
 
         Where a zone that moves has stopped the robot and leaves no way, it stands and waits until the zone moves on.
@@ -68,7 +68,7 @@ class ServedRun(Run):
                 yield WaitingForZone(message=str(refusal), in_the_way=refusal.failed.in_the_way)
                 while self.cell is cell and not self._listener.zones:
                     if self._listener.ended.wait(0.02):
-                        raise self.ending() from None
+                        raise self.make_end_error() from None
             else:
                 self.plan_s += plan.plan_s
                 return plan
@@ -82,21 +82,21 @@ class ServedRun(Run):
             except StopIteration as end:
                 return cast("Plan", end.value)
             if self._listener.ended.is_set():
-                raise self.ending()
+                raise self.make_end_error()
             if event is not None:
                 yield event
 
-    def ending(self) -> Commanded:
+    def make_end_error(self) -> Commanded:
         """Why the run was ended."""
         refusal = self._lease.refusal()
         return refusal if isinstance(refusal, Commanded) else Commanded("the run was ended.", value=1.0, limit=0.0)
 
-    def moved(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
+    def execute_plan(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
         """Carries the plan out, after a stop by the guard its rest anew, and returns the last plan.
 
         Every batch of samples is on disk before its event is yielded; `log` takes them too.
         """
-        moving = super().moved(plan, log)
+        moving = super().execute_plan(plan, log)
         with self._stream:
             while True:
                 try:
@@ -145,8 +145,8 @@ class ServedRun(Run):
             t_s=[round(state.t, 6) for state in states],
             wrench=np.round([state.wrench for state in states], 6).tolist(),
             reconstructed=np.round(expected, 6).tolist() if np.isfinite(expected).all() and np.isfinite(estimate.phi[0]) else None,
-            phi=numbers(estimate.phi),
-            phi_std=numbers(estimate.std),
+            phi=to_json_numbers(estimate.phi),
+            phi_std=to_json_numbers(estimate.std),
             q_rad=np.round(states[-1].q, 6).tolist(),
             nearest=NearestPart(
                 distance_m=nearest.distance_m,

@@ -12,7 +12,7 @@ POINTS = 1000
 """At most; a screen has hardly more columns."""
 
 
-def shown_overlay(overlay: Overlay, points: int = POINTS) -> OverlayAnswer:
+def thin_overlay(overlay: Overlay, points: int = POINTS) -> OverlayAnswer:
     """At most `points` moments of an overlay, the worst of each stretch."""
     rows = _worst_of_each(overlay, points)
     return OverlayAnswer(

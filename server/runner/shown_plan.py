@@ -16,7 +16,7 @@ from server.runner.shown_throws import throws_of
 SHOWN_PERIOD_S = 0.05
 
 
-def shown(cell: Cell, payload_box: Box, plan: Plan) -> RunPlan:
+def build_run_plan(cell: Cell, payload_box: Box, plan: Plan) -> RunPlan:
     """Everything about a plan that its release needs."""
     digest = plan_digest(plan)
     return RunPlan(

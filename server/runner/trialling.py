@@ -12,7 +12,7 @@ from threadpoolctl import threadpool_limits
 from core.errors import HeftError
 from core.trial.batch import outcomes
 from core.trial.draw import Drawn, draw
-from core.trial.folder import append, check_seals, finished, open_folder
+from core.trial.folder import append, check_seals, open_folder, read_outcomes
 from core.trial.judgement import mark
 from core.trial.outcome import Outcome
 from core.trial.sheet import score_sheet
@@ -32,12 +32,12 @@ def main(folder: Path, count: int, seed: int, connection: Connection) -> None:
     with suppress(BrokenPipeError):  # nobody waits any more
         try:
             drawn = [draw(k) for k in range(seed, seed + count)]
-            done = finished(folder)
+            done = read_outcomes(folder)
             check_seals(drawn, done)
             open_folder(folder, drawn, done)
             connection.send(Advanced(len(done) / count, _seals(drawn)))
             _run(drawn, done, folder, connection)
-            connection.send(Answered(_opened(list(done.values()))))
+            connection.send(Answered(_open_trials(list(done.values()))))
         except HeftError as error:
             connection.send(Failed(type(error).__name__, str(error)))
 
@@ -56,7 +56,7 @@ def _seals(drawn: list[Drawn]) -> str:
     return SEALS.dump_json([Seal(seed=one.sealed.seed, sha256=one.sealed.hash) for one in drawn]).decode()
 
 
-def _opened(found: list[Outcome]) -> str:
+def _open_trials(found: list[Outcome]) -> str:
     found = sorted(found, key=lambda outcome: outcome.sealed.seed)
     opened = [
         OpenedTrial(

@@ -9,8 +9,8 @@ from pathlib import Path
 from core.cell.cell import Cell
 from core.errors import HeftError
 from core.gap.twin_addition import with_effect
-from core.twin.file import checked_text, read_twin
-from server.runner.diagnosing import told_as_it_goes
+from core.twin.file import read_twin, serialise_twin
+from server.runner.diagnosing import fit_with_progress
 from server.runner.messages import Answered, Failed
 from server.runner.work import give_way
 
@@ -20,7 +20,7 @@ def main(cell: Cell, recording: Path, effect: str, connection: Connection) -> No
     give_way()
     with suppress(BrokenPipeError):  # nobody waits any more
         try:
-            twin = with_effect(read_twin(cell), cell, recording, effect, fit_all=told_as_it_goes(connection))
-            connection.send(Answered(checked_text(cell, twin)))
+            twin = with_effect(read_twin(cell), cell, recording, effect, fit_all=fit_with_progress(connection))
+            connection.send(Answered(serialise_twin(cell, twin)))
         except HeftError as error:
             connection.send(Failed(type(error).__name__, str(error)))

@@ -6,7 +6,7 @@ from multiprocessing.connection import Connection
 
 from core.cell.cell import Cell
 from core.errors import HeftError
-from core.twin.file import checked_text, read_twin
+from core.twin.file import read_twin, serialise_twin
 from server.runner.messages import Answered, Failed
 from server.runner.work import give_way
 
@@ -15,6 +15,6 @@ def main(cell: Cell, effect: str, connection: Connection) -> None:
     """Answers with the twin without the effect."""
     give_way()
     try:
-        connection.send(Answered(checked_text(cell, read_twin(cell).without(effect))))
+        connection.send(Answered(serialise_twin(cell, read_twin(cell).without(effect))))
     except HeftError as error:
         connection.send(Failed(type(error).__name__, str(error)))

@@ -6,7 +6,7 @@ import signal
 from collections.abc import Iterator
 from typing import Any
 
-from server.runner.context import CONTEXT, started
+from server.runner.context import CONTEXT, start_process
 from server.runner.messages import Advanced, Failed, FromWork
 from server.runner.priority import Priority, take
 
@@ -16,7 +16,7 @@ class Work:
 
     def __init__(self, module: str, *arguments: Any) -> None:
         self._connection, theirs = CONTEXT.Pipe(duplex=False)
-        self._process = started(module, *arguments, theirs, name=f"heft-{module.rpartition('.')[2]}", daemon=True)
+        self._process = start_process(module, *arguments, theirs, name=f"heft-{module.rpartition('.')[2]}", daemon=True)
         theirs.close()
 
     def words(self) -> Iterator[FromWork]:
@@ -39,7 +39,7 @@ class Work:
         self._process.kill()
 
 
-def said(module: str, *arguments: Any) -> Iterator[FromWork]:
+def run_work(module: str, *arguments: Any) -> Iterator[FromWork]:
     """The words of such a process that nobody ends before it is done."""
     return Work(module, *arguments).words()
 

@@ -42,14 +42,14 @@ from server.runner.process import ControlProcess
 from server.runs import ledger as run_ledger
 from server.runs.broadcast import Broadcast
 from server.runs.event_schemas import EventMessage, PlanShown
-from server.runs.journal import Entry, RunChange, RunJournal
+from server.runs.journal import JournalEntry, RunChange, RunJournal
 from server.runs.ledger import Step
 from server.runs.metrics import RunMetrics
 from server.runs.order import order_of
 from server.runs.packml import FINAL, Command, State
-from server.runs.reason import NO_ROOM, NOT_KEPT, Reason, because, kind_of
-from server.runs.reason import failed as failure
-from server.runs.steps import after, from_states, in_the_way
+from server.runs.reason import NO_ROOM, NOT_KEPT, Reason, find_reason_kind, set_reason
+from server.runs.reason import explain_failure as failure
+from server.runs.steps import after, from_states, update_in_the_way
 from server.runs.store_follower import StoreFollower
 from server.runs.tables import RunRow
 from server.store.store import Store
@@ -103,7 +103,7 @@ class ActiveRun:
         self._steps = asyncio.Lock()
         self._journal, self._journal_writer = RunJournal(folder), ThreadPoolExecutor(1, "run-journal")
         self._number = row.journaled
-        self._unwritten: list[Entry] = []
+        self._unwritten: list[JournalEntry] = []
         self._commands = 0
         """That are being given at this moment."""
         self._ended_for: Reason | None = None
@@ -157,7 +157,7 @@ class ActiveRun:
         self._ended_for = self._ended_for or reason
         self._process.tell(End(reason.sentence))
 
-    def zone_moved(self, message: ZoneMoved) -> None:
+    def tell_zone_move(self, message: ZoneMoved) -> None:
         """Hands a zone's new place on."""
         self._process.tell(message)
 
@@ -208,7 +208,7 @@ class ActiveRun:
             self._process.tell(Hold())
 
         def change(row: RunRow) -> None:
-            because(row, None if command is Command.UNHOLD else reason)
+            set_reason(row, None if command is Command.UNHOLD else reason)
             row.lateness = None
 
         await self._step(lambda _: [command], change=change, deeds=[deed])
@@ -244,7 +244,7 @@ class ActiveRun:
                 shown = PlanShown(sha256=plan.sha256, robot_s=plan.summary.robot_s)
                 await self._step(from_states(State.RESETTING), [shown], lambda row: setattr(row, "plan", plan.model_dump_json()))
             case Paced():
-                self._metrics.paced(message)
+                self._metrics.observe_pace(message)
             case MotionEnded():
                 await self._step(from_states(State.EXECUTE))
             case Done(result=result):
@@ -256,14 +256,14 @@ class ActiveRun:
 
     async def _handle_event(self, event: Event) -> None:
         def change(row: RunRow) -> None:
-            row.in_the_way = in_the_way(event, row.in_the_way)
+            row.in_the_way = update_in_the_way(event, row.in_the_way)
             match event:
                 case PhaseStarted(steps=steps):
                     row.steps = steps
                 case StepFinished(step=step):
                     row.finished_steps = step
                 case RobotStopped(held=True, lateness=Lateness() as lateness):
-                    because(row, Reason(kind_of(event.error, lateness), event.message))
+                    set_reason(row, Reason(find_reason_kind(event.error, lateness), event.message))
                     row.lateness = lateness.model_dump_json()
 
         await self._step(lambda state: after(event, state), [event], change)
@@ -274,12 +274,12 @@ class ActiveRun:
         def change(row: RunRow) -> None:
             ordered = failed.error == Commanded.__name__ and self._ended_for is not None
             if not (ordered and row.reason is not None and row.state in (State.STOPPING, State.ABORTING)):
-                because(row, self._ended_for if ordered else failure(failed))
+                set_reason(row, self._ended_for if ordered else failure(failed))
                 row.lateness = None if failed.lateness is None else failed.lateness.model_dump_json()
             if row.state != State.STOPPING and failed.error != HoldExpired.__name__:
                 row.aborted, row.in_the_way = True, failed.in_the_way
 
-        await self._step(run_ledger.ending, change=change)
+        await self._step(run_ledger.find_end_path, change=change)
 
     async def _step(
         self,
@@ -290,7 +290,7 @@ class ActiveRun:
     ) -> None:
         """The change, the events, the states on the path: into the journal, then to the watchers and after them to the database."""
         async with self._steps:
-            row = run_ledger.copied(self.row)
+            row = run_ledger.copy_row(self.row)
             change(row)
             messages = run_ledger.tell(row, events, self._now()) + run_ledger.advance(row, path(State(row.state)), self._now())
             changed = RunChange.between(self.row, row)
@@ -298,14 +298,14 @@ class ActiveRun:
                 return
             self._number += 1
             ended = self.row.ended_at is None and row.ended_at is not None
-            await self._note(Entry(number=self._number, change=changed, messages=messages, deeds=list(deeds), ended=ended))
+            await self._note(JournalEntry(number=self._number, change=changed, messages=messages, deeds=list(deeds), ended=ended))
             if row.state != self.row.state:
                 self.changed_at = self._now()
             self.row = row
-            self._metrics.told(messages, row)
+            self._metrics.count_events(messages, row)
             self._tell(messages)
 
-    async def _note(self, entry: Entry) -> None:
+    async def _note(self, entry: JournalEntry) -> None:
         """Into the journal. Where that cannot be written the robot stops; its state is in memory until there is room."""
         self._unwritten.append(entry)
         try:

@@ -6,13 +6,13 @@ from datetime import datetime, timedelta
 
 from server.runs import ledger as run_ledger
 from server.runs.conductor import Conductor
-from server.runs.lease import Control
+from server.runs.lease import ControlRegistry
 from server.runs.packml import State
 from server.runs.schemas import RunAnswer
 from server.runs.tables import RunRow
 
 
-def answered(conductor: Conductor, control: Control, now: datetime, run: str) -> RunAnswer:
+def answer_run(conductor: Conductor, control: ControlRegistry, now: datetime, run: str) -> RunAnswer:
     """A run as it is now.
 
     Raises:
@@ -21,13 +21,13 @@ def answered(conductor: Conductor, control: Control, now: datetime, run: str) ->
     return answer_now(conductor, control, now, conductor.row_of(run))
 
 
-def answer_now(conductor: Conductor, control: Control, now: datetime, row: RunRow) -> RunAnswer:
+def answer_now(conductor: Conductor, control: ControlRegistry, now: datetime, row: RunRow) -> RunAnswer:
     """A run that the database has told of, as it is by now."""
     active = conductor.of_run(row.id)
     if active is None:
-        return run_ledger.answer(row)
+        return run_ledger.build_answer(row)
     newest = None if active.newest is None else active.newest.batch
     progress, eta_s = (0.0, None) if newest is None else (newest.progress, newest.eta_s)
     unattended_s = control.unattended_s(row.cell) if active.state is State.HELD else None
     left_s = None if unattended_s is None else active.hold_limit_s - unattended_s
-    return run_ledger.answer(active.row, progress, eta_s, None if left_s is None else now + timedelta(seconds=left_s))
+    return run_ledger.build_answer(active.row, progress, eta_s, None if left_s is None else now + timedelta(seconds=left_s))

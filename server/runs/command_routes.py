@@ -11,23 +11,23 @@ from pydantic import Field
 from core.sessions.leased import Renewal
 from server.http.dependencies import NowDep
 from server.http.errors import Conflict
-from server.http.schemas import Answer, Body
+from server.http.schemas import Answer, RequestBody
 from server.people import audit
 from server.people.auth import CallerDep
 from server.runner.plan_schemas import RunPlan
 from server.runs import ledger as run_ledger
-from server.runs.answer import answered
+from server.runs.answer import answer_run
 from server.runs.conductor import ConductorDep
 from server.runs.lease import ControlDep
 from server.runs.packml import State
-from server.runs.reason import asked
+from server.runs.reason import explain_command
 from server.runs.releases import OffersDep, ReleasesDep
 from server.runs.schemas import RunAnswer
 
 router = APIRouter(prefix="/api/runs/{run}", tags=["runs"])
 
 
-class Commanded(StrEnum):
+class RunCommand(StrEnum):
     """What may be asked of a run."""
 
     hold = "hold"
@@ -38,11 +38,11 @@ class Commanded(StrEnum):
 
 
 COMMANDS = {name: command for command, name in run_ledger.OFFERED.items()}
-WITHOUT_CONTROL = frozenset({Commanded.stop, Commanded.abort})
+WITHOUT_CONTROL = frozenset({RunCommand.stop, RunCommand.abort})
 """Who sees that the robot has to stop need not be in control of it."""
 
 
-class Sent(Body):
+class Sent(RequestBody):
     """What makes a command of whoever is in control count once and now.
 
     Args:
@@ -54,14 +54,14 @@ class Sent(Body):
     stamp_s: float
 
 
-class CommandBody(Body):
+class CommandBody(RequestBody):
     """A command; `sent` may be left out of stop and abort."""
 
-    command: Commanded
+    command: RunCommand
     sent: Sent | None = None
 
 
-class ReleaseBody(Body):
+class ReleaseBody(RequestBody):
     """What is released: exactly the plan that was shown."""
 
     plan_sha256: str
@@ -88,7 +88,8 @@ def read_plan(run: str, conductor: ConductorDep, offers: OffersDep) -> PlanAnswe
     row = conductor.row_of(run)
     if row.plan is None:
         raise Conflict(
-            f"run {run}: there is no plan yet, it is in {row.state}; wait until it is Idle", run_ledger.offered(State(row.state))
+            f"run {run}: there is no plan yet, it is in {row.state}; wait until it is Idle",
+            run_ledger.list_offered_commands(State(row.state)),
         )
     plan = RunPlan.model_validate_json(row.plan)
     return PlanAnswer(run=run, plan=plan, offer=offers.make(run, plan.sha256), expires_s=offers.length_s)
@@ -100,7 +101,7 @@ async def release_run(
 ) -> RunAnswer:
     """An operator at the cell lets the shown plan begin; void (409) when anything has changed or the offer is older than 60 s."""
     await releases.release(run, caller.who, body.plan_sha256, body.offer, renewal(body.sent))
-    return await asyncio.to_thread(answered, conductor, control, now, run)
+    return await asyncio.to_thread(answer_run, conductor, control, now, run)
 
 
 @router.post("/commands")
@@ -116,10 +117,10 @@ async def command_run(
     await conductor.command(
         run,
         COMMANDS[body.command],
-        asked(body.command, caller.who),
-        audit.deed(caller.who, f"run.{body.command}", {"run": run}, now=now),
+        explain_command(body.command, caller.who),
+        audit.make_deed(caller.who, f"run.{body.command}", {"run": run}, now=now),
     )
-    return await asyncio.to_thread(answered, conductor, control, now, run)
+    return await asyncio.to_thread(answer_run, conductor, control, now, run)
 
 
 def renewal(sent: Sent) -> Renewal:

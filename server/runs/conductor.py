@@ -28,15 +28,15 @@ from server.people import audit
 from server.people.audit import Deed
 from server.runner.context import warm_up
 from server.runner.messages import ZoneMoved
-from server.runner.run_folder import free
+from server.runner.run_folder import is_unlocked
 from server.runs import ledger as run_ledger
 from server.runs.active_run import ActiveRun
 from server.runs.broadcast import Broadcast
-from server.runs.crashed_runs import RecoveryInput, close_crashed, forget_journals, recover, take_from_journals, unrecovered
+from server.runs.crashed_runs import RecoveryInput, close_crashed, find_unrecovered, forget_journals, recover_run, take_from_journals
 from server.runs.idle import IdleRuns
 from server.runs.metrics import RunMetrics
 from server.runs.packml import Command, IllegalCommandError, State
-from server.runs.reason import SHUT_DOWN, Reason, of_error
+from server.runs.reason import SHUT_DOWN, Reason, explain_error
 from server.runs.tables import RunRow
 from server.store.store import Store
 from server.telemetry.request_context import run_id
@@ -77,8 +77,8 @@ class Conductor:
         warm_up()
         threading.Thread(target=self._beat, name="beat", daemon=True).start()
         await asyncio.to_thread(self._catch_up)
-        for run in await asyncio.to_thread(unrecovered, self.folder):
-            self._spawn(asyncio.to_thread(recover, self.folder / run, partial(self._load_recovery_input, run)))
+        for run in await asyncio.to_thread(find_unrecovered, self.folder):
+            self._spawn(asyncio.to_thread(recover_run, self.folder / run, partial(self._load_recovery_input, run)))
         self._spawn(self._queue())
 
     def _catch_up(self) -> None:
@@ -101,7 +101,9 @@ class Conductor:
         self._wake.set()
         for active in list(self.active.values()):
             with suppress(IllegalCommandError):
-                await active.command(Command.ABORT, SHUT_DOWN_NOW, audit.deed("service", "run.abort", {"run": active.id}, now=self.now()))
+                await active.command(
+                    Command.ABORT, SHUT_DOWN_NOW, audit.make_deed("service", "run.abort", {"run": active.id}, now=self.now())
+                )
         await asyncio.gather(*self._tasks, return_exceptions=True)
         self._closed.set()
 
@@ -110,12 +112,12 @@ class Conductor:
         if self._loop is not None:
             self._loop.call_soon_threadsafe(self._wake.set)
 
-    def zone_moved(self, cell: str, zone: str, pose: Pose) -> None:
+    def tell_zone_move(self, cell: str, zone: str, pose: Pose) -> None:
         """Tells the cell's run. From any thread."""
 
         def tell() -> None:
             if cell in self.active:
-                self.active[cell].zone_moved(ZoneMoved(zone, pose))
+                self.active[cell].tell_zone_move(ZoneMoved(zone, pose))
 
         if self._loop is not None:
             self._loop.call_soon_threadsafe(tell)
@@ -142,7 +144,7 @@ class Conductor:
         """The run, if it has its cell."""
         return next((active for active in self.active.values() if active.id == run), None)
 
-    def cell_now(self, db: Session, name: str) -> Cell:
+    def load_current_cell(self, db: Session, name: str) -> Cell:
         """A cell with its zones where they are, whatever they contradict there.
 
         Raises:
@@ -154,7 +156,7 @@ class Conductor:
             refuse(self.cells.flaws(found))
         return found.cell
 
-    def plannable(self, db: Session, name: str) -> Cell:
+    def load_plannable_cell(self, db: Session, name: str) -> Cell:
         """The same where something can be planned in it.
 
         Raises:
@@ -165,16 +167,16 @@ class Conductor:
         refuse(self.cells.flaws(found))
         return found.cell
 
-    def cell_as_it_is(self, name: str) -> Cell:
+    def read_current_cell(self, name: str) -> Cell:
         """The same for whoever has no session of the database at hand."""
         with self.store.read() as db:
-            return self.cell_now(db, name)
+            return self.load_current_cell(db, name)
 
     def _load_recovery_input(self, run: str) -> RecoveryInput:
         with self.store.read() as db:
-            row = run_ledger.load(db, run)
+            row = run_ledger.load_run(db, run)
             motion = run_ledger.motion_of(row)
-            return RecoveryInput(self.cell_now(db, row.cell), None if motion is None else motion.recording)
+            return RecoveryInput(self.load_current_cell(db, row.cell), None if motion is None else motion.recording)
 
     def row_of(self, run: str) -> RunRow:
         """A run as it is now: from memory where it has its cell, else from the database.
@@ -186,7 +188,7 @@ class Conductor:
         if active is not None:
             return active.row
         with self.store.read() as db:
-            return run_ledger.load(db, run)
+            return run_ledger.load_run(db, run)
 
     def wait_until_kept(self, run: str) -> bool:
         """Waits a moment until a run that is over is in the database alone; whether it is. Not from the event loop."""
@@ -203,7 +205,7 @@ class Conductor:
             Conflict: not in its state, or its robot has not been let go of yet.
         """
         active = self.of_run(run)
-        if command is Command.CLEAR and ((active is not None and active.state is State.ABORTED) or not free(self.folder / run)):
+        if command is Command.CLEAR and ((active is not None and active.state is State.ABORTED) or not is_unlocked(self.folder / run)):
             raise Conflict(f"run {run}: its control process still closes the recording; ask again in some seconds", ["clear"])
         try:
             if active is None:
@@ -243,7 +245,7 @@ class Conductor:
             cell, events = await asyncio.to_thread(self._load_cell_and_events, row)
             active = ActiveRun(self.store, row, events, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
         except (HeftError, OSError) as error:
-            await asyncio.to_thread(self._idle.end, row.id, of_error(error))
+            await asyncio.to_thread(self._idle.end, row.id, explain_error(error))
             self._finish(row.id)
             return
         self.active[row.cell] = active
@@ -252,7 +254,7 @@ class Conductor:
     def _load_cell_and_events(self, row: RunRow) -> tuple[Cell, list[tuple[int, str]]]:
         """The run's cell, and what has happened to it."""
         with self.store.read() as db:
-            return self.plannable(db, row.cell), run_ledger.told(db, row.id, 0)
+            return self.load_plannable_cell(db, row.cell), run_ledger.list_events(db, row.id, 0)
 
     async def _carry(self, active: ActiveRun) -> None:
         run_id.set(active.id)

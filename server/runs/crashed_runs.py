@@ -15,11 +15,11 @@ from core.cell.cell import Cell
 from core.errors import HeftError
 from server.runner.messages import Failed, Recovered
 from server.runner.run_folder import RECORDING, SAMPLES
-from server.runner.work import said
+from server.runner.work import run_work
 from server.runs.journal import FILE, read_journal
 from server.runs.ledger import keep_steps
 from server.runs.packml import FINAL, Command, State
-from server.runs.reason import SERVICE_ENDED, Reason, because
+from server.runs.reason import SERVICE_ENDED, Reason, set_reason
 from server.runs.store_follower import keep_entry
 from server.runs.tables import RunRow
 
@@ -47,7 +47,7 @@ def forget_journals(folder: Path) -> None:
         journal.unlink()
 
 
-def unrecovered(folder: Path) -> list[str]:
+def find_unrecovered(folder: Path) -> list[str]:
     """Runs whose samples are there, but no recording: their control process died, or had no room to write it."""
     found = (each for each in folder.glob(f"*/{SAMPLES}") if each.stat().st_size > 0)
     return sorted(each.parent.name for each in found if not (each.parent / RECORDING).exists())
@@ -57,14 +57,14 @@ def close_crashed(db: Session, now: datetime) -> None:
     """Aborts the runs that an earlier service left under way; those that only waited go on waiting."""
     for row in db.scalars(select(RunRow).where(RunRow.state.not_in((*FINAL, State.ABORTED, State.RESETTING)))):
         ended = f"the service ended while the run was in {row.state}; the robot was stopped. Look at the cell, then clear the run."
-        because(row, Reason(SERVICE_ENDED, ended))
+        set_reason(row, Reason(SERVICE_ENDED, ended))
         if row.state == State.CLEARING:
             keep_steps(db, row, [None], now)
         else:
             keep_steps(db, row, [None] if row.state == State.ABORTING else [Command.ABORT, None], now)
 
 
-def recover(folder: Path, load_input: Callable[[], RecoveryInput]) -> None:
+def recover_run(folder: Path, load_input: Callable[[], RecoveryInput]) -> None:
     """The samples of a run whose control process died with its server, as a recording; where that cannot be, the log says why.
 
     Args:
@@ -72,7 +72,7 @@ def recover(folder: Path, load_input: Callable[[], RecoveryInput]) -> None:
         load_input: tells what is known of the run, as far as its cell can still be read.
     """
     try:
-        words = list(said("server.runner.recovery", folder, *load_input()))
+        words = list(run_work("server.runner.recovery", folder, *load_input()))
     except HeftError as error:
         words = [Failed(type(error).__name__, str(error))]
     for word in words:

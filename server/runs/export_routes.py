@@ -69,19 +69,19 @@ def download_export(run: str, target: TargetPath, cells: CellsDep, conductor: Co
     """The result as a file that a controller or a simulator takes."""
     chosen = target_of(target)
     payload, _ = _payload(cells, conductor, run)
-    return downloads.text(chosen.written(payload), chosen.file)
+    return downloads.text(chosen.render_file(payload), chosen.file)
 
 
 def _payload(cells: CellFolder, conductor: Conductor, run: str) -> tuple[UncertainParameters, Cell]:
     row = conductor.row_of(run)
     cell = cells.read(row.cell).cell
-    return payload_of(run_ledger.result_of(row), cell), cell
+    return payload_of(run_ledger.load_result(row), cell), cell
 
 
 def _describe(target: Target, payload: UncertainParameters) -> ExportListed:
     refused: str | None = None
     try:
-        target.written(payload)
+        target.render_file(payload)
     except BadPayload as error:
         refused = str(error)
     lost = [] if refused else [Lost.model_validate(lack) for lack in target.lacks(payload)]

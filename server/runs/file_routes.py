@@ -16,7 +16,7 @@ router = APIRouter(prefix="/api/runs/{run}", tags=["runs"])
 def download_recording(run: str, conductor: ConductorDep, settings: SettingsDep) -> Response:
     """The samples of a run as a zip of its recording folder; also of one that ended early."""
     missing = f"run {run}: has no recording, it is in {_state_of(conductor, run)}; one is there once a robot that has moved stands again"
-    return downloads.zipped(settings.recordings_folder / run / RECORDING, f"run-{run}", missing)
+    return downloads.send_zip(settings.recordings_folder / run / RECORDING, f"run-{run}", missing)
 
 
 @router.get("/report", response_class=Response, responses=downloads.PAGE)

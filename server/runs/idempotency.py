@@ -11,12 +11,12 @@ from server.http.errors import Unprocessable
 from server.runs.tables import IdempotencyKey
 
 
-def once(db: Session, who: str, key: str, body: bytes, made: str, now: datetime) -> None:
+def remember_request(db: Session, who: str, key: str, body: bytes, made: str, now: datetime) -> None:
     """Remembers what a request made, in the transaction that makes it."""
     db.add(IdempotencyKey(caller=who, key=key, body_sha256=sha256(body).hexdigest(), made=made, made_at=now))
 
 
-def made_before(db: Session, who: str, key: str, body: bytes) -> str | None:
+def recall_request(db: Session, who: str, key: str, body: bytes) -> str | None:
     """What the same request has made already.
 
     Raises:

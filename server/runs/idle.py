@@ -10,7 +10,7 @@ from server.people.audit import Deed
 from server.runs import ledger as run_ledger
 from server.runs.metrics import RunMetrics
 from server.runs.packml import Command
-from server.runs.reason import Reason, because
+from server.runs.reason import Reason, set_reason
 from server.runs.tables import RunRow
 from server.store.store import Store
 
@@ -28,7 +28,7 @@ class IdleRuns:
     def first(self) -> list[RunRow]:
         """Of each cell the one that comes next, of the runs that are not over; an aborted one is not over before it is cleared."""
         with self._store.read() as db:
-            return run_ledger.waiting(db)
+            return run_ledger.list_first_runs(db)
 
     def command(self, run: str, command: Command, reason: Reason, deed: Deed) -> None:
         """A command and what follows from it; that it was given goes into the audit log in the same transaction.
@@ -38,14 +38,14 @@ class IdleRuns:
             IllegalCommandError: not in its state.
         """
         with self._store.write() as db:
-            row = run_ledger.load(db, run)
+            row = run_ledger.load_run(db, run)
             if row.reason is None:
-                because(row, reason)
+                set_reason(row, reason)
             told = run_ledger.keep_steps(db, row, [command, None], self._now())
             audit.record_deed(db, deed)
-        self._metrics.told(told, row)
+        self._metrics.count_events(told, row)
 
     def end(self, run: str, reason: Reason) -> None:
         """Closes a run that did not come through: as it was told to end; Stopped before any motion; else Aborted."""
         with self._store.write() as db:
-            run_ledger.end(db, run_ledger.load(db, run), reason, self._now())
+            run_ledger.end(db, run_ledger.load_run(db, run), reason, self._now())

@@ -59,7 +59,7 @@ class RunChange(BaseModel):
             setattr(row, name, getattr(self, name))
 
 
-class Entry(BaseModel):
+class JournalEntry(BaseModel):
     """One change of a run with all that goes with it.
 
     Args:
@@ -93,7 +93,7 @@ class RunJournal:
         self._descriptor: int | None = None
         self._whole_bytes = 0
 
-    def append(self, entry: Entry) -> None:
+    def append(self, entry: JournalEntry) -> None:
         """Returns when the entry is on disk.
 
         Raises:
@@ -126,14 +126,14 @@ class RunJournal:
         self._path.unlink(missing_ok=True)
 
 
-def read_journal(folder: Path) -> Iterator[Entry]:
+def read_journal(folder: Path) -> Iterator[JournalEntry]:
     """Entries of a run's journal in order, up to one that was cut short; none where there is no journal."""
     with suppress(FileNotFoundError), (folder / FILE).open("rb") as file:
         for line in file:
             if not line.endswith(b"\n"):
                 return
             try:
-                entry = Entry.model_validate_json(line)
+                entry = JournalEntry.model_validate_json(line)
             except ValidationError:
                 log.exception("%s holds a line that is no entry; what is behind it is lost", folder / FILE)
                 return

@@ -48,7 +48,7 @@ class Holder:
     link: Link = field(default_factory=Link)
 
 
-class Control:
+class ControlRegistry:
     """Of all cells. Only the event loop's thread may use it.
 
     Args:
@@ -142,4 +142,4 @@ def next_fence(db: Session, cell: str) -> int:
     return row.fence
 
 
-ControlDep = Annotated[Control, depend_on("control")]
+ControlDep = Annotated[ControlRegistry, depend_on("control")]

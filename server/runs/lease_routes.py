@@ -16,12 +16,12 @@ from core.sessions.leased import Renewal
 from server.cells.folder import CellFolder, CellsDep
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import NotAllowed, NotSignedIn
-from server.http.schemas import Answer, Body, Name
+from server.http.schemas import Answer, Name, RequestBody
 from server.people import audit
 from server.people.auth import Caller, CallerDep
 from server.people.door import Door, DoorDep
 from server.runs.conductor import Conductor, ConductorDep
-from server.runs.lease import STAMP_PERIOD_S, Control, ControlDep, next_fence
+from server.runs.lease import STAMP_PERIOD_S, ControlDep, ControlRegistry, next_fence
 from server.runs.metrics import RunMetrics, RunMetricsDep
 
 router = APIRouter(prefix="/api/control", tags=["control"])
@@ -33,7 +33,7 @@ PAGE_LATE_S = 2.0
 """A page that has not responded for so long cannot be stopped from; its answers renew nothing."""
 
 
-class ControlBody(Body):
+class ControlBody(RequestBody):
     """The cell to take control of."""
 
     cell: Name
@@ -81,7 +81,7 @@ class Stamp(Answer):
     stamp_s: float
 
 
-class StampAnswer(Body):
+class StampAnswer(RequestBody):
     """What the screen sends back, at once.
 
     Args:
@@ -151,7 +151,14 @@ class _Keeper:
     """One websocket that keeps control. What sends the stamps waits for nothing but the socket."""
 
     def __init__(
-        self, websocket: WebSocket, cell: str, caller: Caller, control: Control, conductor: Conductor, metrics: RunMetrics, door: Door
+        self,
+        websocket: WebSocket,
+        cell: str,
+        caller: Caller,
+        control: ControlRegistry,
+        conductor: Conductor,
+        metrics: RunMetrics,
+        door: Door,
     ) -> None:
         self._websocket, self._cell, self._caller = websocket, cell, caller
         self._control, self._conductor, self._metrics, self._door = control, conductor, metrics, door
@@ -164,8 +171,8 @@ class _Keeper:
         if holder is None:
             return
         if answer.stamp_s <= self._control.clock():
-            holder.link.answered(answer.stamp_s, self._control.clock())
-            self._metrics.answered(self._control.clock() - answer.stamp_s)
+            holder.link.note_answer(answer.stamp_s, self._control.clock())
+            self._metrics.observe_round_trip(self._control.clock() - answer.stamp_s)
         if answer.page_age_s > PAGE_LATE_S:
             self._conductor.note_late_page(self._cell, answer.page_age_s)
             return
@@ -181,7 +188,7 @@ class _Keeper:
                 await self._websocket.send_text(Stamp(stamp_s=stamp_s).model_dump_json())
                 holder = self._control.held_with(self._cell, self._caller.who, self._fence)
                 if holder is not None:
-                    holder.link.sent(stamp_s)
+                    holder.link.note_stamp(stamp_s)
                 await asyncio.sleep(STAMP_PERIOD_S)
 
     async def check(self) -> None:
@@ -212,7 +219,7 @@ def _settings(cells: CellFolder, name: str) -> CellControl:
         return CellControl()
 
 
-def _answer(control: Control, cell: str, settings: CellControl) -> ControlAnswer:
+def _answer(control: ControlRegistry, cell: str, settings: CellControl) -> ControlAnswer:
     holder = control.holder(cell)
     found = None if holder is None else holder.link.figures(holder.lease_s, control.clock())
     return ControlAnswer(

@@ -16,8 +16,8 @@ from core.events import Event
 from server.http.errors import Conflict, NotFound
 from server.runs import webhooks
 from server.runs.event_schemas import EventMessage, Happening, StateChanged
-from server.runs.packml import COMPLETED, FINAL, Command, IllegalCommandError, State, commanded, job_state, legal_commands
-from server.runs.reason import Reason, because
+from server.runs.packml import COMPLETED, FINAL, Command, IllegalCommandError, State, apply_command, job_state, legal_commands
+from server.runs.reason import Reason, set_reason
 from server.runs.result_summary import summary_of
 from server.runs.schemas import Motion, RunAnswer, RunOrder
 from server.runs.tables import RunEventRow, RunRow
@@ -39,12 +39,12 @@ def new_id(now: datetime) -> str:
     return f"{round(now.timestamp() * 1000):012x}{secrets.token_hex(5)}"
 
 
-def offered(state: State) -> list[str]:
+def list_offered_commands(state: State) -> list[str]:
     """What a person may command in this state; nothing of a run that is over."""
     return [] if state in FINAL else [OFFERED[command] for command in legal_commands(state) if command in OFFERED]
 
 
-def queue(db: Session, order: RunOrder, who: str, now: datetime, motion: Motion | None = None) -> RunRow:
+def add_run(db: Session, order: RunOrder, who: str, now: datetime, motion: Motion | None = None) -> RunRow:
     """A new run of the procedure, or of something else; it waits for its cell."""
     row = RunRow(id=new_id(now), cell=order.cell, payload=order.payload, order=order.model_dump_json(), state=State.RESETTING)
     row.requested_by, row.requested_at = who, now
@@ -57,12 +57,12 @@ def queue(db: Session, order: RunOrder, who: str, now: datetime, motion: Motion 
     return row
 
 
-def copied(row: RunRow) -> RunRow:
+def copy_row(row: RunRow) -> RunRow:
     """The run as an object of its own, which no session knows."""
     return RunRow(**{column.key: getattr(row, column.key) for column in inspect(RunRow).column_attrs})
 
 
-def load(db: Session, run: str) -> RunRow:
+def load_run(db: Session, run: str) -> RunRow:
     """One run.
 
     Raises:
@@ -79,7 +79,7 @@ def motion_of(row: RunRow) -> Motion | None:
     return None if row.motion is None else _motion.validate_json(row.motion)
 
 
-def result_of(row: RunRow) -> Result:
+def load_result(row: RunRow) -> Result:
     """The result of a run.
 
     Raises:
@@ -101,7 +101,7 @@ def advance(row: RunRow, path: Iterable[Step], now: datetime) -> list[EventMessa
         state = State(row.state)
         if step is not None and state in FINAL:  # the machine may begin anew, this run may not
             raise IllegalCommandError(state, step, ())
-        row.state = COMPLETED[state] if step is None else commanded(state, step)
+        row.state = COMPLETED[state] if step is None else apply_command(state, step)
         row.aborted = row.aborted or row.state == State.ABORTED
         row.held_since = now if row.state == State.HELD else row.held_since if row.state == State.UNHOLDING else None
         messages += tell(row, [_state_changed(row)], now)
@@ -115,7 +115,7 @@ def keep(db: Session, row: RunRow, messages: Sequence[EventMessage], *, ended: b
     for message in messages:
         db.add(RunEventRow(run=row.id, sequence=message.sequence, body=message.model_dump_json()))
     if ended:
-        webhooks.enqueue(db, answer(row), new_id, row.ended_at or messages[-1].at)
+        webhooks.enqueue(db, build_answer(row), new_id, row.ended_at or messages[-1].at)
 
 
 def keep_steps(db: Session, row: RunRow, path: Iterable[Step], now: datetime) -> list[EventMessage]:
@@ -129,11 +129,11 @@ def keep_steps(db: Session, row: RunRow, path: Iterable[Step], now: datetime) ->
 def end(db: Session, row: RunRow, reason: Reason, now: datetime) -> None:
     """Closes a run that no process carries: as it was told to end; Stopped before any motion; else Aborted."""
     row.aborted = True
-    because(row, reason)
-    keep_steps(db, row, ending(State(row.state)), now)
+    set_reason(row, reason)
+    keep_steps(db, row, find_end_path(State(row.state)), now)
 
 
-def ending(state: State) -> list[Step]:
+def find_end_path(state: State) -> list[Step]:
     """How a run that does not come through ends."""
     if state in (State.STOPPING, State.ABORTING):
         return [None]
@@ -149,7 +149,7 @@ def tell(row: RunRow, events: Sequence[Event], now: datetime) -> list[EventMessa
     return messages
 
 
-def told(db: Session, run: str, after: int) -> list[tuple[int, str]]:
+def list_events(db: Session, run: str, after: int) -> list[tuple[int, str]]:
     """The run's events behind a sequence number: theirs, and their bodies."""
     query = (
         select(RunEventRow.sequence, RunEventRow.body)
@@ -159,7 +159,7 @@ def told(db: Session, run: str, after: int) -> list[tuple[int, str]]:
     return [(sequence, body) for sequence, body in db.execute(query)]
 
 
-def waiting(db: Session) -> list[RunRow]:
+def list_first_runs(db: Session) -> list[RunRow]:
     """The first run of each cell that is not over; Aborted is not over before it is cleared."""
     first: dict[str, RunRow] = {}
     for row in db.scalars(select(RunRow).where(RunRow.state.not_in(FINAL)).order_by(RunRow.id)):
@@ -167,7 +167,7 @@ def waiting(db: Session) -> list[RunRow]:
     return list(first.values())
 
 
-def in_the_way(db: Session, cell: str) -> str | None:
+def find_in_the_way(db: Session, cell: str) -> str | None:
     """What the cell's run has in its way: of the first that is not over, else of the last."""
     query = select(RunRow).where(RunRow.cell == cell)
     carried = db.scalar(query.where(RunRow.state.not_in(FINAL)).order_by(RunRow.id).limit(1))
@@ -180,7 +180,7 @@ def may_continue(row: RunRow) -> bool:
     return row.state in (State.STOPPED, State.ABORTED) and row.result is None and row.finished_steps > 0
 
 
-def answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None, ends_at: datetime | None = None) -> RunAnswer:
+def build_answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None, ends_at: datetime | None = None) -> RunAnswer:
     """The run as it leaves the service."""
     state, motion = State(row.state), motion_of(row)
     return RunAnswer(
@@ -190,7 +190,7 @@ def answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None, ends_
         order=RunOrder.model_validate_json(row.order),
         state=state,
         job_state=job_state(state, released=row.released, aborted=row.aborted),
-        commands=offered(state),
+        commands=list_offered_commands(state),
         released=row.released,
         reason=row.reason,
         reason_kind=row.reason_kind,
@@ -219,11 +219,11 @@ def answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None, ends_
 
 def refusal(row: RunRow, what: str) -> Conflict:
     """Something that the run's state does not allow, with what it does allow."""
-    legal = offered(State(row.state))
+    legal = list_offered_commands(State(row.state))
     return Conflict(f"run {row.id}: {what} is not possible in {row.state}; legal commands here: {', '.join(legal) or 'none'}", legal)
 
 
 def _state_changed(row: RunRow) -> StateChanged:
     state = State(row.state)
     job = job_state(state, released=row.released, aborted=row.aborted)
-    return StateChanged(state=state, job_state=job, commands=offered(state), reason=row.reason, reason_kind=row.reason_kind)
+    return StateChanged(state=state, job_state=job, commands=list_offered_commands(state), reason=row.reason, reason_kind=row.reason_kind)

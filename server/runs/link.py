@@ -41,11 +41,11 @@ class Link:
         self._sent: deque[float] = deque()
         self._stamp_s: float | None = None
 
-    def sent(self, stamp_s: float) -> None:
+    def note_stamp(self, stamp_s: float) -> None:
         """A stamp has left."""
         self._sent.append(stamp_s)
 
-    def answered(self, stamp_s: float, now_s: float) -> None:
+    def note_answer(self, stamp_s: float, now_s: float) -> None:
         """An answer to a stamp has come."""
         gap = 0.0 if self._stamp_s is None else now_s - self._stamp_s
         self._answers.append((now_s, now_s - stamp_s, gap))

@@ -89,9 +89,9 @@ def _load_events(store: Store, conductor: Conductor, run: str, after: int) -> tu
     if active is not None:
         return False, [(sequence, text) for sequence, text in list(active.events) if sequence > after]
     with store.read() as db:
-        row = run_ledger.load(db, run)
+        row = run_ledger.load_run(db, run)
         over = conductor.of_run(run) is None and State(row.state) in (*FINAL, State.ABORTED)
-        return over, run_ledger.told(db, run, after)
+        return over, run_ledger.list_events(db, run, after)
 
 
 async def _wait_until_gone(websocket: WebSocket) -> None:

@@ -12,7 +12,7 @@ from server.http.dependencies import depend_on
 from server.runner.messages import Paced
 from server.runs.event_schemas import EventMessage, StateChanged
 from server.runs.packml import FINAL, State
-from server.runs.reason import kind_of
+from server.runs.reason import find_reason_kind
 from server.runs.tables import RunRow
 
 SECONDS = (1, 2, 5, 10, 20, 30, 45, 60, 90, 120, 180, 300, 600)
@@ -53,7 +53,7 @@ class RunMetrics:
             "heft_control_median_tick_seconds", "How late the ticks of each run came in the median.", buckets=LATENESS, registry=registry
         )
 
-    def told(self, messages: Iterable[EventMessage], row: RunRow) -> None:
+    def count_events(self, messages: Iterable[EventMessage], row: RunRow) -> None:
         """What has just been written of a run. It ends once: clearing an aborted one is no second end."""
         for message in messages:
             match message.event:
@@ -66,16 +66,16 @@ class RunMetrics:
                 case RobotStopped(error=error, held=held, lateness=lateness):
                     self._stops.labels(error).inc()
                     if held:
-                        self._holds.labels(kind_of(error, lateness)).inc()
+                        self._holds.labels(find_reason_kind(error, lateness)).inc()
                     if lateness is not None:
                         self._lateness.labels(lateness.cause).inc()
                         self._late_s.labels(lateness.cause).observe(lateness.late_s)
 
-    def answered(self, round_trip_s: float) -> None:
+    def observe_round_trip(self, round_trip_s: float) -> None:
         """A console has answered a stamp."""
         self._round_trip.observe(round_trip_s)
 
-    def paced(self, paced: Paced) -> None:
+    def observe_pace(self, paced: Paced) -> None:
         """How a run's control loop has kept its time."""
         self._ticks.inc(paced.ticks)
         self._late.inc(paced.late)

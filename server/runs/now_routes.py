@@ -16,7 +16,7 @@ from server.http.schemas import Answer
 from server.people import audit
 from server.runs.conductor import Conductor, ConductorDep
 from server.runs.packml import MOVING, Command, State
-from server.runs.reason import asked
+from server.runs.reason import explain_command
 
 router = APIRouter(prefix="/api/now", tags=["now"])
 
@@ -55,8 +55,8 @@ async def stop_now(cell: NamePath, conductor: ConductorDep, address: ClientAddre
     if active is None:
         raise Conflict(f"cell {cell!r}: no run has its robot, so there is nothing to stop")
     who = f"nobody@{address}"
-    done = audit.deed(who, "run.stop", {"run": active.id, "address": address}, now=now)
-    await conductor.command(active.id, Command.STOP, asked("stop", who), done)
+    done = audit.make_deed(who, "run.stop", {"run": active.id, "address": address}, now=now)
+    await conductor.command(active.id, Command.STOP, explain_command("stop", who), done)
     return cell_now(conductor, cell)
 
 

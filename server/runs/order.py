@@ -6,7 +6,7 @@ from pathlib import Path
 
 from core.cell.cell import Cell
 from core.planning.settings import Timing
-from core.planning.slow_run import allowed_speeds, slowed
+from core.planning.slow_run import find_speed_range, slowed
 from server.http.errors import Conflict
 from server.runner.messages import Continuation, Order
 from server.runs.ledger import motion_of
@@ -44,7 +44,7 @@ def check_order(order: RunOrder, cell: Cell) -> None:
     Raises:
         Conflict: a speed that the cell does not allow, or not one joint position for each joint.
     """
-    slowest, limit = allowed_speeds(cell)
+    slowest, limit = find_speed_range(cell)
     if order.speed_m_s is not None and not slowest <= order.speed_m_s <= limit:
         raise Conflict(f"speed_m_s is {order.speed_m_s:g} m/s; this cell allows {slowest:g} to {limit:g} m/s")
     count = len(cell.robot.home_rad)

@@ -120,7 +120,7 @@ def legal_commands(state: State) -> tuple[Command, ...]:
     return tuple(command for command in Command if (state, command) in COMMANDED)
 
 
-def commanded(state: State, command: Command) -> State:
+def apply_command(state: State, command: Command) -> State:
     """The state that follows a command.
 
     Raises:

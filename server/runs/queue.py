@@ -9,7 +9,7 @@ from fastapi import Header, Response
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
-from server.http.dependencies import accepted
+from server.http.dependencies import set_accepted_headers
 from server.http.errors import Conflict
 from server.people import audit
 from server.runs import idempotency
@@ -33,7 +33,7 @@ class RunRequest(NamedTuple):
     body: bytes
 
 
-def queued(
+def queue_once(
     store: Store, conductor: Conductor, response: Response, request: RunRequest, order: RunOrder, motion: Motion | None = None
 ) -> RunAnswer:
     """The run that the request makes, or has made already.
@@ -45,21 +45,21 @@ def queued(
     """
     try:
         with store.write() as db:
-            made = None if request.key is None else idempotency.made_before(db, request.who, request.key, request.body)
-            row = _make(conductor, db, request, order, motion) if made is None else run_ledger.load(db, made)
-            found = run_ledger.answer(row)
+            made = None if request.key is None else idempotency.recall_request(db, request.who, request.key, request.body)
+            row = _make(conductor, db, request, order, motion) if made is None else run_ledger.load_run(db, made)
+            found = run_ledger.build_answer(row)
     except IntegrityError as error:
         raise Conflict(f"Idempotency-Key {request.key!r}: the first request is still under way; ask again") from error
     conductor.wake()
-    accepted(response, f"/api/runs/{found.run}", PLANNING_S)
+    set_accepted_headers(response, f"/api/runs/{found.run}", PLANNING_S)
     return found
 
 
 def _make(conductor: Conductor, db: Session, request: RunRequest, order: RunOrder, motion: Motion | None) -> RunRow:
-    conductor.plannable(db, order.cell)
-    row = run_ledger.queue(db, order, request.who, request.now, motion)
+    conductor.load_plannable_cell(db, order.cell)
+    row = run_ledger.add_run(db, order, request.who, request.now, motion)
     if request.key is not None:
-        idempotency.once(db, request.who, request.key, request.body, row.id, request.now)
+        idempotency.remember_request(db, request.who, request.key, request.body, row.id, request.now)
     audit.record(db, request.who, "run.queue", {"run": row.id, "cell": order.cell, **_origin(motion)}, now=request.now)
     return row
 

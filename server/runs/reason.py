@@ -31,33 +31,33 @@ OWN = frozenset({
 """Kinds that are no problem of a request."""
 
 
-def asked(command: str, who: str) -> Reason:
+def explain_command(command: str, who: str) -> Reason:
     """Somebody commanded it, by the command's name in the API."""
     return Reason(f"{command}-asked", f"{command} was asked for by {who}.")
 
 
-def cancelled(who: str) -> Reason:
+def explain_cancellation(who: str) -> Reason:
     """Nobody wants it any more."""
     return Reason("cancelled", f"cancelled by {who}.")
 
 
-def failed(failure: Failed) -> Reason:
+def explain_failure(failure: Failed) -> Reason:
     """What a process says."""
-    return Reason(kind_of(failure.error, failure.lateness), failure.message)
+    return Reason(find_reason_kind(failure.error, failure.lateness), failure.message)
 
 
-def kind_of(error: str, lateness: Lateness | None) -> str:
+def find_reason_kind(error: str, lateness: Lateness | None) -> str:
     """The kind of an error of the engine, by its name; where control was lost, by what was late."""
     if error == ControlLost.__name__ and lateness is not None:
         return LATE[lateness.cause]
     return slug(error)
 
 
-def of_error(error: HeftError | OSError) -> Reason:
+def explain_error(error: HeftError | OSError) -> Reason:
     """What was refused here, or a folder that could not be written."""
     return Reason("no-room" if isinstance(error, OSError) else slug(type(error).__name__), str(error))
 
 
-def because(row: RunRow | JobRow, reason: Reason | None) -> None:
+def set_reason(row: RunRow | JobRow, reason: Reason | None) -> None:
     """Notes it; None where it holds no longer."""
     row.reason_kind, row.reason = (None, None) if reason is None else reason

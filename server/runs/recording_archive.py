@@ -8,13 +8,13 @@ from pathlib import Path, PurePosixPath
 
 from core.errors import BadRecording
 from core.recording.manifest import FILE as MANIFEST
-from server.http.zip_file import opened_zip, write_entry
+from server.http.zip_file import open_zip, write_entry
 
 MAX_BYTES = 400_000_000  # of all files together, unpacked
 MAX_FILES = 20
 
 
-def unpack(archive: Path, folder: Path) -> None:
+def unpack_recording(archive: Path, folder: Path) -> None:
     """Unpacks a zip of a recording folder; what is in the files is `core.recording.folder.read_recording`'s to judge.
 
     Args:
@@ -26,7 +26,7 @@ def unpack(archive: Path, folder: Path) -> None:
     part = folder.with_name(folder.name + ".part")
     part.mkdir()
     try:
-        with opened_zip(archive, BadRecording, "a plain zip of a recording folder") as opened:
+        with open_zip(archive, BadRecording, "a plain zip of a recording folder") as opened:
             _write_all(opened, _select_entries(opened), part)
         part.replace(folder)
     finally:

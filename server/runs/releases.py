@@ -22,7 +22,7 @@ from server.runner.plan_schemas import RunPlan
 from server.runner.release_hash import release_sha256
 from server.runs import ledger as run_ledger
 from server.runs.conductor import Conductor
-from server.runs.lease import Control
+from server.runs.lease import ControlRegistry
 from server.runs.packml import Command, IllegalCommandError, State
 
 OFFER_S = 60.0
@@ -68,7 +68,7 @@ class Offers:
 class Releases:
     """Checks everything that a release is bound to, then lets the run begin."""
 
-    def __init__(self, conductor: Conductor, control: Control, offers: Offers, now: Callable[[], datetime]) -> None:
+    def __init__(self, conductor: Conductor, control: ControlRegistry, offers: Offers, now: Callable[[], datetime]) -> None:
         self._conductor, self._control, self._offers, self._now = conductor, control, offers, now
 
     async def release(self, run: str, who: str, plan_sha256: str, offer: str, sent: Renewal) -> None:
@@ -85,7 +85,7 @@ class Releases:
         row = await asyncio.to_thread(self._conductor.row_of, run)
         if active is None or row.plan is None or row.state != State.IDLE:
             raise run_ledger.refusal(row, "release")
-        cell = await asyncio.to_thread(self._conductor.cell_as_it_is, row.cell)
+        cell = await asyncio.to_thread(self._conductor.read_current_cell, row.cell)
         waiting = RunPlan.model_validate_json(row.plan)
         now_sha256 = release_sha256(waiting.plan_digest, cell, active.payload_box)
         if plan_sha256 != waiting.sha256 or now_sha256 != waiting.sha256:
@@ -95,7 +95,7 @@ class Releases:
         self._control.command(row.cell, who, sent)
         detail: Detail = {"run": run, "plan_sha256": plan_sha256, "fence": sent.fence}
         try:
-            await active.release(plan_sha256, who, audit.deed(who, "run.release", detail, now=self._now()))
+            await active.release(plan_sha256, who, audit.make_deed(who, "run.release", detail, now=self._now()))
         except IllegalCommandError:
             raise run_ledger.refusal(row, Command.START) from None
 

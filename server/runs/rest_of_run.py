@@ -25,7 +25,7 @@ def rest_of(ended: RunRow, folder: Path) -> RestOfRun:
         raise Conflict(
             f"run {ended.id}: there is nothing to go on with; it is in {ended.state} and has finished {ended.finished_steps} steps. "
             "Begin a new run",
-            run_ledger.offered(State(ended.state)),
+            run_ledger.list_offered_commands(State(ended.state)),
         )
     recording = folder / RECORDING
     if not recording.is_dir():

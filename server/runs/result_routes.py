@@ -9,7 +9,7 @@ from fastapi import APIRouter
 
 from core.cell.cell import Cell
 from core.export.exports import payload_of
-from core.payload.comparison import Comparison, compared
+from core.payload.comparison import Comparison, compare_payloads
 from server.cells.folder import CellFolder, CellsDep
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Conflict, StoreUnavailable
@@ -17,7 +17,7 @@ from server.http.schemas import Answer
 from server.people import audit
 from server.people.auth import CallerDep
 from server.runs import ledger as run_ledger
-from server.runs.answer import answered
+from server.runs.answer import answer_run
 from server.runs.conductor import ConductorDep
 from server.runs.lease import ControlDep
 from server.runs.payload_answer import PayloadAnswer, payload_answer
@@ -41,35 +41,35 @@ class ComparisonAnswer(Answer):
 @router.get("/result")
 def read_result(run: str, conductor: ConductorDep) -> PayloadAnswer:
     """What the robot carries, with uncertainties."""
-    return payload_answer(run, run_ledger.result_of(conductor.row_of(run)))
+    return payload_answer(run, run_ledger.load_result(conductor.row_of(run)))
 
 
 @router.post("/acceptance")
 def accept_result(run: str, store: StoreDep, conductor: ConductorDep, control: ControlDep, caller: CallerDep, now: NowDep) -> RunAnswer:
     """An operator takes the result for good; once, and by name."""
-    run_ledger.result_of(conductor.row_of(run))
+    run_ledger.load_result(conductor.row_of(run))
     if not conductor.wait_until_kept(run):
         raise StoreUnavailable(f"run {run}: the database does not have its result yet; accept it again in some seconds")
     with store.write() as db:
-        row = run_ledger.load(db, run)
-        verdict = run_ledger.result_of(row).verdict
+        row = run_ledger.load_run(db, run)
+        verdict = run_ledger.load_result(row).verdict
         if row.accepted_by is not None:
             raise Conflict(f"run {run}: was accepted already, by {row.accepted_by}; a result is accepted once")
         row.accepted_by, row.accepted_at = caller.who, now
         audit.record(db, caller.who, "run.accept", {"run": run, "verdict": verdict}, now=now)
-    return answered(conductor, control, now, run)
+    return answer_run(conductor, control, now, run)
 
 
 @router.get("/comparison/{other}")
 def compare_runs(run: str, other: str, cells: CellsDep, conductor: ConductorDep) -> ComparisonAnswer:
     """What differs between two runs, and whether that is more than chance."""
     rows = conductor.row_of(run), conductor.row_of(other)
-    results = [run_ledger.result_of(row) for row in rows]
+    results = [run_ledger.load_result(row) for row in rows]
     frame: Frame = "sensor" if rows[0].cell == rows[1].cell else "flange"
     mounted = [None if frame == "sensor" else _require_mount(cells, row) for row in rows]
     first, second = (payload_of(result, cell) for result, cell in zip(results, mounted, strict=True))
     offsets = [(np.array(part.offset, float), np.array(part.offset_std, float)) for part in (each.estimate for each in results) if part]
-    return ComparisonAnswer(run=run, other=other, frame=frame, comparison=compared(first, second, offsets[0], offsets[1]))
+    return ComparisonAnswer(run=run, other=other, frame=frame, comparison=compare_payloads(first, second, offsets[0], offsets[1]))
 
 
 def _require_mount(cells: CellFolder, row: RunRow) -> Cell:

@@ -16,13 +16,13 @@ from server.http.dependencies import NowDep, SettingsDep, StoreDep
 from server.people import audit
 from server.people.auth import CallerDep
 from server.runs import ledger as run_ledger
-from server.runs.answer import answer_now, answered
+from server.runs.answer import answer_now, answer_run
 from server.runs.conductor import ConductorDep
 from server.runs.lease import ControlDep
 from server.runs.order import check_order
 from server.runs.packml import Command, State
-from server.runs.queue import IdempotencyKeyHeader, RunRequest, queued
-from server.runs.reason import cancelled
+from server.runs.queue import IdempotencyKeyHeader, RunRequest, queue_once
+from server.runs.reason import explain_cancellation
 from server.runs.rest_of_run import rest_of
 from server.runs.schemas import RunAnswer, RunOrder
 from server.runs.tables import RunRow
@@ -46,7 +46,7 @@ def queue_run(
     cell = cells.read(order.cell).cell
     check_order(order, cell)
     order = with_payload(order, cell)
-    return queued(store, conductor, response, RunRequest(caller.who, now, idempotency_key, body), order)
+    return queue_once(store, conductor, response, RunRequest(caller.who, now, idempotency_key, body), order)
 
 
 @router.get("")
@@ -74,7 +74,7 @@ def list_runs(
 @router.get("/{run}")
 def read_run(run: str, conductor: ConductorDep, control: ControlDep, now: NowDep) -> RunAnswer:
     """One run as it stands now."""
-    return answered(conductor, control, now, run)
+    return answer_run(conductor, control, now, run)
 
 
 @router.delete("/{run}")
@@ -86,10 +86,10 @@ async def cancel_run(run: str, conductor: ConductorDep, control: ControlDep, cal
     await conductor.command(
         run,
         Command.STOP,
-        cancelled(caller.who),
-        audit.deed(caller.who, "run.cancel", {"run": run}, now=now),
+        explain_cancellation(caller.who),
+        audit.make_deed(caller.who, "run.cancel", {"run": run}, now=now),
     )
-    return await asyncio.to_thread(answered, conductor, control, now, run)
+    return await asyncio.to_thread(answer_run, conductor, control, now, run)
 
 
 @router.post("/{run}/continuation", status_code=HTTP_202_ACCEPTED)
@@ -107,7 +107,9 @@ def continue_run(
     ended = conductor.row_of(run)
     rest = rest_of(ended, settings.recordings_folder / run)
     order = RunOrder.model_validate_json(ended.order)
-    return queued(store, conductor, response, RunRequest(caller.who, now, idempotency_key, f"continuation of {run}".encode()), order, rest)
+    return queue_once(
+        store, conductor, response, RunRequest(caller.who, now, idempotency_key, f"continuation of {run}".encode()), order, rest
+    )
 
 
 def with_payload(order: RunOrder, cell: Cell) -> RunOrder:

@@ -12,13 +12,13 @@ from core.errors import Lateness
 from core.payload.shapes import Angle, Box
 from core.planning.settings import MAX_EFFORT, Planner, Scope
 from core.planning.stop import Stop
-from server.http.schemas import Answer, Body, Name
+from server.http.schemas import Answer, Name, RequestBody
 from server.runner.messages import Pace
 from server.runs.packml import JobState, State
 from server.runs.result_summary import ResultSummary
 
 
-class RunOrder(Body):
+class RunOrder(RequestBody):
     """What is to be identified.
 
     Args:
@@ -58,7 +58,7 @@ class RunOrder(Body):
         return Scope(self.axes, self.rotations)
 
 
-class ProposedMotion(Body):
+class ProposedMotion(RequestBody):
     """What a run does instead of the procedure: the motion that a diagnosis proposes.
 
     Args:
@@ -71,7 +71,7 @@ class ProposedMotion(Body):
     stops: tuple[Stop, ...]
 
 
-class RestOfRun(Body):
+class RestOfRun(RequestBody):
     """What a run does instead of the whole procedure: the steps that an ended run has not finished.
 
     Args:

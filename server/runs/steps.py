@@ -18,7 +18,7 @@ def from_states(*states: State) -> Callable[[State], list[Step]]:
     return lambda state: [DONE] if state in states else []
 
 
-def in_the_way(event: Event, before: str | None) -> str | None:
+def update_in_the_way(event: Event, before: str | None) -> str | None:
     """What is in the way of a run once this has happened to it, and what was before."""
     match event:
         case WaitingForZone():

@@ -15,7 +15,7 @@ from sqlalchemy.orm import Session
 
 from server.people import audit
 from server.runs import ledger as run_ledger
-from server.runs.journal import Entry
+from server.runs.journal import JournalEntry
 from server.runs.tables import RunRow
 from server.store.store import Store
 
@@ -26,9 +26,9 @@ PROBE_S = 1.0
 """Of the looks at a store to which nothing is to be written."""
 
 
-def keep_entry(db: Session, run: str, entry: Entry) -> RunRow:
+def keep_entry(db: Session, run: str, entry: JournalEntry) -> RunRow:
     """Writes one entry of a run's journal into the database, once."""
-    row = run_ledger.load(db, run)
+    row = run_ledger.load_run(db, run)
     if row.journaled < entry.number:
         entry.change.apply(row)
         row.journaled = entry.number
@@ -47,14 +47,14 @@ class StoreFollower:
 
     def __init__(self, store: Store, run: str, clock: Callable[[], float] = time.monotonic) -> None:
         self._store, self._run, self._clock = store, run, clock
-        self._entries: deque[Entry] = deque()
+        self._entries: deque[JournalEntry] = deque()
         self._something = asyncio.Event()
         self._caught_up = asyncio.Event()
         self._behind_since_s: float | None = None
         self._writer = ThreadPoolExecutor(1, "run-store")
         self._task = asyncio.create_task(self._follow())
 
-    def add(self, entry: Entry) -> None:
+    def add(self, entry: JournalEntry) -> None:
         """Is written when all before it are. Returns at once."""
         self._entries.append(entry)
         self._mark_behind()
@@ -118,6 +118,6 @@ class StoreFollower:
                 self._behind_since_s = None
                 self._caught_up.set()
 
-    def _keep(self, entry: Entry) -> None:
+    def _keep(self, entry: JournalEntry) -> None:
         with self._store.write() as db:
             keep_entry(db, self._run, entry)

@@ -12,7 +12,7 @@ from sqlalchemy import select
 
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import NotFound
-from server.http.schemas import Answer, Body
+from server.http.schemas import Answer, RequestBody
 from server.people import audit
 from server.people.auth import CallerDep
 from server.runs import ledger as run_ledger
@@ -21,7 +21,7 @@ from server.runs.tables import Delivery, Webhook
 router = APIRouter(prefix="/api/webhooks", tags=["webhooks"])
 
 
-class WebhookBody(Body):
+class WebhookBody(RequestBody):
     """Where to send; a secret is made where none is given."""
 
     url: AnyHttpUrl

@@ -15,8 +15,8 @@ from server.cells.zone_check import flaws_of_bodies
 from server.cells.zones import ZonePosition
 from server.http.dependencies import NamePath, NowDep, StoreDep
 from server.http.errors import Conflict
-from server.http.problems import Flaw, flaws_of
-from server.http.schemas import Answer, Body, Moment
+from server.http.problems import Flaw, list_flaws
+from server.http.schemas import Answer, Moment, RequestBody
 from server.people import audit
 from server.people.auth import CallerDep
 from server.runs.conductor import ConductorDep
@@ -26,20 +26,20 @@ router = APIRouter(prefix="/api/cells/{cell}/zones", tags=["cells"])
 AHEAD = timedelta(seconds=1)  # by how much a measuring clock may go before ours
 
 
-class ZoneMove(Body):
+class ZoneMove(RequestBody):
     """Where a zone's centre was measured, in the world frame; its shape and size stay."""
 
     pose: Pose
     measured_at: Moment
 
 
-class ZoneTry(Body):
+class ZoneTry(RequestBody):
     """Where a zone's centre would be, in the world frame."""
 
     pose: Pose
 
 
-class ZoneBack(Body):
+class ZoneBack(RequestBody):
     """The way back.
 
     Args:
@@ -101,7 +101,7 @@ def move_zone(
         said = {"cell": cell, "zone": zone, "pose": row.pose, "measured_at": body.measured_at.isoformat()}
         audit.record(db, caller.who, "zone.move", said, now=now)
         shown = _answer(cells, db, row)
-    conductor.zone_moved(cell, zone, body.pose)
+    conductor.tell_zone_move(cell, zone, body.pose)
     return shown
 
 
@@ -113,7 +113,7 @@ def check_zone(cell: NamePath, zone: NamePath, body: ZoneTry, store: StoreDep, c
     zones.place_in_file(found.cell, zone)
     there = zones.with_zones_at(found.cell, {zone: body.pose})
     flaws = cells.flaws(found._replace(cell=there)) or flaws_of_bodies(there)
-    return ZoneChecked(cell=cell, zone=zone, pose=body.pose, flaws=flaws_of(flaws))
+    return ZoneChecked(cell=cell, zone=zone, pose=body.pose, flaws=list_flaws(flaws))
 
 
 @router.post("/{zone}/undo")
@@ -134,7 +134,7 @@ def put_zone_back(
         row = zones.put_back(db, loaded, zone, undo.to, undo.moves, caller.who, now)
         audit.record(db, caller.who, "zone.undo", {"cell": cell, "zone": zone, "to": undo.to, "pose": row.pose}, now=now)
         shown = _answer(cells, db, row)
-    conductor.zone_moved(cell, zone, shown.pose)
+    conductor.tell_zone_move(cell, zone, shown.pose)
     return shown
 
 
@@ -149,5 +149,5 @@ def _answer(cells: CellFolder, db: Session, row: ZonePosition) -> ZoneShown:
         measured_at=row.measured_at,
         received_at=row.received_at,
         contradiction=str(flaws[0]) if flaws else None,
-        flaws=flaws_of(flaws),
+        flaws=list_flaws(flaws),
     )

@@ -80,7 +80,7 @@ class Store:
         """Brings the tables to the newest version."""
         with self._writing.begin() as connection:
             _wait_for_turn(connection, MIGRATION_LOCK)
-            if not up_to_date(connection):
+            if not is_up_to_date(connection):
                 from server.store.migration import upgrade  # noqa: PLC0415  most starts need no Alembic, which takes its time to import
 
                 upgrade(connection, MIGRATIONS)
@@ -106,7 +106,7 @@ def _wait_for_turn(connection: Connection, lock: int) -> None:
         connection.execute(text("SELECT pg_advisory_xact_lock(:lock)"), {"lock": lock})
 
 
-def up_to_date(connection: Connection) -> bool:
+def is_up_to_date(connection: Connection) -> bool:
     """Whether the tables are those of the newest migration; its file's name begins with its revision."""
     if not inspect(connection).has_table("alembic_version"):
         return False

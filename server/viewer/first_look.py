@@ -36,10 +36,10 @@ def first_look(cell: Cell, robot: RobotModel) -> tuple[Array, Array]:
 def hidden(cell: Cell, eye: Array, points: Array) -> float:
     """Lines of sight from the eye (3,) to points (k, 3) that the cell's bodies cross, on average; a zone counts less."""
     weights = [(it.shape, 1.0) for it in cell.obstacles] + [(it.shape, VEIL) for it in cell.zones]
-    return float(sum(weight * crossed(shape_faces(shape), eye, points).mean() for shape, weight in weights))
+    return float(sum(weight * find_occluded(shape_faces(shape), eye, points).mean() for shape, weight in weights))
 
 
-def crossed(faces: Faces, eye: Array, points: Array) -> NDArray[np.bool_]:
+def find_occluded(faces: Faces, eye: Array, points: Array) -> NDArray[np.bool_]:
     """(k,), whether the lines from the eye to points (k, 3) go through a convex body."""
     normals = np.array([np.cross(face[1] - face[0], face[2] - face[1]) for face in faces])
     beyond = np.einsum("fj,fj->f", normals, np.array([face[0] for face in faces]))

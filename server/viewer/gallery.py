@@ -13,7 +13,7 @@ from core.payload.shapes import Pose
 from server.http.dependencies import depend_on
 from server.runs import ledger as run_ledger
 from server.runs.conductor import Conductor
-from server.viewer.process import InTheWay, Moved, Planned, ViewerProcess, Zones
+from server.viewer.process import InTheWayUpdate, PlanUpdate, RobotUpdate, ViewerProcess, ZonesUpdate
 
 PERIOD_S = 1.0 / 30.0
 STORE_S = 0.5
@@ -67,12 +67,12 @@ class Gallery:
 
     def _load_cell(self, name: str) -> Cell:
         with self._conductor.store.read() as db:
-            return self._conductor.cell_now(db, name)
+            return self._conductor.load_current_cell(db, name)
 
     def _read_standing(self, name: str) -> tuple[Cell, str | None]:
         """The cell as it is now, and what its run has in its way."""
         with self._conductor.store.read() as db:
-            return self._conductor.cell_now(db, name), run_ledger.in_the_way(db, name)
+            return self._conductor.load_current_cell(db, name), run_ledger.find_in_the_way(db, name)
 
     async def _feed(self, cell: Cell, viewer: ViewerProcess) -> None:
         """Newest positions 30 times a second, plans, zones and what is in the way when they change."""
@@ -83,10 +83,10 @@ class Gallery:
             active = self._conductor.active.get(cell.name)
             if active is not None and active.plan is not None and active.plan is not plan:
                 plan = active.plan
-                viewer.tell(Planned(plan, active.payload_box))
+                viewer.tell(PlanUpdate(plan, active.payload_box))
             if active is not None and active.newest is not None and active.newest.batch is not batch:
                 batch = active.newest.batch
-                viewer.tell(Moved(batch))
+                viewer.tell(RobotUpdate(batch))
             ticks += 1
             if ticks * PERIOD_S >= STORE_S:
                 ticks = 0
@@ -107,9 +107,9 @@ class Gallery:
             viewer.close()
             return now, named
         if now.zones != cell.zones:
-            viewer.tell(Zones(now))
+            viewer.tell(ZonesUpdate(now))
         if named != in_the_way:
-            viewer.tell(InTheWay(named))
+            viewer.tell(InTheWayUpdate(named))
         return now, named
 
 

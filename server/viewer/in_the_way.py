@@ -44,12 +44,12 @@ class Mark:
         sign = self._looked_at
         if thing is not None:
             faces = shape_faces(thing.shape)
-            add_body(self._scene, f"{ROOT}/body", swollen(faces), ABNORMAL, 0.5)
+            add_body(self._scene, f"{ROOT}/body", swell(faces), ABNORMAL, 0.5)
             self._scene.add_line_segments(f"{ROOT}/edges", edges(faces), INK, thickness=EDGE_M)
             sign = nearest_to(faces, sign)
         self._scene.add_label(f"{ROOT}/label", f"{SIGN} {name}", position=tuple(sign), anchor="bottom-center", font_screen_scale=1.5)
 
-    def moved(self, cell: Cell) -> None:
+    def update_zones(self, cell: Cell) -> None:
         """Its zones are somewhere else now."""
         self._cell = cell
         self.show(self._name)
@@ -62,7 +62,7 @@ def edges(faces: Faces) -> Array:
     return np.array(list(once.values()))
 
 
-def swollen(faces: Faces) -> Faces:
+def swell(faces: Faces) -> Faces:
     """Faces a little further from their middle, so that they hide what they lie about."""
     middle = np.concatenate(faces).mean(axis=0)
     return [middle + SWOLLEN * (face - middle) for face in faces]

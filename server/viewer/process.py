@@ -19,21 +19,21 @@ from server.runner.priority import Priority, take
 
 
 @dataclass(frozen=True)
-class Moved:
+class RobotUpdate:
     """The robot is here now, and feels this."""
 
     batch: LiveBatch
 
 
 @dataclass(frozen=True)
-class Zones:
+class ZonesUpdate:
     """The zones of this cell are what they are now."""
 
     cell: Cell
 
 
 @dataclass(frozen=True)
-class Planned:
+class PlanUpdate:
     """A plan to look at, for this payload box."""
 
     plan: RunPlan
@@ -41,13 +41,13 @@ class Planned:
 
 
 @dataclass(frozen=True)
-class InTheWay:
+class InTheWayUpdate:
     """What is in the way of the cell's run: an obstacle, a zone or a link; None where nothing is."""
 
     name: str | None
 
 
-Shown = Moved | Zones | Planned | InTheWay
+Shown = RobotUpdate | ZonesUpdate | PlanUpdate | InTheWayUpdate
 
 
 class ViewerProcess:
@@ -58,7 +58,7 @@ class ViewerProcess:
         self._process = CONTEXT.Process(target=_show, args=(cell, theirs), name=f"heft-viewer-{cell.name}", daemon=True)
         self._process.start()
         theirs.close()
-        self._speaker: Speaker[Shown] = Speaker(self._connection, Moved)
+        self._speaker: Speaker[Shown] = Speaker(self._connection, RobotUpdate)
 
     async def port(self) -> int:
         """Where it listens, on 127.0.0.1."""
@@ -85,10 +85,10 @@ def _show(cell: Cell, connection: Connection) -> None:
     take(Priority.VIEWER)
     from server.viewer.in_the_way import Mark  # noqa: PLC0415  no other process needs viser
     from server.viewer.plots import Plots  # noqa: PLC0415  the same
-    from server.viewer.scene import Scene, open_server  # noqa: PLC0415  the same
+    from server.viewer.scene import ViewerScene, open_server  # noqa: PLC0415  the same
 
     server = open_server()
-    scene, plots, mark = Scene(server, cell), Plots(server), Mark(server, cell)
+    scene, plots, mark = ViewerScene(server, cell), Plots(server), Mark(server, cell)
     connection.send(server.get_port())
     while True:
         try:
@@ -96,14 +96,14 @@ def _show(cell: Cell, connection: Connection) -> None:
         except (EOFError, OSError):
             os._exit(0)  # viser takes seconds to stop, and nobody looks any more
         match shown:
-            case Moved(batch=batch):
+            case RobotUpdate(batch=batch):
                 scene.move(np.array(batch.q_rad), batch.nearest)
                 plots.append(batch)
-            case Zones():
+            case ZonesUpdate():
                 scene.show_zones(shown.cell)
-                mark.moved(shown.cell)
-            case InTheWay(name=name):
+                mark.update_zones(shown.cell)
+            case InTheWayUpdate(name=name):
                 mark.show(name)
-            case Planned():
+            case PlanUpdate():
                 scene.show_payload_box(shown.payload_box)
                 scene.show_plan(shown.plan)

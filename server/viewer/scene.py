@@ -42,7 +42,7 @@ def open_server() -> viser.ViserServer:
     return server
 
 
-class Scene:
+class ViewerScene:
     """One cell on one viser server."""
 
     def __init__(self, server: viser.ViserServer, cell: Cell) -> None:

@@ -43,7 +43,7 @@ def explanation(effect: str, probability: float) -> dict[str, Any]:
 def finished_diagnosis(store: Store, now: datetime, order: DiagnosisOrder, **found: Any) -> str:
     """Of a diagnosis that is done; `found` stands in its answer."""
     with store.write() as db:
-        row = jobs.queue(db, DIAGNOSIS, order, order.run, "account:anna", now)
+        row = jobs.add_job(db, DIAGNOSIS, order, order.run, "account:anna", now)
         row.state, row.result = JobStatus.done, json.dumps(NOTHING_FOUND | found)
         return row.id
 

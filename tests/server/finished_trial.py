@@ -25,7 +25,7 @@ def finished_trial(service: RealService, sha256: str | None = None) -> str:
     store = Store(service.store_url)
     now = datetime.now(UTC)
     with store.write() as db:
-        row = jobs.queue(db, TRIALS, TrialsOrder(count=1, seed=SEED), None, "account:operator", now)
+        row = jobs.add_job(db, TRIALS, TrialsOrder(count=1, seed=SEED), None, "account:operator", now)
         row.state, row.ended_at = jobs.JobStatus.done, now
         row.told = SEALS.dump_json([Seal(seed=SEED, sha256=sha256 or sealed.hash)]).decode()
         row.result = TrialsResult(opened=[opened], sheet="# Score sheet").model_dump_json()

@@ -132,7 +132,7 @@ def test_whatever_may_stand_beside_a_verdict_has_german_words() -> None:
     text = (WORDS / "de-effects.ts").read_text()
     seen = text[text.index("  seen: {") : text.index("  pieces: {")]
     engine = "".join(path.read_text() for path in (*(ROOT / "core" / "effects").glob("*.py"), ROOT / "core" / "gap" / "symptoms.py"))
-    told = set(re.findall(r'(?:Remark\(|_told\(\w+, )"(\w+)"', engine))
+    told = set(re.findall(r'(?:Remark\(|_conclude\(\w+, )"(\w+)"', engine))
     assert len(told) > 10
     assert set(re.findall(r"^    (\w+): ", seen, re.MULTILINE)) == told
 

@@ -11,15 +11,15 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from core.cell.cell import Box, Pose, list_cells, load_cell
-from core.control.checks import Fault, Numbers
-from core.control.faults import frozen, stopped, too_close
+from core.control.checks import GuardStop, Numbers
+from core.control.faults import make_distance_error, make_frozen_error, make_stop_error
 from core.errors import BadCell, Lateness, NoStartConfiguration, PlanDisputed
 from core.planning.rotation_room import Obstruction
 from core.robot.collision import Nearest
 from core.robot.model import RobotModel
-from core.second_opinion.arm import arm_of_cell
-from core.second_opinion.opinion import Approach, FastestPoint, Opinion
-from core.second_opinion.pairs import OVERLAP, Kind, accounted_pairs
+from core.second_opinion.arm import build_solid_arm
+from core.second_opinion.opinion import Approach, Opinion, PeakSpeed
+from core.second_opinion.pairs import OVERLAP, PairKind, classify_pairs
 from core.second_opinion.refusal import refuse_disputed
 from core.sessions.leased import _LATE, _sentence
 from server.http.errors import Conflict, NotFound
@@ -55,21 +55,21 @@ def engine_sentences() -> list[str]:
     limits = (robot.lower, robot.upper, robot.velocity, np.ones(robot.n))
     numbers = Numbers(0.001, 0.01, 0.25, 1.0, 0.01, 0.05, 0.1, *limits, np.ones(6), np.ones(robot.n))
     found: list[Exception | str] = [
-        stopped(fault, 1, 0.4321, cell=cell, robot=robot, owner="payload", numbers=numbers, samples=())
-        for fault in Fault
-        if fault != Fault.NONE
+        make_stop_error(fault, 1, 0.4321, cell=cell, robot=robot, owner="payload", numbers=numbers, samples=())
+        for fault in GuardStop
+        if fault != GuardStop.NONE
     ]
     near = [replace(CLOSE, second=second) for second in ("operator", "bench", "link3")]
-    found += [too_close(each, cell, predicted=predicted, samples=()) for each in near for predicted in (False, True)]
-    near_end = Approach(Kind.ENVIRONMENT, "payload", "bench", 0.025, 0.03, "transfer x+", 1.25)
-    fastest = FastestPoint(0.2575, 0.25, "payload", "home", 0.5)
+    found += [make_distance_error(each, cell, predicted=predicted, samples=()) for each in near for predicted in (False, True)]
+    near_end = Approach(PairKind.ENVIRONMENT, "payload", "bench", 0.025, 0.03, "transfer x+", 1.25)
+    fastest = PeakSpeed(0.2575, 0.25, "payload", "home", 0.5)
     for opinion in (Opinion((near_end,), fastest, (), 100), Opinion((), fastest, (), 100)):
         with pytest.raises(PlanDisputed) as disputed:
             refuse_disputed(opinion)
         found.append(disputed.value)
     reasons = {"unreachable": 30, "too close to 'bench'": 12, "'link5' too close to 'bench'": 2, f"{Obstruction.JOINT_LIMIT}": 1}
     found += [
-        frozen(0.3, 0.25, ()),
+        make_frozen_error(0.3, 0.25, ()),
         NoStartConfiguration("x+", reasons, 0.012, "bench"),
         NoStartConfiguration("x+", {}),
         NotFound("run", "x7"),
@@ -90,7 +90,7 @@ def test_every_reason_for_asking_nothing_of_a_pair_has_german_words() -> None:
     for cell in map(load_cell, list_cells()):
         for size, place in (((0.1, 0.1, 0.02), 0.01), ((0.3, 0.3, 0.3), -0.1)):
             box = Box(size_m=size, pose=Pose(xyz_m=(0.0, 0.0, place)))
-            said |= {pair.why for pair in accounted_pairs(cell, arm_of_cell(cell, box)) if not pair.kind.is_judged}
+            said |= {pair.why for pair in classify_pairs(cell, build_solid_arm(cell, box)) if not pair.kind.is_judged}
     assert {re.sub(r"-?\d+\.\d+", HOLE, why) for why in said} | {OVERLAP} == set(german("left-out"))
 
 

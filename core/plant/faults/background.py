@@ -8,7 +8,7 @@ from typing import Self
 import mujoco
 import numpy as np
 
-from core.plant.faults.base import tilt_of, tilted
+from core.plant.faults.base import tilt_gravity, tilt_of
 from core.plant.faults.draws import seed_of, six
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
 
@@ -33,7 +33,7 @@ class Background(Fault):
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Turns gravity by `tilt_rad` in the base frame."""
-        spec.option.gravity = tilted(np.array(spec.option.gravity), setting, self.tilt_rad)
+        spec.option.gravity = tilt_gravity(np.array(spec.option.gravity), setting, self.tilt_rad)
 
     def sense(self, machine: Machine) -> Channel | None:
         """Scales each channel by its gain and shifts the wrench's instant at random, along its last change."""

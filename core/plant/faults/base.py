@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from core.plant.faults.draws import spread
+from core.plant.faults.draws import draw_log_uniform
 from core.plant.faults.fault import Act, Array, Fault, Machine, Setting
 
 
@@ -20,14 +20,14 @@ def tilt_of(rng: np.random.Generator, degrees: float) -> tuple[float, float]:
     return float(np.radians(degrees) * np.cos(angle)), float(np.radians(degrees) * np.sin(angle))
 
 
-def tilted(gravity: Array, setting: Setting, tilt_rad: tuple[float, float]) -> Array:
+def tilt_gravity(gravity: Array, setting: Setting, tilt_rad: tuple[float, float]) -> Array:
     """(3,), gravity in the world frame when it is turned by this rotation vector in the base frame."""
     base = setting.cell.robot.base.rotation
     tilt = Rotation.from_rotvec([*tilt_rad, 0.0]).as_matrix()
     return np.asarray(base @ tilt @ base.T @ gravity)
 
 
-def leaning(gravity: Array, x: float, y: float) -> Array:
+def lean_gravity(gravity: Array, x: float, y: float) -> Array:
     """(3,), turned by a small rotation vector (x, y, 0), with its length kept."""
     gx, gy, gz = gravity.tolist()
     v = np.array([gx + y * gz, gy - x * gz, gz + x * gy - y * gx])
@@ -50,11 +50,11 @@ class TiltedBase(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Tilt of 0.1 to 3 deg in any direction."""
-        return cls(tilt_of(rng, size * spread(rng, 0.1, 3.0)))
+        return cls(tilt_of(rng, size * draw_log_uniform(rng, 0.1, 3.0)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Turns gravity by `tilt_rad` in the base frame."""
-        spec.option.gravity = tilted(np.array(spec.option.gravity), setting, self.tilt_rad)
+        spec.option.gravity = tilt_gravity(np.array(spec.option.gravity), setting, self.tilt_rad)
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class SoftFloor(TiltedBase):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Tilt of 0.1 to 3 deg in any direction, floor of 1e-5 to 1e-4 rad/(N m)."""
-        return cls(tilt_of(rng, size * spread(rng, 0.1, 3.0)), size * spread(rng, 1e-5, 1e-4))
+        return cls(tilt_of(rng, size * draw_log_uniform(rng, 0.1, 3.0)), size * draw_log_uniform(rng, 1e-5, 1e-4))
 
     def act(self, machine: Machine) -> Act | None:
         """Turns gravity as the base tips towards the arm's centre of mass, quasi-statically."""
@@ -82,7 +82,7 @@ class SoftFloor(TiltedBase):
             # the base turns by c M with M = r x m g; seen from it, gravity turns back
             x = -yielding * (arm[1] * g0[2] - arm[2] * g0[1])
             y = -yielding * (arm[2] * g0[0] - arm[0] * g0[2])
-            model.opt.gravity[:] = R @ leaning(g0, x, y)
+            model.opt.gravity[:] = R @ lean_gravity(g0, x, y)
 
         return sink
 
@@ -100,7 +100,7 @@ class WobblyBase(TiltedBase):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Tilt of 0.1 to 3 deg, rock of 0.2 to 0.6 of it, each in any direction, and an edge within 3 cm of its place at home."""
-        degrees = size * spread(rng, 0.1, 3.0)
+        degrees = size * draw_log_uniform(rng, 0.1, 3.0)
         rock = tilt_of(rng, degrees * float(rng.uniform(0.2, 0.6)))
         return cls(tilt_of(rng, degrees), rock, float(rng.uniform(-0.03, 0.03)))
 
@@ -115,7 +115,7 @@ class WobblyBase(TiltedBase):
 
         def tip(_: float) -> None:
             side = math.tanh((float(down @ data.subtree_com[1]) - edge) / TIPPING)
-            model.opt.gravity[:] = base.rotation @ leaning(g0, side * x, side * y)
+            model.opt.gravity[:] = base.rotation @ lean_gravity(g0, side * x, side * y)
 
         return tip
 

@@ -8,7 +8,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import direction, spread, three
+from core.plant.faults.draws import direction, draw_log_uniform, three
 from core.plant.faults.fault import Act, Array, Fault, Machine, Setting, Three
 from core.plant.faults.grip import Grip, grip_of
 
@@ -40,7 +40,7 @@ class SpringCable(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.5 to 10 N/m, friction of 0.1 to 1 N, anchor 0.3 to 0.9 m from the payload at home, grip 3 to 10 cm from the sensor."""
-        return cls(size * spread(rng, 0.5, 10.0), size * spread(rng, 0.1, 1.0), anchor(rng), grip_of(rng))
+        return cls(size * draw_log_uniform(rng, 0.5, 10.0), size * draw_log_uniform(rng, 0.1, 1.0), anchor(rng), grip_of(rng))
 
     def act(self, machine: Machine) -> Act | None:
         """Pulls the grip by `pull` and rubs against its velocity by at most `friction_n`."""
@@ -73,7 +73,7 @@ class SlackCable(SpringCable):
         """5 to 50 N/m, friction of 0.05 to 0.2 N, slack of 0.85 to 1.05 of the anchor's distance at home."""
         away = anchor(rng)
         slack = float(np.linalg.norm(away)) * float(rng.uniform(0.85, 1.05))
-        return cls(size * spread(rng, 5.0, 50.0), size * spread(rng, 0.05, 0.2), away, grip_of(rng), slack)
+        return cls(size * draw_log_uniform(rng, 5.0, 50.0), size * draw_log_uniform(rng, 0.05, 0.2), away, grip_of(rng), slack)
 
     def pull(self, away: Array) -> Array:
         """(3,), N, of a spring that begins at `slack_m`; zero for a nearer fixed point."""
@@ -95,7 +95,7 @@ class TwistedHose(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.05 to 0.5 N m/rad, neutral within 1.5 rad of zero, friction of 0.01 to 0.05 N m."""
-        return cls(size * spread(rng, 0.05, 0.5), float(rng.uniform(-1.5, 1.5)), size * spread(rng, 0.01, 0.05))
+        return cls(size * draw_log_uniform(rng, 0.05, 0.5), float(rng.uniform(-1.5, 1.5)), size * draw_log_uniform(rng, 0.01, 0.05))
 
     def act(self, machine: Machine) -> Act | None:
         """Twists the payload about the last joint's axis by a hardening spring and by Dahl's friction, which builds up over 0.05 rad."""
@@ -132,7 +132,7 @@ class Reel(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Pull of 0.5 to 5 N, friction of 10 to 30 % of it, anchor and grip as of a `SpringCable`."""
-        return cls(size * spread(rng, 0.5, 5.0), float(rng.uniform(0.1, 0.3)), anchor(rng), grip_of(rng))
+        return cls(size * draw_log_uniform(rng, 0.5, 5.0), float(rng.uniform(0.1, 0.3)), anchor(rng), grip_of(rng))
 
     def act(self, machine: Machine) -> Act | None:
         """Pulls the grip towards the fixed point by `pull_n`, `friction_share` more where it is wound off and less where it winds up."""

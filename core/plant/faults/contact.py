@@ -9,7 +9,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import direction, moment, seed_of, spread, three
+from core.plant.faults.draws import direction, draw_log_uniform, moment, seed_of, three
 from core.plant.faults.fault import Act, Array, Fault, Machine, Setting, Three
 from core.plant.faults.grip import Grip, grip_of
 
@@ -34,7 +34,7 @@ class Touch(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Force of 1 to 15 N in any direction, 3 to 10 cm from the sensor, for 3 to 20 % of the run."""
-        force = size * spread(rng, 1.0, 15.0) * direction(rng)
+        force = size * draw_log_uniform(rng, 1.0, 15.0) * direction(rng)
         return cls(three(force), grip_of(rng), *window_of(rng, setting))
 
     def act(self, machine: Machine) -> Act | None:
@@ -64,7 +64,7 @@ class GrowingTouch(Touch):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """A touch as `Touch` draws it, with ramps of 15 to 50 % of its time."""
-        force = size * spread(rng, 1.0, 15.0) * direction(rng)
+        force = size * draw_log_uniform(rng, 1.0, 15.0) * direction(rng)
         return cls(three(force), grip_of(rng), *window_of(rng, setting), float(rng.uniform(0.15, 0.5)))
 
     def strength(self) -> Callable[[float], float]:
@@ -84,7 +84,7 @@ class Bumps(Touch):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """A touch as `Touch` draws it, of two to five bumps."""
-        force = size * spread(rng, 1.0, 15.0) * direction(rng)
+        force = size * draw_log_uniform(rng, 1.0, 15.0) * direction(rng)
         begin, duration = window_of(rng, setting)
         return cls(three(force), grip_of(rng), begin, duration, int(rng.integers(2, 6)), seed_of(rng))
 
@@ -114,8 +114,8 @@ class Cushion(Touch):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """A touch as `Touch` draws it, against a cushion 2 to 20 cm deep."""
-        force = size * spread(rng, 1.0, 15.0) * direction(rng)
-        return cls(three(force), grip_of(rng), *window_of(rng, setting), spread(rng, 0.02, 0.2))
+        force = size * draw_log_uniform(rng, 1.0, 15.0) * direction(rng)
+        return cls(three(force), grip_of(rng), *window_of(rng, setting), draw_log_uniform(rng, 0.02, 0.2))
 
     def act(self, machine: Machine) -> Act | None:
         """Pushes at the grip by `force_n` times 1 where the touch begins, more against the force and less along it, from 0 to 2."""

@@ -10,7 +10,7 @@ from core.plant.faults.fault import Setting, Six, Three
 Array = NDArray[np.float64]
 
 
-def spread(rng: np.random.Generator, low: float, high: float) -> float:
+def draw_log_uniform(rng: np.random.Generator, low: float, high: float) -> float:
     """Log-uniform between two positive limits."""
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
@@ -52,9 +52,9 @@ def channels(rng: np.random.Generator, most: int = 6) -> Array:
     return chosen
 
 
-def scattered(rng: np.random.Generator, low: float, high: float, count: int) -> Array:
+def draw_signed_log_uniform(rng: np.random.Generator, low: float, high: float, count: int) -> Array:
     """(count,), each log-uniform between the limits with either sign."""
-    return np.array([sign(rng) * spread(rng, low, high) for _ in range(count)])
+    return np.array([sign(rng) * draw_log_uniform(rng, low, high) for _ in range(count)])
 
 
 def some_joints(rng: np.random.Generator, n: int, most: int) -> Array:

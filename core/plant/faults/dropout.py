@@ -8,7 +8,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import seed_of, spread
+from core.plant.faults.draws import draw_log_uniform, seed_of
 from core.plant.faults.fault import Array, Channel, Fault, Joints, Machine, Setting
 
 LONGEST_BURST_S = 0.025
@@ -28,7 +28,7 @@ class HeldWrench(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """10 to 60 % of the readings, never more than 95 %."""
-        return cls(min(size * spread(rng, 0.1, 0.6), 0.95), seed_of(rng))
+        return cls(min(size * draw_log_uniform(rng, 0.1, 0.6), 0.95), seed_of(rng))
 
     def digitize(self, machine: Machine) -> Channel | None:
         """Repeats the last reading with a probability of `lost_share`."""
@@ -59,7 +59,7 @@ class LostBursts(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """10 to 60 % of the samples, never more than 80 %, in bursts of 3 to 12 ms."""
-        return cls(min(size * spread(rng, 0.1, 0.6), 0.8), spread(rng, 0.003, 0.012), seed_of(rng))
+        return cls(min(size * draw_log_uniform(rng, 0.1, 0.6), 0.8), draw_log_uniform(rng, 0.003, 0.012), seed_of(rng))
 
     def _schedule(self, period: float) -> LossSchedule:
         return LossSchedule(self.lost_share, self.burst_s / period, self.seed, round(LONGEST_BURST_S / period))
@@ -71,7 +71,7 @@ class LostBursts(Fault):
 
         def hold(_: float, q: Array, dq: Array) -> tuple[Array, Array]:
             nonlocal last
-            if not schedule.lost() or last is None:
+            if not schedule.lose_next() or last is None:
                 last = (q, dq)
             return last
 
@@ -84,7 +84,7 @@ class LostBursts(Fault):
 
         def hold(_: float, W: Array) -> Array:
             nonlocal last
-            if not schedule.lost() or last is None:
+            if not schedule.lose_next() or last is None:
                 last = W
             return last
 
@@ -102,7 +102,7 @@ class LossSchedule:
         self._longest, self._left = longest, longest
         self._lost = False
 
-    def lost(self) -> bool:
+    def lose_next(self) -> bool:
         """Whether the next sample is lost."""
         change = self._end if self._lost else self._begin
         if self._rng.random() < change or self._left == 0:
@@ -123,7 +123,7 @@ class SlowSensor(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """A fresh reading every 2 to 20 samples."""
-        return cls(1 + round(size * (spread(rng, 2.0, 20.0) - 1)))
+        return cls(1 + round(size * (draw_log_uniform(rng, 2.0, 20.0) - 1)))
 
     def digitize(self, machine: Machine) -> Channel | None:
         """Takes one reading of `every` and repeats it for the others."""
@@ -153,7 +153,7 @@ class PreemptedBus(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """10 to 60 % of each cycle, never more than 90 %, with cycles of 6 to 40 ms."""
-        return cls(min(size * spread(rng, 0.1, 0.6), 0.9), spread(rng, 0.006, 0.04))
+        return cls(min(size * draw_log_uniform(rng, 0.1, 0.6), 0.9), draw_log_uniform(rng, 0.006, 0.04))
 
     def digitize(self, machine: Machine) -> Channel | None:
         """Repeats the last reading in the last `lost_share` of each cycle."""

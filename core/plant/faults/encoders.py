@@ -9,9 +9,9 @@ from typing import Self
 import mujoco
 import numpy as np
 
-from core.plant.faults.draws import scattered, seed_of, some_joints, spread
+from core.plant.faults.draws import draw_log_uniform, draw_signed_log_uniform, seed_of, some_joints
 from core.plant.faults.fault import Fault, Joints, Machine, Setting
-from core.plant.faults.mounting import turned
+from core.plant.faults.mounting import turn_frame
 from core.plant.mechanics import arm_joints
 
 
@@ -27,14 +27,14 @@ class EncoderOffsets(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.1 to 2 deg with either sign in one to three joints."""
-        offset = size * some_joints(rng, setting.n, 3) * np.radians(scattered(rng, 0.1, 2.0, setting.n))
+        offset = size * some_joints(rng, setting.n, 3) * np.radians(draw_signed_log_uniform(rng, 0.1, 2.0, setting.n))
         return cls(tuple(offset.tolist()))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Turns the body of each joint by its offset about the joint's axis."""
         for joint, offset in zip(arm_joints(spec), self.offset_rad, strict=True):
             body = joint.parent
-            body.quat = turned(body.quat, offset * np.array(joint.axis))
+            body.quat = turn_frame(body.quat, offset * np.array(joint.axis))
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class WarmingArm(EncoderOffsets):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Offsets as `EncoderOffsets` draws them, growth of 0.4 to 1 of them, time constant of 0.2 to 1 of the run."""
         offset = EncoderOffsets.draw(rng, size, setting).offset_rad
-        return cls(offset, float(rng.uniform(0.4, 1.0)), setting.seconds * spread(rng, 0.2, 1.0))
+        return cls(offset, float(rng.uniform(0.4, 1.0)), setting.seconds * draw_log_uniform(rng, 0.2, 1.0))
 
     def gear(self, machine: Machine) -> Joints | None:
         """Shows `q - growth (1 - exp(-t / tau))` and its rate."""

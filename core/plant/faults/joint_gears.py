@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 
 from core.plant.arm import arm_of_cell
-from core.plant.faults.draws import scattered, some_joints, spread
+from core.plant.faults.draws import draw_log_uniform, draw_signed_log_uniform, some_joints
 from core.plant.faults.fault import Act, Array, Fault, Joints, Machine, Setting
 from core.plant.mechanics import arm_joints
 
@@ -30,7 +30,7 @@ class Ripple(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.25 to 1 arcmin in all joints, gear ratios of 50 to 160 with two waves each, any phase."""
-        A = [size * math.radians(spread(rng, 0.25, 1.0) / 60) for _ in range(setting.n)]
+        A = [size * math.radians(draw_log_uniform(rng, 0.25, 1.0) / 60) for _ in range(setting.n)]
         N = [2 * int(rng.choice([50, 80, 100, 120, 160])) for _ in range(setting.n)]
         return cls(tuple(A), tuple(N), tuple(rng.uniform(0, 2 * np.pi, setting.n).tolist()))
 
@@ -63,7 +63,7 @@ def draw_friction(rng: np.random.Generator, size: float, setting: Setting) -> tu
     """1 to 15 N m in one to all joints, at most 0.2 of a joint's torque; N m."""
     chosen = some_joints(rng, setting.n, setting.n)
     most = 0.2 * arm_of_cell(setting.cell).effort
-    return tuple((size * chosen * [min(spread(rng, 1.0, 15.0), top) for top in most]).tolist())
+    return tuple((size * chosen * [min(draw_log_uniform(rng, 1.0, 15.0), top) for top in most]).tolist())
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,12 @@ class LuGre(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 15 N m in one to all joints, stiction 20 to 80 % above, Stribeck velocity 0.01 to 0.05 rad/s, 3e3 to 1e4 N m/rad."""
-        return cls(draw_friction(rng, size, setting), float(rng.uniform(0.2, 0.8)), spread(rng, 0.01, 0.05), spread(rng, 3e3, 1e4))
+        return cls(
+            draw_friction(rng, size, setting),
+            float(rng.uniform(0.2, 0.8)),
+            draw_log_uniform(rng, 0.01, 0.05),
+            draw_log_uniform(rng, 3e3, 1e4),
+        )
 
     def act(self, machine: Machine) -> Act | None:
         """Takes the bristles' torque off the joints; their equation is solved exactly for a velocity that is constant over the period."""
@@ -147,9 +152,9 @@ class DamagedTooth(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.5 to 2 arcmin with either sign in one to three joints, gear ratios of 50 to 160, any phase, sharpness 3 to 10."""
-        A = size * some_joints(rng, setting.n, 3) * np.radians(scattered(rng, 0.5, 2.0, setting.n) / 60)
+        A = size * some_joints(rng, setting.n, 3) * np.radians(draw_signed_log_uniform(rng, 0.5, 2.0, setting.n) / 60)
         N = [int(rng.choice([50, 80, 100, 120, 160])) for _ in range(setting.n)]
-        return cls(tuple(A.tolist()), tuple(N), tuple(rng.uniform(0, 2 * np.pi, setting.n).tolist()), spread(rng, 3.0, 10.0))
+        return cls(tuple(A.tolist()), tuple(N), tuple(rng.uniform(0, 2 * np.pi, setting.n).tolist()), draw_log_uniform(rng, 3.0, 10.0))
 
     def gear(self, machine: Machine) -> Joints | None:
         """Shows `q + A exp(k (cos(N q + phase) - 1))` and its rate."""
@@ -178,7 +183,7 @@ class FrictionByLoad(Fault):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.5 to 7.5 N m in one to all joints, and 3 to 12 % of the load there."""
         dry = np.array(draw_friction(rng, size, setting))
-        share = size * (dry > 0) * np.abs(scattered(rng, 0.03, 0.12, setting.n))
+        share = size * (dry > 0) * np.abs(draw_signed_log_uniform(rng, 0.03, 0.12, setting.n))
         return cls(tuple((0.5 * dry).tolist()), tuple(share.tolist()))
 
     def act(self, machine: Machine) -> Act | None:

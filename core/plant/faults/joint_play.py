@@ -9,7 +9,7 @@ from typing import Self
 import mujoco
 import numpy as np
 
-from core.plant.faults.draws import some_joints, spread
+from core.plant.faults.draws import draw_log_uniform, some_joints
 from core.plant.faults.fault import Act, Array, Fault, Joints, Machine, Setting
 from core.plant.faults.joint_springs import DAMPING_RATIO, add_spring, spring_damping, spring_torques
 from core.plant.mechanics import arm_joints
@@ -20,7 +20,7 @@ END_STOP_RATIO = 0.4
 
 def draw_play(rng: np.random.Generator, size: float, setting: Setting) -> tuple[float, ...]:
     """0.01 to 0.05 deg in one joint or two, rad."""
-    play = size * some_joints(rng, setting.n, 2) * [math.radians(spread(rng, 0.01, 0.05)) for _ in range(setting.n)]
+    play = size * some_joints(rng, setting.n, 2) * [math.radians(draw_log_uniform(rng, 0.01, 0.05)) for _ in range(setting.n)]
     return tuple(play.tolist())
 
 
@@ -37,7 +37,7 @@ class DeadZone(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.01 to 0.05 deg to either side in one joint or two, teeth of 1.5e4 to 3e4 N m/rad."""
-        return cls(draw_play(rng, size, setting), spread(rng, 1.5e4, 3e4))
+        return cls(draw_play(rng, size, setting), draw_log_uniform(rng, 1.5e4, 3e4))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Puts a damper without a spring between motor and link of each joint with play."""
@@ -74,7 +74,7 @@ class PlayByLoad(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.01 to 0.05 deg to either side in one joint or two, full load of 0.3 to 2 N m."""
-        return cls(draw_play(rng, size, setting), spread(rng, 0.3, 2.0))
+        return cls(draw_play(rng, size, setting), draw_log_uniform(rng, 0.3, 2.0))
 
     def encode(self, machine: Machine) -> Joints | None:
         """Reports `q + half_play tanh(load / full_load)` and its rate, the load behind a low-pass of 20 ms."""

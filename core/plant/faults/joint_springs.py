@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.plant.arm import arm_of_cell
-from core.plant.faults.draws import spread
+from core.plant.faults.draws import draw_log_uniform
 from core.plant.faults.fault import Act, Array, Fault, Machine, Setting
 from core.plant.mechanics import SPRING, arm_joints
 
@@ -71,7 +71,7 @@ class ElasticJoints(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """2 to 10 kN m/rad in each joint; a larger size is a softer arm, down to 0.5 kN m/rad."""
-        K = [max(spread(rng, 2e3, 10e3) / size, 500.0) for _ in range(setting.n)]
+        K = [max(draw_log_uniform(rng, 2e3, 10e3) / size, 500.0) for _ in range(setting.n)]
         return cls(tuple(K))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
@@ -94,7 +94,7 @@ class HardeningJoints(ElasticJoints):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Springs as `ElasticJoints` draws them, 1.8 to 3 times as stiff beyond a wind-up of 3e-4 to 3e-3 rad."""
         K = ElasticJoints.draw(rng, size, setting).stiffness_n_m_per_rad
-        return cls(K, float(rng.uniform(1.8, 3.0)), size * spread(rng, 3e-4, 3e-3))
+        return cls(K, float(rng.uniform(1.8, 3.0)), size * draw_log_uniform(rng, 3e-4, 3e-3))
 
     def act(self, machine: Machine) -> Act | None:
         """Adds the torque `-K (h - 1) (x - w tanh(x / w))` to the springs."""
@@ -117,7 +117,7 @@ class CreepingJoints(ElasticJoints):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Springs as `ElasticJoints` draws them, and beside them 0.4 to 1 of their stiffness that creeps within 0.5 to 5 s."""
         K = ElasticJoints.draw(rng, size, setting).stiffness_n_m_per_rad
-        return cls(K, float(rng.uniform(0.4, 1.0)), spread(rng, 0.5, 5.0))
+        return cls(K, float(rng.uniform(0.4, 1.0)), draw_log_uniform(rng, 0.5, 5.0))
 
     def act(self, machine: Machine) -> Act | None:
         """Adds the torque `-creep K (x - crept)` to the springs, `crept` following x with the time constant."""

@@ -9,10 +9,10 @@ from typing import Self
 import mujoco
 import numpy as np
 
-from core.plant.faults.draws import direction, spread, three
+from core.plant.faults.draws import direction, draw_log_uniform, three
 from core.plant.faults.fault import Array, Fault, Setting, Three
 from core.plant.faults.parts import size_of, split_off
-from core.plant.mechanics import parameters_of
+from core.plant.mechanics import get_parameters
 
 HINGE, SLIDE, BALL = mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_BALL
 
@@ -38,8 +38,8 @@ class SprungPart(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """5 to 30 % of the mass, never more than 80 %, along any axis, 2.5 to 5 Hz, damping ratio 0.02 to 0.2."""
-        share = min(size * spread(rng, 0.05, 0.3), 0.8)
-        return cls(share, three(direction(rng)), spread(rng, 2.5, 5.0), spread(rng, 0.02, 0.2))
+        share = min(size * draw_log_uniform(rng, 0.05, 0.3), 0.8)
+        return cls(share, three(direction(rng)), draw_log_uniform(rng, 2.5, 5.0), draw_log_uniform(rng, 0.02, 0.2))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Splits the part off the payload and puts it on a slide with a spring and a damper."""
@@ -64,10 +64,10 @@ class Pendulum(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """5 to 30 % of the mass, at most 80 %, 1.2 to 3 Hz, damping ratio 0.02 to 0.2, pivot one radius of gyration off the centre."""
-        omega = 2 * math.pi * spread(rng, 1.2, 3.0)
+        omega = 2 * math.pi * draw_log_uniform(rng, 1.2, 3.0)
         payload = setting.payload
         pivot = payload.com + size_of(payload) * direction(rng)
-        return cls(min(size * spread(rng, 0.05, 0.3), 0.8), 9.81 / omega**2, three(pivot), spread(rng, 0.02, 0.2))
+        return cls(min(size * draw_log_uniform(rng, 0.05, 0.3), 0.8), 9.81 / omega**2, three(pivot), draw_log_uniform(rng, 0.02, 0.2))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Splits the part off the payload and hangs it on a damped ball joint, its centre of mass `length_m` from the pivot."""
@@ -94,8 +94,8 @@ class Rattle(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """5 to 30 % of the mass, never more than 80 %, along any axis, 2 to 15 mm, friction of 5 to 30 % of the part's weight."""
-        share = min(size * spread(rng, 0.05, 0.3), 0.8)
-        return cls(share, three(direction(rng)), spread(rng, 0.002, 0.015), float(rng.uniform(0.05, 0.3)))
+        share = min(size * draw_log_uniform(rng, 0.05, 0.3), 0.8)
+        return cls(share, three(direction(rng)), draw_log_uniform(rng, 0.002, 0.015), float(rng.uniform(0.05, 0.3)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Splits the part off the payload and puts it on a slide with dry friction and end stops."""
@@ -129,13 +129,13 @@ class WhippingTool(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """10 to 40 Hz, and 1.1 to 1.5 times as much about the other axis; a larger size is a softer tool, down to 4 Hz."""
-        first = max(spread(rng, 10.0, 40.0) / math.sqrt(size), 4.0)
+        first = max(draw_log_uniform(rng, 10.0, 40.0) / math.sqrt(size), 4.0)
         # as far above the centre of mass as the payload is large: on the sensor's side
         com = setting.payload.com
         lever = com / np.linalg.norm(com) if np.linalg.norm(com) > 0 else np.array([0.0, 0.0, 1.0])
         pivot = com - max(float(np.linalg.norm(com)), 2 * size_of(setting.payload)) * lever
         plate = float(rng.uniform(0.05, 0.2))
-        return cls(plate, three(pivot), (first, min(first * float(rng.uniform(1.1, 1.5)), 60.0)), spread(rng, 0.005, 0.05))
+        return cls(plate, three(pivot), (first, min(first * float(rng.uniform(1.1, 1.5)), 60.0)), draw_log_uniform(rng, 0.005, 0.05))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Splits all but the plate off and puts it on two sprung hinges at the pivot, across the lever."""
@@ -143,7 +143,7 @@ class WhippingTool(Fault):
         pivot = np.array(self.pivot_m)
         lever = np.array(part.pos) - pivot
         part.pos, part.ipos = pivot, lever
-        about_pivot = parameters_of(part).inertia
+        about_pivot = get_parameters(part).inertia
         first = across(lever)
         for k, axis in enumerate((first, np.cross(lever, first) / np.linalg.norm(lever))):
             J, omega = float(axis @ about_pivot @ axis), 2 * math.pi * self.frequency_hz[k]
@@ -166,8 +166,8 @@ class RubberTool(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """10 to 40 Hz along any axis, damping ratio 0.01 to 0.1; a larger size is a softer tool, down to 4 Hz."""
-        frequency = max(spread(rng, 10.0, 40.0) / math.sqrt(size), 4.0)
-        return cls(float(rng.uniform(0.05, 0.2)), three(direction(rng)), frequency, spread(rng, 0.01, 0.1))
+        frequency = max(draw_log_uniform(rng, 10.0, 40.0) / math.sqrt(size), 4.0)
+        return cls(float(rng.uniform(0.05, 0.2)), three(direction(rng)), frequency, draw_log_uniform(rng, 0.01, 0.1))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Splits all but the plate off and puts it on a slide with a spring and a damper."""

@@ -9,7 +9,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import six, spread
+from core.plant.faults.draws import draw_log_uniform, six
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
 
 
@@ -25,7 +25,7 @@ class FirstOrderFilter(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Cut-off of 2 to 20 Hz; a larger size is a lower one."""
-        return cls(spread(rng, 2.0, 20.0) / size)
+        return cls(draw_log_uniform(rng, 2.0, 20.0) / size)
 
     def sense(self, machine: Machine) -> Channel | None:
         """Low-pass of first order, at rest with the first wrench."""
@@ -52,7 +52,7 @@ class Butterworth(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Cut-off of 2 to 20 Hz; a larger size is a lower one."""
-        return cls(spread(rng, 2.0, 20.0) / size)
+        return cls(draw_log_uniform(rng, 2.0, 20.0) / size)
 
     def sense(self, machine: Machine) -> Channel | None:
         """The bilinear transform with its cut-off prewarped; None where that is above 0.45 of the sample rate."""
@@ -88,7 +88,7 @@ class MovingAverage(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Window that has a cut-off of 2 to 20 Hz, s."""
-        return cls(size * 0.443 / spread(rng, 2.0, 20.0))
+        return cls(size * 0.443 / draw_log_uniform(rng, 2.0, 20.0))
 
     def amplify(self, machine: Machine) -> Channel | None:
         """Mean over the window, whole samples, full of the first reading to begin with."""
@@ -123,7 +123,7 @@ class WeighingFilter(Fault):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Cut-off of 2 to 20 Hz, lower for a larger size; opens over 3 to 20 % of the nominal load."""
         opening = rng.uniform(0.03, 0.2) * np.maximum(setting.load, 1e-3 * setting.full_scale)
-        return cls(spread(rng, 2.0, 20.0) / size, six(opening))
+        return cls(draw_log_uniform(rng, 2.0, 20.0) / size, six(opening))
 
     def amplify(self, machine: Machine) -> Channel | None:
         """Low-pass of first order with the cut-off `f (1 + |W - y| / opening)` in each channel, y its last output."""

@@ -10,19 +10,19 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from core.plant.faults.draws import direction, sign, spread, three
+from core.plant.faults.draws import direction, draw_log_uniform, sign, three
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Three
-from core.plant.mechanics import quaternion
+from core.plant.mechanics import to_mujoco_quaternion
 
 
-def rotation_of(quat: Array) -> Array:
+def from_mujoco_quaternion(quat: Array) -> Array:
     """(3, 3) of a quaternion in MuJoCo's order."""
     return np.asarray(Rotation.from_quat(np.array(quat), scalar_first=True).as_matrix())
 
 
-def turned(quat: Array, rotvec: Array) -> Array:
+def turn_frame(quat: Array, rotvec: Array) -> Array:
     """A frame's quaternion after a further rotation about its own axes."""
-    return quaternion(rotation_of(quat) @ Rotation.from_rotvec(rotvec).as_matrix())
+    return to_mujoco_quaternion(from_mujoco_quaternion(quat) @ Rotation.from_rotvec(rotvec).as_matrix())
 
 
 @dataclass(frozen=True)
@@ -37,12 +37,12 @@ class TurnedSensor(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.3 to 3 deg about any axis."""
-        return cls(three(np.radians(size * spread(rng, 0.3, 3.0)) * direction(rng)))
+        return cls(three(np.radians(size * draw_log_uniform(rng, 0.3, 3.0)) * direction(rng)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Turns the sensor's site in the payload's body by `rotation_rad`."""
         site = spec.site("ft")
-        site.quat = turned(site.quat, np.array(self.rotation_rad))
+        site.quat = turn_frame(site.quat, np.array(self.rotation_rad))
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class TurnedSensorWithPayload(TurnedSensor):
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Turns the payload's body by `rotation_rad`, and with it the sensor's site."""
         body = spec.body("payload")
-        body.quat = turned(body.quat, np.array(self.rotation_rad))
+        body.quat = turn_frame(body.quat, np.array(self.rotation_rad))
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class ShiftedSensor(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 5 mm in any direction."""
-        return cls(three(size * spread(rng, 0.001, 0.005) * direction(rng)))
+        return cls(three(size * draw_log_uniform(rng, 0.001, 0.005) * direction(rng)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Puts the sensor's site at `translation_m` in the payload's body."""
@@ -85,7 +85,7 @@ class ShiftedSensorWithPayload(ShiftedSensor):
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Shifts the payload's body by `translation_m` in its own axes, and with it the sensor's site."""
         body = spec.body("payload")
-        body.pos = np.array(body.pos) + rotation_of(body.quat) @ np.array(self.translation_m)
+        body.pos = np.array(body.pos) + from_mujoco_quaternion(body.quat) @ np.array(self.translation_m)
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class LooseSensor(TurnedSensor):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.3 to 3 deg about any axis, play of 0.3 to 0.7 of it about x or y, seated at 10 to 50 % of the nominal torque."""
-        angle = size * spread(rng, 0.3, 3.0)
+        angle = size * draw_log_uniform(rng, 0.3, 3.0)
         turn = three(np.radians(angle) * direction(rng))
         seated = rng.uniform(0.1, 0.5) * max(setting.load[3], 1e-3 * setting.full_scale[3])
         return cls(turn, float(np.radians(angle) * rng.uniform(0.3, 0.7)), int(rng.integers(2)), float(seated))
@@ -135,7 +135,7 @@ class SplitOrigin(ShiftedSensor):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 5 mm in any direction, and a split of 0.5 to 1 of it with either sign."""
-        distance = size * spread(rng, 0.001, 0.005)
+        distance = size * draw_log_uniform(rng, 0.001, 0.005)
         return cls(three(distance * direction(rng)), float(sign(rng) * distance * rng.uniform(0.5, 1.0)))
 
     def sense(self, machine: Machine) -> Channel | None:

@@ -9,10 +9,10 @@ import numpy as np
 
 from core.errors import BadPayload
 from core.payload.inertia import InertialParameters
-from core.plant.mechanics import parameters_of, set_parameters
+from core.plant.mechanics import get_parameters, set_parameters
 
 
-def scaled(parameters: InertialParameters, share: float) -> InertialParameters:
+def scale_mass(parameters: InertialParameters, share: float) -> InertialParameters:
     """The same shape with a share of the mass."""
     return InertialParameters(share * parameters.phi)
 
@@ -42,7 +42,7 @@ def split_off(spec: mujoco.MjSpec, name: str, share: float, *, compactness: floa
         BadPayload: an empty hand.
     """
     body = spec.body("payload")
-    whole = parameters_of(body)
+    whole = get_parameters(body)
     size_of(whole)
     inertia = share * compactness * whole.inertia_com
     part = body.add_body(name=name, pos=whole.com)

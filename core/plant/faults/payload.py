@@ -10,10 +10,10 @@ import mujoco
 import numpy as np
 
 from core.payload.inertia import InertialParameters
-from core.plant.faults.draws import direction, moment, scattered, sign, spread, three
+from core.plant.faults.draws import direction, draw_log_uniform, draw_signed_log_uniform, moment, sign, three
 from core.plant.faults.fault import Act, Array, Fault, Machine, Setting, Three
-from core.plant.faults.parts import scaled, size_of, split_off
-from core.plant.mechanics import parameters_of, set_parameters
+from core.plant.faults.parts import scale_mass, size_of, split_off
+from core.plant.mechanics import get_parameters, set_parameters
 
 
 @dataclass(frozen=True)
@@ -30,8 +30,8 @@ class OtherDensity(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Mass and inertia off by 2 to 20 % with either sign, the centre of mass by 2 to 20 % of the radius of gyration."""
-        mass, inertia = size * scattered(rng, 0.02, 0.2, 2)
-        shift = size * spread(rng, 0.02, 0.2) * size_of(setting.payload) * direction(rng)
+        mass, inertia = size * draw_signed_log_uniform(rng, 0.02, 0.2, 2)
+        shift = size * draw_log_uniform(rng, 0.02, 0.2) * size_of(setting.payload) * direction(rng)
         return cls(max(float(mass), -0.8), three(shift), max(float(inertia), -0.8))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
@@ -57,13 +57,13 @@ class ForgottenPart(Fault):
         """2 to 20 % of the payload's mass, two radii of gyration from its centre of mass."""
         payload = setting.payload
         at = payload.com + 2 * size_of(payload) * direction(rng)
-        return cls(size * spread(rng, 0.02, 0.2) * payload.mass, three(at))
+        return cls(size * draw_log_uniform(rng, 0.02, 0.2) * payload.mass, three(at))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Adds the ball's inertial parameters to those of the payload's body."""
         body = spec.body("payload")
         part = ball(self.mass_kg, np.array(self.at_m))
-        set_parameters(body, InertialParameters(parameters_of(body).phi + part.phi))
+        set_parameters(body, InertialParameters(get_parameters(body).phi + part.phi))
 
 
 def ball(mass_kg: float, at: Array) -> InertialParameters:
@@ -87,7 +87,7 @@ class Slip(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """10 to 40 % of the payload, 2 to 40 mm in any direction, at a time well inside the run."""
-        shift = size * spread(rng, 0.002, 0.04) * direction(rng)
+        shift = size * draw_log_uniform(rng, 0.002, 0.04) * direction(rng)
         return cls(float(rng.uniform(0.1, 0.4)), three(shift), moment(rng, setting), cls._slide(rng))
 
     @staticmethod
@@ -119,7 +119,7 @@ class Slide(Slip):
 
     @staticmethod
     def _slide(rng: np.random.Generator) -> float:
-        return spread(rng, 1.0, 8.0)
+        return draw_log_uniform(rng, 1.0, 8.0)
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ class MassStep(Fault):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """20 to 300 g more or less, 1.5 radii of gyration from the centre of mass. Of what there is, not more than half comes off."""
         payload = setting.payload
-        change = size * spread(rng, 0.02, 0.3) * sign(rng)
+        change = size * draw_log_uniform(rng, 0.02, 0.3) * sign(rng)
         at = payload.com + 1.5 * size_of(payload) * direction(rng)
         return cls(max(change, -0.5 * payload.mass), three(at), *cls._window(rng, setting))
 
@@ -155,7 +155,7 @@ class MassStep(Fault):
         if self.change_kg < 0:
             share = size / float(body.mass)
             centre = np.array(body.ipos)
-            set_parameters(body, scaled(parameters_of(body), 1 - share))
+            set_parameters(body, scale_mass(get_parameters(body), 1 - share))
             # together they are what the payload was, to the first moment
             body.ipos = (centre - share * np.array(self.at_m)) / (1 - share)
 

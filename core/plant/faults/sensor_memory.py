@@ -7,7 +7,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import channels, scattered, sign, six, spread
+from core.plant.faults.draws import channels, draw_log_uniform, draw_signed_log_uniform, sign, six
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
 
 
@@ -23,7 +23,7 @@ class PlayHysteresis(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.1 to 0.4 % of the range in one channel or several."""
-        return cls(six(size * channels(rng) * np.abs(scattered(rng, 0.001, 0.004, 6)) * setting.full_scale))
+        return cls(six(size * channels(rng) * np.abs(draw_signed_log_uniform(rng, 0.001, 0.004, 6)) * setting.full_scale))
 
     def sense(self, machine: Machine) -> Channel | None:
         """The play operator in each channel, `half_width_wrench` to either side; starts at the first wrench."""
@@ -54,7 +54,7 @@ class BoucWen(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.1 to 0.4 % of the range with either sign in one channel or several, yielding at 5 to 30 % of the nominal load."""
-        height = size * channels(rng) * scattered(rng, 0.001, 0.004, 6) * setting.full_scale
+        height = size * channels(rng) * draw_signed_log_uniform(rng, 0.001, 0.004, 6) * setting.full_scale
         width = rng.uniform(0.05, 0.3) * np.maximum(setting.load, 1e-3 * setting.full_scale)
         return cls(six(height), six(width), float(rng.uniform(0.5, 0.9)), float(rng.uniform(1.0, 2.0)))
 
@@ -89,7 +89,7 @@ class Creep(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.2 to 1 % with either sign, one time constant of 3 to 30 s."""
-        return cls(size * sign(rng) * spread(rng, 0.002, 0.01), (spread(rng, 3.0, 30.0),))
+        return cls(size * sign(rng) * draw_log_uniform(rng, 0.002, 0.01), (draw_log_uniform(rng, 3.0, 30.0),))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `creep_share` times the mean of what the time constants' low-passes make of the wrench."""
@@ -114,8 +114,8 @@ class LogarithmicCreep(Creep):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.2 to 1 % with either sign; time constants of 0.3 to 1 s and of ten and a hundred times that."""
-        first = spread(rng, 0.3, 1.0)
-        return cls(size * sign(rng) * spread(rng, 0.002, 0.01), (first, 10 * first, 100 * first))
+        first = draw_log_uniform(rng, 0.3, 1.0)
+        return cls(size * sign(rng) * draw_log_uniform(rng, 0.002, 0.01), (first, 10 * first, 100 * first))
 
 
 @dataclass(frozen=True)
@@ -132,7 +132,7 @@ class StickAndSnap(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.1 to 0.4 % of the range in one channel or several, of which 10 to 40 % of each change is held back."""
-        half = size * channels(rng) * np.abs(scattered(rng, 0.001, 0.004, 6)) * setting.full_scale
+        half = size * channels(rng) * np.abs(draw_signed_log_uniform(rng, 0.001, 0.004, 6)) * setting.full_scale
         return cls(six(half), float(rng.uniform(0.1, 0.4)))
 
     def sense(self, machine: Machine) -> Channel | None:

@@ -8,14 +8,14 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import seed_of, six, spread
+from core.plant.faults.draws import draw_log_uniform, seed_of, six
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
 from core.plant.faults.switching import RandomSwitch
 
 
 def noise_factor(rng: np.random.Generator, size: float) -> float:
     """1.5 to 5 times the stated noise; 1 is none."""
-    return 1 + size * (spread(rng, 1.5, 5.0) - 1)
+    return 1 + size * (draw_log_uniform(rng, 1.5, 5.0) - 1)
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class ColouredNoise(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1.5 to 5 times the stated noise, correlated over 5 to 100 ms."""
-        return cls(noise_factor(rng, size), spread(rng, 0.005, 0.1), seed_of(rng))
+        return cls(noise_factor(rng, size), draw_log_uniform(rng, 0.005, 0.1), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds autoregressive noise of first order, `sqrt(factor^2 - 1)` times the stated one."""
@@ -87,7 +87,7 @@ class Spikes(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """A spike in 1 to 10 % of the readings, of 5 to 20 times the noise."""
-        return cls(spread(rng, 0.01, 0.1), size * spread(rng, 5.0, 20.0), seed_of(rng))
+        return cls(draw_log_uniform(rng, 0.01, 0.1), size * draw_log_uniform(rng, 5.0, 20.0), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds a spike to one random channel with a probability of `probability_share`."""
@@ -108,7 +108,7 @@ def line_amplitude(rng: np.random.Generator, size: float, setting: Setting) -> S
     """One to five times the noise in one channel, less in the others."""
     share = rng.uniform(0.1, 1.0, 6)
     share[rng.integers(6)] = 1.0
-    return six(size * spread(rng, 1.0, 5.0) * share * setting.noise_std)
+    return six(size * draw_log_uniform(rng, 1.0, 5.0) * share * setting.noise_std)
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ class WanderingHum(Fault):
         """50, 60 or 100 Hz to 1 %, 10 to 50 % of the third harmonic, a phase that wanders by 0.1 to 1 rad in a second."""
         frequency = float(rng.choice([50.0, 60.0, 100.0]) * rng.uniform(0.99, 1.01))
         amplitude = line_amplitude(rng, size, setting)
-        return cls(amplitude, frequency, float(rng.uniform(0.1, 0.5)), spread(rng, 0.1, 1.0), seed_of(rng))
+        return cls(amplitude, frequency, float(rng.uniform(0.1, 0.5)), draw_log_uniform(rng, 0.1, 1.0), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `A (sin(phase) + third sin(3 phase))`, the phase a random walk beside its steady growth."""
@@ -186,7 +186,9 @@ class GatedHum(Fault):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """50, 60 or 100 Hz, on for 1 to 6 s and off for 0.5 to 3 s on average."""
         frequency = float(rng.choice([50.0, 60.0, 100.0]))
-        return cls(line_amplitude(rng, size, setting), frequency, spread(rng, 1.0, 6.0), spread(rng, 0.5, 3.0), seed_of(rng))
+        return cls(
+            line_amplitude(rng, size, setting), frequency, draw_log_uniform(rng, 1.0, 6.0), draw_log_uniform(rng, 0.5, 3.0), seed_of(rng)
+        )
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `A sin(2 pi f t)` while a random switch is on, as it is at the start."""

@@ -8,7 +8,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import moment, seed_of, six, spread, wrench_of
+from core.plant.faults.draws import draw_log_uniform, moment, seed_of, six, wrench_of
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
 
 
@@ -25,7 +25,7 @@ class ExponentialDrift(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.3 to 4 N, with torques of the same share of their range, time constant of 60 to 200 s."""
-        return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 60.0, 200.0))
+        return cls(wrench_of(rng, size * draw_log_uniform(rng, 0.3, 4.0), setting), draw_log_uniform(rng, 60.0, 200.0))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `drift (1 - exp(-t / tau))`."""
@@ -46,7 +46,7 @@ class LinearDrift(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.3 to 4 N, with torques of the same share of their range, in 300 to 600 s."""
-        return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 300.0, 600.0))
+        return cls(wrench_of(rng, size * draw_log_uniform(rng, 0.3, 4.0), setting), draw_log_uniform(rng, 300.0, 600.0))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `drift t / duration`."""
@@ -70,10 +70,10 @@ class TwoTimeConstantDrift(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Of 0.3 to 4 N, 30 to 70 % with a time constant of 8 to 20 s and -80 to 100 % with one of 100 to 400 s; torques by their range."""
-        drift = np.array(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting))
+        drift = np.array(wrench_of(rng, size * draw_log_uniform(rng, 0.3, 4.0), setting))
         share = rng.uniform(0.3, 0.7)
         fast, slow = share * drift, rng.uniform(-0.8, 1.0) * drift
-        return cls(six(fast), spread(rng, 8.0, 20.0), six(slow), spread(rng, 100.0, 400.0))
+        return cls(six(fast), draw_log_uniform(rng, 8.0, 20.0), six(slow), draw_log_uniform(rng, 100.0, 400.0))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `fast (1 - exp(-t / fast_s)) + slow (1 - exp(-t / slow_s))`."""
@@ -95,7 +95,7 @@ class RandomWalk(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.3 to 4 N, with torques of the same share of their range, in 300 to 600 s."""
-        return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 300.0, 600.0), seed_of(rng))
+        return cls(wrench_of(rng, size * draw_log_uniform(rng, 0.3, 4.0), setting), draw_log_uniform(rng, 300.0, 600.0), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds a random walk in each channel, one step of `std sqrt(period / duration)` a sample."""
@@ -124,7 +124,7 @@ class OffsetStep(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 2 N, with torques of the same share of their range, at a time well inside the run."""
-        return cls(wrench_of(rng, size * spread(rng, 1.0, 2.0), setting), moment(rng, setting))
+        return cls(wrench_of(rng, size * draw_log_uniform(rng, 1.0, 2.0), setting), moment(rng, setting))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds the step from `at_s` on."""
@@ -146,7 +146,7 @@ class OffsetRamp(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 2 N, with torques of the same share of their range, within 0.2 to 2 s, well inside the run."""
-        return cls(wrench_of(rng, size * spread(rng, 1.0, 2.0), setting), moment(rng, setting), spread(rng, 0.2, 2.0))
+        return cls(wrench_of(rng, size * draw_log_uniform(rng, 1.0, 2.0), setting), moment(rng, setting), draw_log_uniform(rng, 0.2, 2.0))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds a share of the step that grows evenly from 0 at `at_s` to 1 at `at_s + rise_s`."""
@@ -169,8 +169,8 @@ class OffsetKnock(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 2 N, with torques of the same share of their range, of which 50 to 90 % stays, recovery in 1 to 8 s."""
-        step = wrench_of(rng, size * spread(rng, 1.0, 2.0), setting)
-        return cls(step, moment(rng, setting), float(rng.uniform(0.5, 0.9)), spread(rng, 1.0, 8.0))
+        step = wrench_of(rng, size * draw_log_uniform(rng, 1.0, 2.0), setting)
+        return cls(step, moment(rng, setting), float(rng.uniform(0.5, 0.9)), draw_log_uniform(rng, 1.0, 8.0))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `step (kept + (1 - kept) exp(-(t - t0) / recovery))` from t0 on."""
@@ -200,8 +200,13 @@ class Thermostat(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.3 to 4 N, with torques of the same share of their range, time constant of 20 to 60 s, half a cycle of 8 to 25 s."""
-        half = spread(rng, 8.0, 25.0)
-        return cls(wrench_of(rng, size * spread(rng, 0.3, 4.0), setting), spread(rng, 20.0, 60.0), half, float(rng.uniform(0, half)))
+        half = draw_log_uniform(rng, 8.0, 25.0)
+        return cls(
+            wrench_of(rng, size * draw_log_uniform(rng, 0.3, 4.0), setting),
+            draw_log_uniform(rng, 20.0, 60.0),
+            half,
+            float(rng.uniform(0, half)),
+        )
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `drift` times a warmth that follows the heating, 0 or 1, with the time constant."""

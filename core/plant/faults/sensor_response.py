@@ -8,7 +8,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import channels, scattered, sign, six, spread
+from core.plant.faults.draws import channels, draw_log_uniform, draw_signed_log_uniform, sign, six
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
 
 SixBySix = tuple[Six, Six, Six, Six, Six, Six]
@@ -26,7 +26,7 @@ def coupling(rng: np.random.Generator, low: float, high: float, setting: Setting
     coupled = np.zeros((6, 6))
     for source in np.flatnonzero(channels(rng)):
         shown = int(rng.choice([c for c in range(6) if c != source]))
-        coupled[shown, source] = sign(rng) * spread(rng, low, high) * full[shown] / full[source]
+        coupled[shown, source] = sign(rng) * draw_log_uniform(rng, low, high) * full[shown] / full[source]
     return matrix_of(coupled)
 
 
@@ -42,7 +42,7 @@ class Gain(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 5 % with either sign in one channel or several."""
-        return cls(six(size * channels(rng) * scattered(rng, 0.01, 0.05, 6)))
+        return cls(six(size * channels(rng) * draw_signed_log_uniform(rng, 0.01, 0.05, 6)))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Multiplies each channel by `1 + gain_share`."""
@@ -63,7 +63,7 @@ class TwoSidedGain(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 5 % with either sign where loads are positive, 0.2 to 0.8 of that where negative, in one channel or several."""
-        chosen = size * channels(rng) * scattered(rng, 0.01, 0.05, 6)
+        chosen = size * channels(rng) * draw_signed_log_uniform(rng, 0.01, 0.05, 6)
         return cls(six(chosen), six(chosen * rng.uniform(0.2, 0.8, 6)))
 
     def sense(self, machine: Machine) -> Channel | None:
@@ -125,7 +125,7 @@ class Quadratic(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.5 to 2 % at full range with either sign, in one channel or several."""
-        return cls(six(size * channels(rng) * scattered(rng, 0.005, 0.02, 6)))
+        return cls(six(size * channels(rng) * draw_signed_log_uniform(rng, 0.005, 0.02, 6)))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `e W |W| / range`."""
@@ -146,7 +146,7 @@ class Knee(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Slope off by 1 to 4 % with either sign in one channel or several, beyond 30 to 60 % of the nominal load."""
-        return cls(six(rng.uniform(0.3, 0.6) * setting.load), six(size * channels(rng) * scattered(rng, 0.01, 0.04, 6)))
+        return cls(six(rng.uniform(0.3, 0.6) * setting.load), six(size * channels(rng) * draw_signed_log_uniform(rng, 0.01, 0.04, 6)))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `slope` times what is beyond the knee, on either side."""
@@ -170,8 +170,8 @@ class WanderingSupply(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 5 % with either sign in one channel or several, swinging by 40 to 80 % of it every 15 to 60 s."""
-        gain = six(size * channels(rng) * scattered(rng, 0.01, 0.05, 6))
-        return cls(gain, float(rng.uniform(0.4, 0.8)), spread(rng, 15.0, 60.0), float(rng.uniform(0, 2 * np.pi)))
+        gain = six(size * channels(rng) * draw_signed_log_uniform(rng, 0.01, 0.05, 6))
+        return cls(gain, float(rng.uniform(0.4, 0.8)), draw_log_uniform(rng, 15.0, 60.0), float(rng.uniform(0, 2 * np.pi)))
 
     def amplify(self, machine: Machine) -> Channel | None:
         """Multiplies each channel by `1 + gain (1 + swing sin(2 pi t / cycle + phase))`, offset and noise included."""
@@ -198,7 +198,7 @@ class ProductCrosstalk(Fault):
         """One to three products of two channels in a third: 1 to 3 % of its range at the first's range and the second's nominal load."""
         full, load = setting.full_scale, np.maximum(setting.load, 1e-3 * setting.full_scale)
         triples = [rng.permutation(6)[:3] for _ in range(int(rng.integers(1, 4)))]
-        products = [sign(rng) * size * spread(rng, 0.01, 0.03) * full[i] / full[j] / load[k] for i, j, k in triples]
+        products = [sign(rng) * size * draw_log_uniform(rng, 0.01, 0.03) * full[i] / full[j] / load[k] for i, j, k in triples]
         shown, first, second = (tuple(int(triple[place]) for triple in triples) for place in range(3))
         return cls(shown, first, second, tuple(map(float, products)))
 
@@ -225,7 +225,7 @@ class Bow(Fault):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.5 to 2 % with either sign in one channel or several, right at 0.7 to 1.5 times the nominal load."""
         weight = rng.uniform(0.7, 1.5) * np.maximum(setting.load, 1e-3 * setting.full_scale)
-        return cls(six(size * channels(rng) * scattered(rng, 0.005, 0.02, 6)), six(weight))
+        return cls(six(size * channels(rng) * draw_signed_log_uniform(rng, 0.005, 0.02, 6)), six(weight))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `e w sin(pi W / w)`."""

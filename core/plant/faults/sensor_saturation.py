@@ -7,14 +7,14 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import channels, six, spread
+from core.plant.faults.draws import channels, draw_log_uniform, six
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
 
 
-def clipped_level(rng: np.random.Generator, size: float, setting: Setting) -> Six:
+def draw_clipping_level(rng: np.random.Generator, size: float, setting: Setting) -> Six:
     """Levels that cut 10 to 30 % off the largest static load in one channel or two; the range in the others."""
     chosen = channels(rng, 2) * (setting.load > 0)
-    cut = (1 - min(size * spread(rng, 0.1, 0.3), 0.9)) * setting.load
+    cut = (1 - min(size * draw_log_uniform(rng, 0.1, 0.3), 0.9)) * setting.load
     return six(np.where(chosen > 0, cut, setting.full_scale))
 
 
@@ -30,7 +30,7 @@ class Clipping(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Levels that cut 10 to 30 % off the largest static load in one channel or two."""
-        return cls(clipped_level(rng, size, setting))
+        return cls(draw_clipping_level(rng, size, setting))
 
     def amplify(self, machine: Machine) -> Channel | None:
         """Clips each channel at its level, on either side."""
@@ -51,7 +51,7 @@ class Compression(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Levels that cut 10 to 30 % off the largest static load in one channel or two, linear up to 60 to 90 % of them."""
-        return cls(clipped_level(rng, size, setting), float(rng.uniform(0.6, 0.9)))
+        return cls(draw_clipping_level(rng, size, setting), float(rng.uniform(0.6, 0.9)))
 
     def amplify(self, machine: Machine) -> Channel | None:
         """Bends what is beyond `linear_share` of the level by a tanh, so that it stays below the level."""

@@ -7,13 +7,13 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import six, spread
+from core.plant.faults.draws import draw_log_uniform, six
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
 
 
 def coarse_step(rng: np.random.Generator, size: float, setting: Setting) -> Six:
     """4 to 20 times the stated resolution."""
-    return six((1 + size * (spread(rng, 4.0, 20.0) - 1)) * np.array(setting.cell.sensor.resolution))
+    return six((1 + size * (draw_log_uniform(rng, 4.0, 20.0) - 1)) * np.array(setting.cell.sensor.resolution))
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ class ShortFloat(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Step of 1 to 6 % of the power of two below the reading."""
-        return cls(size * spread(rng, 0.01, 0.06))
+        return cls(size * draw_log_uniform(rng, 0.01, 0.06))
 
     def digitize(self, machine: Machine) -> Channel | None:
         """Rounds each channel to `step_share` times the power of two at or below its magnitude."""

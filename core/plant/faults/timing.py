@@ -8,7 +8,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import seed_of, spread
+from core.plant.faults.draws import draw_log_uniform, seed_of
 from core.plant.faults.fault import Array, Channel, Fault, Joints, Machine, Setting
 from core.plant.faults.history import History
 
@@ -25,7 +25,7 @@ class Delay(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """4 to 40 ms."""
-        return cls(size * spread(rng, 0.004, 0.04))
+        return cls(size * draw_log_uniform(rng, 0.004, 0.04))
 
     def sense(self, machine: Machine) -> Channel | None:
         """The wrench of `delay_s` before, straight between samples."""
@@ -54,7 +54,7 @@ class JitteryDelay(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """4 to 40 ms, jitter of 10 to 30 % with a memory of 10 to 300 ms."""
-        return cls(size * spread(rng, 0.004, 0.04), float(rng.uniform(0.1, 0.3)), spread(rng, 0.01, 0.3), seed_of(rng))
+        return cls(size * draw_log_uniform(rng, 0.004, 0.04), float(rng.uniform(0.1, 0.3)), draw_log_uniform(rng, 0.01, 0.3), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
         """The wrench of `delay (1 + jitter x)` before, x autoregressive noise of first order cut at 3."""
@@ -86,7 +86,7 @@ class MotionLag(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """5 to 30 ms."""
-        return cls(size * spread(rng, 0.005, 0.03))
+        return cls(size * draw_log_uniform(rng, 0.005, 0.03))
 
     def encode(self, machine: Machine) -> Joints | None:
         """Positions and velocities behind `stages` equal low-passes that lag by `lag_s` in all."""
@@ -128,7 +128,9 @@ class SlippingBuffer(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """4 to 40 ms, swing of 20 to 60 % with a cycle of 2 to 15 s."""
-        return cls(size * spread(rng, 0.004, 0.04), float(rng.uniform(0.2, 0.6)), spread(rng, 2.0, 15.0), float(rng.uniform()))
+        return cls(
+            size * draw_log_uniform(rng, 0.004, 0.04), float(rng.uniform(0.2, 0.6)), draw_log_uniform(rng, 2.0, 15.0), float(rng.uniform())
+        )
 
     def sense(self, machine: Machine) -> Channel | None:
         """The wrench of `delay (1 + swing x)` before, x a sawtooth from -1 to 1 in each cycle."""
@@ -157,7 +159,7 @@ class PolledDrives(Fault):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """5 to 30 ms, skew of 40 to 90 %, from the base or from the wrist on."""
-        return cls(size * spread(rng, 0.005, 0.03), float(rng.uniform(0.4, 0.9)), bool(rng.random() < 0.5))
+        return cls(size * draw_log_uniform(rng, 0.005, 0.03), float(rng.uniform(0.4, 0.9)), bool(rng.random() < 0.5))
 
     def encode(self, machine: Machine) -> Joints | None:
         """Each joint's position and velocity of its own delay before, from `lag` to `lag (1 - skew)` in equal steps."""

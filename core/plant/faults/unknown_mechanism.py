@@ -10,11 +10,11 @@ import mujoco
 import numpy as np
 
 from core.plant.arm import arm_of_cell
-from core.plant.faults.base import leaning, tilt_of
-from core.plant.faults.draws import direction, scattered, some_joints, spread, three
+from core.plant.faults.base import lean_gravity, tilt_of
+from core.plant.faults.draws import direction, draw_log_uniform, draw_signed_log_uniform, some_joints, three
 from core.plant.faults.fault import Act, Array, Fault, Joints, Machine, Setting, Three, Unknown
-from core.plant.faults.grip import Grip, cross
-from core.plant.faults.mounting import turned
+from core.plant.faults.grip import Grip, cross_vectors
+from core.plant.faults.mounting import turn_frame
 from core.plant.mechanics import arm_joints
 
 
@@ -30,7 +30,7 @@ class WarpingBase(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.2 to 2 deg in any direction, time constant of 0.2 to 1 of the run."""
-        return cls(tilt_of(rng, size * spread(rng, 0.2, 2.0)), setting.seconds * spread(rng, 0.2, 1.0))
+        return cls(tilt_of(rng, size * draw_log_uniform(rng, 0.2, 2.0)), setting.seconds * draw_log_uniform(rng, 0.2, 1.0))
 
     def act(self, machine: Machine) -> Act | None:
         """Turns gravity in the base frame by `tilt (1 - exp(-t / tau))`."""
@@ -40,7 +40,7 @@ class WarpingBase(Unknown):
 
         def lean(t: float) -> None:
             share = -math.expm1(-t / self.time_constant_s)
-            model.opt.gravity[:] = R @ leaning(g0, share * x, share * y)
+            model.opt.gravity[:] = R @ lean_gravity(g0, share * x, share * y)
 
         return lean
 
@@ -56,7 +56,7 @@ class SlippingEncoders(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 6 % of the way per rad/s, in one to three joints."""
-        loss = size * some_joints(rng, setting.n, 3) * np.abs(scattered(rng, 0.01, 0.06, setting.n))
+        loss = size * some_joints(rng, setting.n, 3) * np.abs(draw_signed_log_uniform(rng, 0.01, 0.06, setting.n))
         return cls(tuple(loss.tolist()))
 
     def gear(self, machine: Machine) -> Joints | None:
@@ -88,12 +88,12 @@ class BentLink(Unknown):
         k = int(rng.integers(2, setting.n))
         axis = arm_of_cell(setting.cell).joints[k].axis
         across = np.cross(axis, direction(rng))
-        return cls(k, three(math.radians(size * spread(rng, 0.2, 2.0)) * across / np.linalg.norm(across)))
+        return cls(k, three(math.radians(size * draw_log_uniform(rng, 0.2, 2.0)) * across / np.linalg.norm(across)))
 
     def alter(self, spec: mujoco.MjSpec, setting: Setting) -> None:
         """Turns the joint's body by `bend_rad` about its own axes."""
         body = arm_joints(spec)[self.joint].parent
-        body.quat = turned(body.quat, np.array(self.bend_rad))
+        body.quat = turn_frame(body.quat, np.array(self.bend_rad))
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ class SpinningRotor(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.03 to 0.3 kg m2/s in any direction."""
-        return cls(three(size * spread(rng, 0.03, 0.3) * direction(rng)))
+        return cls(three(size * draw_log_uniform(rng, 0.03, 0.3) * direction(rng)))
 
     def act(self, machine: Machine) -> Act | None:
         """Applies the torque `-w x h` to the payload, w its angular velocity in the world."""
@@ -117,7 +117,7 @@ class SpinningRotor(Unknown):
 
         def resist(_: float) -> None:
             carried = data.xmat[body].reshape(3, 3) @ h
-            data.xfrc_applied[body, 3:] -= cross(data.cvel[body, :3], carried)
+            data.xfrc_applied[body, 3:] -= cross_vectors(data.cvel[body, :3], carried)
 
         return resist
 
@@ -139,9 +139,9 @@ class NeighbouringPress(Unknown):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Horizontal shocks of 0.1 to 1 m/s2 every 1 to 4 s, 5 to 12 Hz, decaying within 0.1 to 0.5 s."""
         heading = rng.uniform(0, 2 * np.pi)
-        shock = size * spread(rng, 0.1, 1.0) * np.array([np.cos(heading), np.sin(heading), 0.0])
-        every = spread(rng, 1.0, 4.0)
-        return cls(three(shock), every, float(rng.uniform(0.0, every)), spread(rng, 5.0, 12.0), spread(rng, 0.1, 0.5))
+        shock = size * draw_log_uniform(rng, 0.1, 1.0) * np.array([np.cos(heading), np.sin(heading), 0.0])
+        every = draw_log_uniform(rng, 1.0, 4.0)
+        return cls(three(shock), every, float(rng.uniform(0.0, every)), draw_log_uniform(rng, 5.0, 12.0), draw_log_uniform(rng, 0.1, 0.5))
 
     def act(self, machine: Machine) -> Act | None:
         """Takes `shock exp(-t / decay) sin(w t)` off gravity, t the time since the last stroke."""
@@ -172,7 +172,7 @@ class Fan(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """Drag of 0.05 to 0.5 N s2/m2, wind of 2 to 4 m/s, wind and panel in any direction."""
-        return cls(size * spread(rng, 0.05, 0.5), three(float(rng.uniform(2.0, 4.0)) * direction(rng)), three(direction(rng)))
+        return cls(size * draw_log_uniform(rng, 0.05, 0.5), three(float(rng.uniform(2.0, 4.0)) * direction(rng)), three(direction(rng)))
 
     def act(self, machine: Machine) -> Act | None:
         """Pushes at the nominal centre of mass by `drag v |v|` along the normal, v the wind along it as the moving panel sees it."""

@@ -8,7 +8,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import channels, direction, scattered, seed_of, sign, six, spread, three, wrench_of
+from core.plant.faults.draws import channels, direction, draw_log_uniform, draw_signed_log_uniform, seed_of, sign, six, three, wrench_of
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six, Three, Unknown
 from core.plant.faults.switching import RandomSwitch
 
@@ -27,7 +27,7 @@ class RubbingSeal(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 10 mm with either sign, about any of the axes, turning within 0.3 to 3 N of axial force."""
-        return cls(size * sign(rng) * spread(rng, 0.001, 0.01), int(rng.integers(3)), spread(rng, 0.3, 3.0))
+        return cls(size * sign(rng) * draw_log_uniform(rng, 0.001, 0.01), int(rng.integers(3)), draw_log_uniform(rng, 0.3, 3.0))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `arm hypot(fx, fy) z` to one torque, z between -1 and 1 after the changes of fz."""
@@ -62,7 +62,7 @@ class GainByJoint(Unknown):
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 5 %, one to three waves per turn of a joint in the outer half of the arm, any phase."""
         joint = int(rng.integers(setting.n // 2, setting.n))
-        return cls(size * spread(rng, 0.01, 0.05), joint, int(rng.integers(1, 4)), float(rng.uniform(0, 2 * np.pi)))
+        return cls(size * draw_log_uniform(rng, 0.01, 0.05), joint, int(rng.integers(1, 4)), float(rng.uniform(0, 2 * np.pi)))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Multiplies the wrench by `1 + e sin(k q + phase)`."""
@@ -87,8 +87,8 @@ class Telegraph(Unknown):
         """0.3 to 3 N with either sign in one channel, a torque by its range, 0.3 to 4 s at either level on average."""
         level = np.zeros(6)
         c = int(rng.integers(6))
-        level[c] = sign(rng) * size * spread(rng, 0.3, 3.0) * setting.full_scale[c] / setting.full_scale[0]
-        return cls(six(level), spread(rng, 0.3, 4.0), spread(rng, 0.3, 4.0), seed_of(rng))
+        level[c] = sign(rng) * size * draw_log_uniform(rng, 0.3, 3.0) * setting.full_scale[c] / setting.full_scale[0]
+        return cls(six(level), draw_log_uniform(rng, 0.3, 4.0), draw_log_uniform(rng, 0.3, 4.0), seed_of(rng))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds the level while a random switch is on; it is off at the start."""
@@ -109,8 +109,8 @@ class MagneticField(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """0.5 to 4 N, with torques of the same share of their range, within 30 cm of home, 10 to 30 cm wide."""
-        peak = wrench_of(rng, size * spread(rng, 0.5, 4.0), setting)
-        return cls(peak, three(rng.uniform(0.0, 0.3) * direction(rng)), spread(rng, 0.1, 0.3))
+        peak = wrench_of(rng, size * draw_log_uniform(rng, 0.5, 4.0), setting)
+        return cls(peak, three(rng.uniform(0.0, 0.3) * direction(rng)), draw_log_uniform(rng, 0.1, 0.3))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Adds `peak exp(-d^2 / (2 width^2))`, d from the sensor to the centre of the field."""
@@ -142,7 +142,7 @@ class MotorPickup(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """5 to 30 mN per N m with either sign in one channel or several, torques by their range, of any joint but the first."""
-        share = channels(rng) * scattered(rng, 0.005, 0.03, 6) * setting.full_scale / setting.full_scale[0]
+        share = channels(rng) * draw_signed_log_uniform(rng, 0.005, 0.03, 6) * setting.full_scale / setting.full_scale[0]
         return cls(int(rng.integers(1, setting.n)), six(size * share))
 
     def sense(self, machine: Machine) -> Channel | None:
@@ -164,7 +164,7 @@ class WarmingGain(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """1 to 5 % with either sign, time constant of 0.2 to 1 of the run."""
-        return cls(size * sign(rng) * spread(rng, 0.01, 0.05), setting.seconds * spread(rng, 0.2, 1.0))
+        return cls(size * sign(rng) * draw_log_uniform(rng, 0.01, 0.05), setting.seconds * draw_log_uniform(rng, 0.2, 1.0))
 
     def amplify(self, machine: Machine) -> Channel | None:
         """Multiplies all channels by `1 - share (1 - exp(-t / tau))`, offset and noise included."""

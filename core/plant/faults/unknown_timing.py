@@ -7,7 +7,7 @@ from typing import Self
 
 import numpy as np
 
-from core.plant.faults.draws import channels, scattered, six, spread
+from core.plant.faults.draws import channels, draw_log_uniform, draw_signed_log_uniform, six
 from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six, Unknown
 from core.plant.faults.history import History
 
@@ -24,7 +24,7 @@ class DriftingClock(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """10 to 60 ms late in the end."""
-        late = size * spread(rng, 0.01, 0.06)
+        late = size * draw_log_uniform(rng, 0.01, 0.06)
         return cls(late / setting.seconds, 2 * late)
 
     def sense(self, machine: Machine) -> Channel | None:
@@ -50,7 +50,7 @@ class SkewedChannels(Unknown):
     @classmethod
     def draw(cls, rng: np.random.Generator, size: float, setting: Setting) -> Self:
         """10 to 50 ms in one to three channels."""
-        return cls(six(size * channels(rng, 3) * np.abs(scattered(rng, 0.01, 0.05, 6))))
+        return cls(six(size * channels(rng, 3) * np.abs(draw_signed_log_uniform(rng, 0.01, 0.05, 6))))
 
     def sense(self, machine: Machine) -> Channel | None:
         """Each channel of its own delay before."""

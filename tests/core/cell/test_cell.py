@@ -12,7 +12,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.cell.cell import Box, Capsule, Cylinder, Pose, Shape, Sphere, contradictions_of, find_cell, list_cells, load_cell, read_cell
+from core.cell.cell import (
+    Box,
+    Capsule,
+    Cylinder,
+    Pose,
+    Shape,
+    Sphere,
+    contradictions_of,
+    find_cell,
+    list_cells,
+    load_cell,
+    read_cell_folder,
+)
 from core.errors import BadCell, BadInput, BadRobot
 
 CELLS = Path(__file__).parents[3] / "cells"
@@ -224,7 +236,7 @@ def test_all_that_is_wrong_with_a_cell_is_told_at_once(changes: list[tuple[str, 
 def test_a_cell_that_contradicts_itself_can_be_read_and_says_what_is_wrong(name: str, of_robot: bool, folder: Path) -> None:
     break_it, words = BROKEN[name]
     break_it(folder)
-    found = read_cell(folder)
+    found = read_cell_folder(folder)
     assert (found.cell.name, len(found.cell.zones)) == ("lwr4_bench", 1)
     [flaw] = found.flaws
     assert re.search(words, str(flaw))
@@ -238,16 +250,16 @@ def test_a_cell_that_contradicts_itself_can_be_read_and_says_what_is_wrong(name:
 def test_a_file_that_holds_no_cell_cannot_be_read(name: str, folder: Path) -> None:
     BROKEN[name][0](folder)
     with pytest.raises(BadCell, match=BROKEN[name][1]):
-        read_cell(folder)
+        read_cell_folder(folder)
 
 
 def test_a_sound_cell_has_no_flaws_until_a_zone_is_moved_onto_the_robot(folder: Path) -> None:
-    found = read_cell(folder)
+    found = read_cell_folder(folder)
     assert found.flaws == ()
-    [flaw] = found._replace(cell=found.cell.with_moved("operator", Pose())).flaws
+    [flaw] = found._replace(cell=found.cell.with_pose_of("operator", Pose())).flaws
     assert flaw.where.endswith("zones.operator.shape")
     assert flaw.in_the_way == "operator"
-    assert contradictions_of(found.cell.with_moved("operator", Pose(xyz_m=(1.5, 0.0, 0.6)))) == []
+    assert contradictions_of(found.cell.with_pose_of("operator", Pose(xyz_m=(1.5, 0.0, 0.6)))) == []
 
 
 def test_a_folder_without_a_cell_is_named(tmp_path: Path) -> None:
@@ -325,9 +337,9 @@ def test_corners_of_a_box_are_on_its_surface_and_as_far_apart_as_its_diagonals(s
 def test_gravity_may_be_tilted_as_a_floor_is_and_no_more(degrees: float, right: bool, folder: Path) -> None:
     angle = np.radians(degrees)
     swap("floor_z_m", f"gravity_m_s2 = [{9.81 * np.sin(angle)}, 0.0, {-9.81 * np.cos(angle)}]\nfloor_z_m")(folder)
-    assert [flaw.where.rpartition(": ")[2] for flaw in read_cell(folder).flaws] == ([] if right else ["gravity_m_s2"])
+    assert [flaw.where.rpartition(": ")[2] for flaw in read_cell_folder(folder).flaws] == ([] if right else ["gravity_m_s2"])
 
 
 def test_a_robot_that_hangs_from_the_ceiling_is_no_flaw(folder: Path) -> None:
     swap("base_frame", "base = { xyz_m = [0.0, 0.0, 2.5], rpy_rad = [3.14159, 0.0, 0.0] }\nbase_frame")(folder)
-    assert read_cell(folder).flaws == ()
+    assert read_cell_folder(folder).flaws == ()

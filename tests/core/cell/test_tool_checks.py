@@ -12,7 +12,7 @@ import pytest
 
 from core.cell.cell import load_cell
 from core.cell.tool_checks import home_torques
-from core.cell.tools import known_tools
+from core.cell.tools import find_tools
 from core.cell.urdf import check_urdf
 from core.errors import BadInput
 from core.payload.inertia import InertialParameters
@@ -122,14 +122,14 @@ def test_links_behind_the_sensor_are_a_tools_or_refused(what: str, tmp_path: Pat
 
 
 def test_a_cell_with_tools_is_taken(tmp_path: Path) -> None:
-    assert [tool.name for tool in known_tools(load_cell(cell_folder(tmp_path / "a", toml=GRIPPER)))] == ["gripper"]
-    assert [tool.name for tool in known_tools(load_cell(cell_folder(tmp_path / "b", toml=HAND_AS_TOOL, hand=True)))] == ["gripper"]
+    assert [tool.name for tool in find_tools(load_cell(cell_folder(tmp_path / "a", toml=GRIPPER)))] == ["gripper"]
+    assert [tool.name for tool in find_tools(load_cell(cell_folder(tmp_path / "b", toml=HAND_AS_TOOL, hand=True)))] == ["gripper"]
 
 
 @pytest.mark.parametrize("name", ["lwr4_bench", "ur5e_line"])
 def test_the_torques_that_hold_arm_and_tools_at_home_are_pinocchios(name: str, tmp_path: Path) -> None:
     cell = load_cell(cell_folder(tmp_path, toml=GRIPPER, name=name))
-    parameters = known_tools(cell)[0].parameters
+    parameters = find_tools(cell)[0].parameters
     robot = RobotModel.of_cell(cell)
     model = robot.model.copy()
     model.gravity.linear = cell.gravity

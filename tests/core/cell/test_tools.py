@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from core.cell.cell import Box, Cell, Pose, load_cell
-from core.cell.tools import known_tools, tool_boxes, widest_box
+from core.cell.tools import find_tools, tool_boxes, widest_box
 from core.planning.plan import plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.second_opinion.opinion import JointPath, second_opinion
-from core.second_opinion.pairs import Kind
-from core.trial.draw import returned
+from core.second_opinion.pairs import PairKind
+from core.trial.draw import run_to_end
 from tests.core.handed import GRIPPER, HAND_AS_TOOL, cell_folder
 
 SMALL = Box(size_m=(0.02, 0.02, 0.02), pose=Pose(xyz_m=(0.0, 0.0, 0.01)))
@@ -56,7 +56,7 @@ def test_the_second_opinion_sees_the_tool_where_the_planner_has_it(tmp_path: Pat
     nearest = CollisionModel(cell, robot, SMALL).obstacle_distance(home)
     opinion = second_opinion(cell, SMALL, [JointPath("still", np.stack([home] * 3))], 0.001)
     assert (nearest.first, nearest.second) == ("gripper", "plate")
-    seen = next(each for each in opinion.approaches if each.kind == Kind.ENVIRONMENT)
+    seen = next(each for each in opinion.approaches if each.kind == PairKind.ENVIRONMENT)
     assert (seen.first, seen.second) == ("gripper", "plate")
     assert seen.distance_m == pytest.approx(nearest.distance_m, abs=1e-5)
 
@@ -66,7 +66,7 @@ def test_a_tools_corners_keep_the_speed_limit(tmp_path: Path) -> None:
     assert widest_box(cell, SMALL) == tool_boxes(cell)["gripper"]
     robot = RobotModel.of_cell(cell)
     home = np.array(cell.robot.home_rad)
-    plan = returned(plan_procedure(cell, robot, CollisionModel(cell, robot, SMALL), SMALL, start=home, poses=("z-", "z+")))
+    plan = run_to_end(plan_procedure(cell, robot, CollisionModel(cell, robot, SMALL), SMALL, start=home, poses=("z-", "z+")))
     assert plan.opinion.passes
     fastest = plan.opinion.fastest
     assert fastest.speed_m_s <= cell.limits.cartesian_speed_m_s * (1 + 1e-6)
@@ -94,7 +94,7 @@ def test_the_inertia_of_links_is_that_of_their_masses_about_the_sensor_origin(tm
     plain = text.replace(urdf_hand, '<origin xyz="0.1 0 0" rpy="0 0 1.5707963267948966"/>')
     plain = plain.replace('<origin xyz="0 0.02 0.06" rpy="0 0 0.4"/>', '<origin xyz="0 0.02 0.06" rpy="0 0 0"/>')
     (folder / "robot.urdf").write_text(plain)
-    found = known_tools(load_cell(folder))[0]
+    found = find_tools(load_cell(folder))[0]
     # a quarter turn about z: (x, y) of the hand is (-y, x) of the sensor
     hand, finger = np.array([0.1, 0.01, 0.03]), np.array([0.1 - 0.025, 0.0, 0.08])
     assert found.parameters.mass == pytest.approx(0.75)
@@ -105,6 +105,6 @@ def test_the_inertia_of_links_is_that_of_their_masses_about_the_sensor_origin(tm
 
 def test_a_cell_without_tools_has_none(tmp_path: Path) -> None:
     cell = load_cell(cell_folder(tmp_path))
-    assert known_tools(cell) == ()
+    assert find_tools(cell) == ()
     assert tool_boxes(cell) == {}
     assert widest_box(cell, SMALL) is SMALL

@@ -39,14 +39,14 @@ def test_links_seen_from_a_frame_have_the_inertia_that_pinocchio_has(links: tupl
     full = pin.buildModelFromXML(without_inertia(behind, {"hand", "finger"} - set(links)), pin.JointModelFreeFlyer())
     one = pin.buildReducedModel(full, [full.getJointId("slide")], pin.neutral(full))
     expected = one.inertias[1].toDynamicParameters()
-    found = UrdfTree(URDF).seen_from("ft", links)
+    found = UrdfTree(URDF).merge_links("ft", links)
     np.testing.assert_allclose(found.phi, expected[PINOCCHIO_ORDER], atol=1e-12)
     assert found.mass > 0
 
 
 def test_links_can_be_made_massless_and_the_rest_stays() -> None:
     bare = UrdfTree(without_inertia(URDF, ["hand"]))
-    assert bare.seen_from("ft", ["hand"]).mass == 0.0
-    assert bare.seen_from("ft", ["finger"]).mass == 0.05
+    assert bare.merge_links("ft", ["hand"]).mass == 0.0
+    assert bare.merge_links("ft", ["finger"]).mass == 0.05
     assert bare.has_body("hand")
     assert without_inertia(URDF, []) is URDF

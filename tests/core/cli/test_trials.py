@@ -11,7 +11,7 @@ from core.cli.main import app
 from core.cli.trials import seeds_of
 from core.errors import BadInput
 from core.trial.draw import draw
-from core.trial.folder import finished
+from core.trial.folder import read_outcomes
 from core.trial.judgement import right
 
 
@@ -31,7 +31,7 @@ def test_trials_are_sealed_answered_kept_and_scored_and_a_finished_run_is_not_ru
     assert said.exit_code == 0, said.output
     lines = said.output.splitlines()
     assert lines[1] == f"trial {second}: sealed {draw(second).sealed.hash}"
-    outcomes = finished(tmp_path / "run")
+    outcomes = read_outcomes(tmp_path / "run")
     assert right(outcomes[first])
     assert outcomes[first].verdict == "no_gap"
     delay = outcomes[second]

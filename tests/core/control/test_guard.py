@@ -77,7 +77,9 @@ def test_the_same_motion_without_a_fault_passes():
     batches = list(execute(session, guard, StandStill(1.0, PERIOD), "hold:free"))
     assert sum(len(batch.states) for batch in batches) == 1001
     assert guard.record.ticks == 1001 and session.stops == 0
-    beyond, first = (find(bench().home).distance_m for find in (bench().collision.obstacle_distance, bench().collision.left_out_distance))
+    beyond, first = (
+        find(bench().home).distance_m for find in (bench().collision.obstacle_distance, bench().collision.find_nearest_left_out)
+    )
     assert guard.record.beyond_first_m == pytest.approx(beyond)
     assert guard.record.min_distance_m == pytest.approx(min(beyond, first))
     assert guard.record.nearest is not None and guard.record.nearest.distance_m == guard.record.min_distance_m

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 from scipy.spatial import cKDTree
 
-from core.control.resuming import LEAST_RAMP_S, OFF_PATH, rest_of
+from core.control.resuming import LEAST_RAMP_S, OFF_PATH, resume_path
 from core.errors import BadState
 
 PERIOD = 0.001
@@ -36,7 +36,7 @@ def test_the_rest_begins_where_the_robot_stands_keeps_to_the_path_and_ends_where
     path = smooth_path(seed)
     k = max(1, round(share * (len(path) - 1)))
     q = braked(path, k)
-    rest = rest_of(path, k, q, PERIOD)
+    rest = resume_path(path, k, q, PERIOD)
     np.testing.assert_array_equal(rest[0], q)
     np.testing.assert_allclose(rest[-1], path[-1], atol=1e-12)
     away, _ = cKDTree(path).query(rest)
@@ -50,7 +50,7 @@ def test_the_rest_begins_where_the_robot_stands_keeps_to_the_path_and_ends_where
 def test_nothing_is_faster_than_on_the_path_itself_and_the_command_starts_from_standstill_without_a_jump(seed, share):
     path = smooth_path(seed)
     k = max(1, round(share * (len(path) - 1)))
-    rest = rest_of(path, k, braked(path, k), PERIOD)
+    rest = resume_path(path, k, braked(path, k), PERIOD)
     speed, planned = np.abs(np.diff(rest, axis=0)) / PERIOD, np.abs(np.diff(path, axis=0)) / PERIOD
     assert (speed.max(axis=0) <= planned.max(axis=0) * 1.001 + 0.021).all()
     assert speed[0].max() < 1e-3
@@ -61,7 +61,7 @@ def test_nothing_is_faster_than_on_the_path_itself_and_the_command_starts_from_s
 
 def test_the_speed_of_the_path_is_reached_again_smoothly():
     path = np.outer(np.linspace(0.0, 1.0, 4001), [1.0])
-    rest = rest_of(path, 1000, path[1000], PERIOD)
+    rest = resume_path(path, 1000, path[1000], PERIOD)
     speed = np.diff(rest[:, 0]) / PERIOD
     assert (np.diff(speed) >= -1e-9).all()
     assert speed[-1] == pytest.approx(0.25)
@@ -71,12 +71,12 @@ def test_the_speed_of_the_path_is_reached_again_smoothly():
 def test_a_robot_that_somebody_has_moved_meanwhile_is_not_driven_back():
     path = smooth_path(1)
     with pytest.raises(BadState, match="somebody has moved it"):
-        rest_of(path, 1000, path[1000] + 2 * OFF_PATH, PERIOD)
+        resume_path(path, 1000, path[1000] + 2 * OFF_PATH, PERIOD)
 
 
 def test_what_is_stopped_at_its_very_end_only_goes_there():
     path = smooth_path(2)
     q = path[-1] + 1e-4
-    rest = rest_of(path, len(path) - 1, q, PERIOD)
+    rest = resume_path(path, len(path) - 1, q, PERIOD)
     np.testing.assert_allclose(rest[-1], path[-1], atol=1e-12)
     assert np.abs(rest - path[-1]).max() <= 1e-4 + 1e-12

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.effects.filters import delayed, derivative, low_passed, play
+from core.effects.filters import delay_signal, derivative, low_pass, play
 from tests.core.effects.naive_play import naive_play
 
 Array = np.ndarray
@@ -20,7 +20,7 @@ def test_a_delayed_quintic_is_exact_and_the_beginning_holds_its_value(samples: f
     def quintic(x: Array) -> Array:
         return 1 + 0.3 * x - 0.02 * x**2 + 0.001 * x**3 - 1e-4 * x**4 + 1e-6 * x**5
 
-    late = delayed(quintic(k)[:, None], samples)[:, 0]
+    late = delay_signal(quintic(k)[:, None], samples)[:, 0]
     inside = k >= np.maximum(samples + 3, 5)  # six rows from the beginning on
     np.testing.assert_allclose(late[inside], quintic(k[inside] - samples), rtol=1e-9, atol=1e-9)
     assert np.isfinite(late).all()
@@ -29,7 +29,7 @@ def test_a_delayed_quintic_is_exact_and_the_beginning_holds_its_value(samples: f
 @given(st.floats(1e-4, 10.0))
 def test_a_low_pass_keeps_a_constant_and_lags_a_ramp_by_its_time_constant(time_constant: float) -> None:
     t = 0.01 * np.arange(int(40 * time_constant / 0.01) + 50)
-    out = low_passed(np.column_stack([np.full_like(t, 2.0), t]), time_constant, 0.01)
+    out = low_pass(np.column_stack([np.full_like(t, 2.0), t]), time_constant, 0.01)
     np.testing.assert_allclose(out[:, 0], 2.0)
     assert out[-1, 1] == pytest.approx(t[-1] - time_constant, abs=1e-6)
 

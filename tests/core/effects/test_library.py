@@ -171,13 +171,13 @@ def test_starts_lie_within_the_bounds_and_away_from_nonsense(effect: Effect, run
 @every_effect
 def test_a_recording_of_poses_is_either_enough_or_refused_in_words(effect: Effect, run: Scene) -> None:
     bare = poses_only(run)
-    missing = effect.missing(bare)
+    missing = effect.explain_absence(bare)
     if missing is None:
         theta = drawn(effect.parameters(bare), np.random.default_rng(13))
         assert np.isfinite(effect.wrench(bare, bare.nominal, theta)).all()
     else:
         assert len(missing) > 10
-    assert effect.missing(run) is None
+    assert effect.explain_absence(run) is None
 
 
 @every_effect

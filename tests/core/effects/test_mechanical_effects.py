@@ -46,17 +46,17 @@ def test_a_plain_fit_finds_what_was_planted(case: Planted, noise: float) -> None
 @pytest.mark.parametrize("effect", [case.effect for case in PLANTED if case.effect.stage == "kinematics"], ids=lambda effect: effect.id)
 def test_a_recording_of_poses_says_why_it_shows_nothing_of_the_joints(effect: Effect) -> None:
     poses = replace(scene(), q=None, dq=None, jacobian=None, torque=None)
-    assert effect.missing(poses) == "the recording has no joint positions"
-    assert effect.missing(scene()) is None
+    assert effect.explain_absence(poses) == "the recording has no joint positions"
+    assert effect.explain_absence(scene()) is None
 
 
 def test_what_cannot_show_is_said() -> None:
     still = replace(scene(), motion=Motion.still(scene().motion.g))
-    assert SensorTranslation().missing(still) is not None
-    assert CableDrag().missing(replace(scene(), position=None)) is not None
-    assert CableDrag().missing(replace(scene(), position=np.ones((len(T), 3)))) is not None
-    assert JointBacklash().missing(replace(scene(), torque=np.full((len(T), 7), 5.0))) is not None
-    assert all(case.effect.missing(scene()) is None for case in PLANTED)
+    assert SensorTranslation().explain_absence(still) is not None
+    assert CableDrag().explain_absence(replace(scene(), position=None)) is not None
+    assert CableDrag().explain_absence(replace(scene(), position=np.ones((len(T), 3)))) is not None
+    assert JointBacklash().explain_absence(replace(scene(), torque=np.full((len(T), 7), 5.0))) is not None
+    assert all(case.effect.explain_absence(scene()) is None for case in PLANTED)
 
 
 @each

@@ -266,8 +266,8 @@ def test_gentle_hysteresis_of_the_bouc_wen_kind_is_explained_too() -> None:
 @pytest.mark.parametrize("effect", [TimeDelay(), SensorLowpass(), KinematicLag()], ids=lambda effect: effect.id)
 def test_timing_does_not_show_where_nothing_moves(effect: Effect) -> None:
     still = replace(RUN, motion=Motion.still(RUN.motion.g))
-    assert "still" in effect.missing(still)
-    assert effect.missing(RUN) is None
+    assert "still" in effect.explain_absence(still)
+    assert effect.explain_absence(RUN) is None
 
 
 @pytest.mark.parametrize("effect", [SensorNonlinearity(), SensorHysteresis()], ids=lambda effect: effect.id)

@@ -9,7 +9,7 @@ import pytest
 from scipy.interpolate import BSpline
 
 from core.effects.angle_wave import angle_wave
-from core.effects.splines import smoothed
+from core.effects.splines import smooth_by_splines
 from tests.core.effects.synthetic_scene import scene
 
 T = np.arange(4000) * 0.001
@@ -19,12 +19,12 @@ INNER = slice(200, -200)
 @pytest.mark.parametrize("hz", [1.0, 10.0, 25.0])
 def test_a_sine_is_faded_by_the_fourth_power_of_its_sinc(hz):
     x = np.sin(2 * np.pi * hz * T)[:, None]
-    np.testing.assert_allclose(smoothed(x, 0.001, 0.02)[INNER], np.sinc(hz * 0.02) ** 4 * x[INNER], atol=1e-4)
+    np.testing.assert_allclose(smooth_by_splines(x, 0.001, 0.02)[INNER], np.sinc(hz * 0.02) ** 4 * x[INNER], atol=1e-4)
 
 
 def test_rows_that_are_samples_stay_as_they_are():
     x = np.random.default_rng(0).normal(size=(50, 3))
-    assert smoothed(x, 0.005, 0.0) is x
+    assert smooth_by_splines(x, 0.005, 0.0) is x
 
 
 def test_a_wave_and_its_acceleration_are_what_the_splines_leave_of_the_error_along_the_angle():

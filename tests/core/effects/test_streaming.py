@@ -67,11 +67,11 @@ def test_a_batch_leaves_nothing_behind_for_the_next(effect: Effect) -> None:
 @every_effect
 def test_what_cannot_come_row_by_row_is_said_in_words(effect: Effect) -> None:
     bare = replace(poses_only(RUN), position=RUN.position)
-    if effect.lacking(bare) is not None:
+    if effect.explain_lack(bare) is not None:
         return
     theta = drawn(effect, 4, bare)
     apart = np.abs(in_blocks(effect, theta, list(range(len(bare) + 1)), bare) - effect.wrench(bare, bare.nominal, theta)).max()
-    reason = effect.tied_to_run(bare)
-    assert effect.tied_to_run(RUN) is None
+    reason = effect.explain_tie_to_run(bare)
+    assert effect.explain_tie_to_run(RUN) is None
     assert (apart < 1e-9) == (reason is None), reason
     assert reason is None or "the sensor's range" in reason

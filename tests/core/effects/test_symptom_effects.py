@@ -14,7 +14,7 @@ from scipy.signal import lfilter
 
 from core.effects.effect import Finding, Symptom, View
 from core.effects.hold_noise import line_in
-from core.effects.sample_dropout import SampleDropout, held_share, lost_share
+from core.effects.sample_dropout import SampleDropout, find_held_share, find_lost_share
 from core.effects.sensor_interference import SensorInterference
 from core.effects.sensor_noise import SensorNoise
 from core.effects.sensor_quantization import SensorQuantization, step_of
@@ -300,7 +300,7 @@ def test_a_pause_of_the_recorder_loses_nothing() -> None:
 
 def test_jitter_of_the_clock_loses_nothing() -> None:
     t = times() + 0.0004 * np.random.default_rng(7).uniform(-1, 1, len(times()))
-    assert lost_share(t) == 0
+    assert find_lost_share(t) == 0
 
 
 def test_a_frozen_sensor_is_held() -> None:
@@ -315,7 +315,7 @@ def test_chance_repeats_of_rounded_noise_are_not_counted_as_held(share: float, s
     rng = np.random.default_rng(seed)
     w = np.round(rng.standard_normal((4000, 6)) * 0.6)  # a channel repeats about every other time
     w = w[np.maximum.accumulate(np.where(rng.random(4000) >= share, np.arange(4000), 0))]
-    found, rows, _ = held_share(w)
+    found, rows, _ = find_held_share(w)
     assert rows == 0 or found == pytest.approx(share, abs=0.08)
 
 
@@ -325,4 +325,4 @@ def test_slow_noise_that_often_rests_on_a_step_is_not_held(coloured: float) -> N
 
 
 def test_a_wrench_that_never_changes_says_nothing_of_dropout() -> None:
-    assert held_share(np.ones((1000, 6)))[:2] == (0.0, 0)
+    assert find_held_share(np.ones((1000, 6)))[:2] == (0.0, 0)

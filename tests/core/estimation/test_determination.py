@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from core.estimation.determination import determined, reasons
+from core.estimation.determination import find_determined, reasons
 from core.payload.inertia import PHI_NAMES, Motion
 
 PHI = np.array([2.0, 0.0, 0.0, 0.1, 0.02, 0.0, 0.0, 0.02, 0.0, 0.01])
@@ -24,7 +24,7 @@ UNKNOWN = np.concatenate((np.full(4, 1e-4), np.full(6, 1.0)))
     ],
 )
 def test_a_parameter_that_no_rotation_shows_is_not_determined_for_that_reason_first(turned: str | None, expected: dict[str, str]) -> None:
-    known = determined(PHI, UNKNOWN)
+    known = find_determined(PHI, UNKNOWN)
     why = reasons(PHI, UNKNOWN, known, static=False, motion=HARDLY, turned=turned)
     assert set(why) == set(PHI_NAMES[4:])
     told = {name: said.partition(";")[0] for name, said in why.items() if said.startswith("no rotation")}

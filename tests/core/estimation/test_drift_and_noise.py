@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from core.estimation.drift import drift_basis, improved_variance, parts_of, steps_between
+from core.estimation.drift import drift_basis, improve_variance, parts_of, steps_between
 from core.estimation.generalised_least_squares import correlation_time
 from core.estimation.noise import sensor_noise
 from core.estimation.segments import Segment
@@ -40,7 +40,7 @@ def test_the_walks_strength_is_found() -> None:
     variance = 1e-4
     for _ in range(40):
         covariance = np.linalg.inv(ramps.T @ ramps / 0.05**2 + np.eye(len(z)) / variance)
-        variance = improved_variance(variance, covariance @ ramps.T @ y / 0.05**2, covariance, 1e-12)
+        variance = improve_variance(variance, covariance @ ramps.T @ y / 0.05**2, covariance, 1e-12)
     assert np.sqrt(variance) == pytest.approx(truth, rel=0.3)
 
 

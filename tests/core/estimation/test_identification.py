@@ -11,7 +11,7 @@ import pytest
 from core.estimation.estimate import Estimate, Identification
 from core.estimation.identification import identify_recording
 from core.recording.folder import read_recording
-from core.recording.recording import Recording, appended
+from core.recording.recording import Recording, append_recording
 from tests.synthetic import NOISE_STD, Imperfections, payload, random_payload, record, run_of
 
 REAL = Path(__file__).resolve().parents[4] / "shared" / "real"
@@ -53,7 +53,7 @@ def test_a_sensor_that_jumped_in_a_pause_spoils_nothing(clean: tuple[Recording, 
     first, alone = clean
     again = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(5))
     assert again.wrench is not None and first.reference is not None and alone.estimate is not None
-    both = appended(first, replace(again, wrench=np.add(again.wrench, [9.0, -4.0, 2.0, 0.2, -0.3, 0.1])))
+    both = append_recording(first, replace(again, wrench=np.add(again.wrench, [9.0, -4.0, 2.0, 0.2, -0.3, 0.1])))
     found = identify_recording(both)
     estimate = found.estimate
     assert estimate is not None and estimate.determined.all()

@@ -77,7 +77,7 @@ def test_without_offsets_nothing_is_claimed() -> None:
     ],
 )
 def test_an_axis_counts_as_rotating_only_where_eq_4_holds(g: list, v: list, alpha: list, axis: int | None) -> None:
-    assert THRESHOLDS.rotating_axis(np.array(g), np.array(v), np.array(alpha)) == axis
+    assert THRESHOLDS.find_rotation_axis(np.array(g), np.array(v), np.array(alpha)) == axis
     motion = Motion(np.array([g]), np.zeros((1, 3)), np.zeros((1, 3)), np.array([alpha]))
-    seen = [i for i in range(3) if THRESHOLDS.rotating(motion, np.array([np.linalg.norm(v)]), i)[0]]
+    seen = [i for i in range(3) if THRESHOLDS.find_rotation_rows(motion, np.array([np.linalg.norm(v)]), i)[0]]
     assert seen == ([] if axis is None else [axis])

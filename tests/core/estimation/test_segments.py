@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from core.estimation.kinematics import poses_of, smooth_motion
-from core.estimation.segments import Segment, motionless, parted, segments_of_motion, segments_of_phase, stretches
+from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase, stretches
 from tests.synthetic import payload, record, run_of
 
 
@@ -46,4 +46,4 @@ def test_a_gap_in_time_parts_a_recording_and_its_motions_but_a_lost_sample_does_
     t = np.concatenate((0.001 * np.arange(100), 0.003 + 0.001 * np.arange(100, 200), 60.0 + 0.001 * np.arange(50)))
     assert stretches(t) == (slice(0, 200), slice(200, 250))
     whole = segments_of_phase(np.array(["hold:x+"] * 150 + ["transfer"] * 100))
-    assert parted(whole, t) == (Segment(0, 150, "hold:x+"), Segment(150, 200, "transfer"), Segment(200, 250, "transfer"))
+    assert cut_at_gaps(whole, t) == (Segment(0, 150, "hold:x+"), Segment(150, 200, "transfer"), Segment(200, 250, "transfer"))

@@ -77,7 +77,7 @@ def test_poses_are_accounted_for_one_by_one() -> None:
     rows = np.linspace(0, len(clean()) - 1, 40).astype(int)
     columns = {name: getattr(amplified(), name)[rows] for name in ("wrench", "q", "phase")}
     poses = replace(amplified(), t=np.arange(40.0), dq=None, q_cmd=None, tau=None, **columns)
-    twin = gain(0.0).having(entry(CELL, "time_delay", delay_s=0.1))
+    twin = gain(0.0).with_entry(entry(CELL, "time_delay", delay_s=0.1))
     found = identify_recording(poses, twin)
     alone = identify_recording(poses, gain(0.0))
     assert found.estimate is not None and alone.estimate is not None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from core.estimation.uncertainty import gain, inertia_uncertainty, one_sigma, propagated
+from core.estimation.uncertainty import gain, inertia_uncertainty, one_sigma, propagate_covariance
 
 
 def test_eq_8_adds_the_information_of_each_sample() -> None:
@@ -15,7 +15,7 @@ def test_eq_8_adds_the_information_of_each_sample() -> None:
     information = np.linalg.inv(S)
     for _ in range(20):
         r = rng.normal(size=(3, 3))
-        S = propagated(S, r, gain(S, r, variance))
+        S = propagate_covariance(S, r, gain(S, r, variance))
         information += r.T @ np.diag(1 / variance) @ r
     np.testing.assert_allclose(S, np.linalg.inv(information), rtol=1e-8)
     np.testing.assert_allclose(one_sigma(S) ** 2, np.diag(S))
@@ -25,7 +25,7 @@ def test_eq_8_for_the_mass_is_the_variance_of_a_mean() -> None:
     S = np.array([[1e6]])
     r, variance = -np.array([[9.81], [0.0], [0.0]]), np.full(3, 0.0548**2)
     for _ in range(400):
-        S = propagated(S, r, gain(S, r, variance))
+        S = propagate_covariance(S, r, gain(S, r, variance))
     assert float(one_sigma(S)[0]) == pytest.approx(0.0548 / 9.81 / 20.0, rel=1e-5)
 
 

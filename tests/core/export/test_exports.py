@@ -105,7 +105,7 @@ def test_every_target_that_holds_a_whole_body_is_read_back_here():
 def test_what_is_read_back_is_the_body(name: str, seed: int):
     body = cloud(seed)
     target = target_of(name)
-    m, com, inertia = READERS[name](target.written(body.parameters(covariance(seed))))
+    m, com, inertia = READERS[name](target.render_file(body.parameters(covariance(seed))))
     truth = body.inertia(body.com)
     assert m == pytest.approx(body.masses.sum(), rel=1e-7)
     np.testing.assert_allclose(com, body.com, atol=1e-8)
@@ -117,7 +117,7 @@ def test_sunrise_drops_the_products_and_says_how_large_they_are_against_their_un
     body = cloud(1)
     parameters = body.parameters(covariance(1))
     target = target_of("kuka_sunrise")
-    m, com, inertia = read_sunrise(target.written(parameters))
+    m, com, inertia = read_sunrise(target.render_file(parameters))
     truth = body.inertia(body.com)
     assert m == pytest.approx(body.masses.sum())
     np.testing.assert_allclose(com, body.com, atol=1e-8)
@@ -134,19 +134,19 @@ def test_xarm_takes_no_inertia_and_needs_none():
     phi[4:], S[4:, :], S[:, 4:] = np.nan, np.nan, np.nan
     static = UncertainParameters(phi, S)
     target = target_of("xarm")
-    m, *com = numbers(target.written(static).partition("(")[2])
+    m, *com = numbers(target.render_file(static).partition("(")[2])
     np.testing.assert_allclose([m, *com], [body.masses.sum(), *(1000 * body.com)], rtol=1e-8)
     assert list(target.lacks(static)) == []
     assert len(list(target.lacks(known))) == 6
     with pytest.raises(BadPayload, match="Ixx: found not determined"):
-        target_of("mujoco").written(static)
+        target_of("mujoco").render_file(static)
 
 
 def test_universal_robots_takes_no_inertia_beyond_its_limit():
     heavy = cloud(3)
     masses = heavy.masses * 2e4
     with pytest.raises(BadPayload, match="133 kg m2"):
-        target_of("ur").written(type(heavy)(masses, heavy.points).parameters(covariance(3)))
+        target_of("ur").render_file(type(heavy)(masses, heavy.points).parameters(covariance(3)))
 
 
 def test_an_unknown_target_is_refused_with_those_that_there_are():
@@ -155,6 +155,6 @@ def test_an_unknown_target_is_refused_with_those_that_there_are():
 
 
 def test_opc_ua_names_its_units_by_their_common_codes():
-    load = json.loads(target_of("opc_ua").written(cloud(0).parameters(covariance(0))))
+    load = json.loads(target_of("opc_ua").render_file(cloud(0).parameters(covariance(0))))
     assert load["Mass"]["EngineeringUnits"]["UnitId"] == 4933453
     assert load["CenterOfMass"]["CartesianCoordinates"]["LengthUnit"]["UnitId"] == 5066068

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from core.export.principal_axes import principal_axes, quaternion, zyx_degrees
+from core.export.principal_axes import principal_axes, to_quaternion, zyx_degrees
 from core.payload.inertia import six_of, symmetric
 
 angles = st.floats(-np.pi, np.pi)
@@ -19,7 +19,7 @@ def test_angles_and_quaternion_turn_back_into_the_rotation(a: float, b: float, c
     turn = Rotation.from_euler("ZYX", [a, b, c]).as_matrix()
     again = Rotation.from_euler("ZYX", zyx_degrees(turn), degrees=True).as_matrix()
     np.testing.assert_allclose(again, turn, atol=1e-8)
-    w, x, y, z = quaternion(turn)
+    w, x, y, z = to_quaternion(turn)
     assert w >= 0.0
     np.testing.assert_allclose(Rotation.from_quat([x, y, z, w]).as_matrix(), turn, atol=1e-9)
 

@@ -17,7 +17,7 @@ from core.procedure.identify import carry_out
 from core.recording.folder import write_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, returned
+from core.trial import planned, run_to_end
 from core.twin.twin import NOMINAL
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "payload_shift"))
@@ -29,7 +29,7 @@ def late() -> Recording:
     cell, plans = planned("lwr4_bench")
     carried = cell.payloads["cylinder"]
     session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=Imperfections(wrench_delay_s=0.02))
-    return returned(carry_out(cell, session, carried.box, plans["cylinder"])).recording
+    return run_to_end(carry_out(cell, session, carried.box, plans["cylinder"])).recording
 
 
 @pytest.fixture(scope="module")

@@ -19,7 +19,7 @@ from core.plant.mechanics import Drives
 from core.procedure.identify import carry_out
 from core.recording.recording import COLUMNS, Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, returned
+from core.trial import planned, run_to_end
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
 PAYLOAD = "cylinder"
@@ -34,7 +34,7 @@ def recorded(name: str = "lwr4_bench", *, delay_s: float = 0.0, drives: Drives |
         cell, carried.parameters, seed=4, drives=drives or Drives(), imperfections=Imperfections(wrench_delay_s=delay_s),
         faults=(_magnet(cell, magnet, plan.robot_s),) if magnet else (),
     )  # fmt: skip
-    return returned(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
+    return run_to_end(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
 
 
 def _magnet(cell: Cell, size: float, robot_s: float):  # type: ignore[no-untyped-def]  # a fault

@@ -22,7 +22,7 @@ from core.procedure.identify import carry_out
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, returned
+from core.trial import planned, run_to_end
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
@@ -35,14 +35,14 @@ def recorded(tilt: float = 0.0, delay: float = 0.0) -> Recording:
     carried = cell.payloads["cylinder"]
     imperfections = Imperfections(base_tilt_rad=(tilt, 0.0), wrench_delay_s=delay)
     session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=imperfections)
-    return returned(carry_out(cell, session, carried.box, plans["cylinder"])).recording
+    return run_to_end(carry_out(cell, session, carried.box, plans["cylinder"])).recording
 
 
 def fitted(recording: Recording) -> tuple[Windows, EffectFit, list[EffectFit]]:
     """The nominal twin and a few effects, one by one."""
     windows = Windows(basis_of(recording))
     nominal = fit_nominal(windows)
-    scene = windows.basis.scene.carrying(nominal.phi)
+    scene = windows.basis.scene.with_phi(nominal.phi)
     still = np.zeros((len(scene), 6))
     return windows, nominal, [fit_effects(windows, (effect,), nominal, effect.starts(scene, still)) for effect in FEW]
 

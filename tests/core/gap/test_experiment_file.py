@@ -11,10 +11,10 @@ import pytest
 from core.cell.cell import find_cell, load_cell
 from core.cli.experiments import check_target, read_request
 from core.errors import BadInput, BadRecording
-from core.gap.experiment_file import ExperimentFile, continued, read_experiment, write_experiment
+from core.gap.experiment_file import ExperimentFile, read_continued_recording, read_experiment, write_experiment
 from core.planning.stop import Stop, Swings
 from core.recording.folder import read_recording, recording_sha256, write_recording
-from core.recording.recording import Recording, appended
+from core.recording.recording import Recording, append_recording
 from core.robot.model import RobotModel
 
 CELL = load_cell(find_cell("lwr4_bench"))
@@ -59,9 +59,9 @@ def test_what_is_written_is_read_back_and_finds_its_recording(asked, tmp_path):
 def test_another_recording_under_the_same_name_is_refused(asked, tmp_path):
     write_recording(recording(2.0), tmp_path / "other")
     with pytest.raises(BadInput, match="SHA-256"):
-        continued(asked, tmp_path / "other")
+        read_continued_recording(asked, tmp_path / "other")
     with pytest.raises(BadRecording):
-        continued(asked, tmp_path / "nowhere")
+        read_continued_recording(asked, tmp_path / "nowhere")
 
 
 def test_the_hash_is_that_of_the_recording_not_of_what_lies_beside_it(asked):
@@ -98,11 +98,11 @@ def test_an_experiment_needs_a_cell_and_a_folder_for_its_file(tmp_path):
 
 
 def test_what_is_appended_goes_on_after_a_gap_and_keeps_the_columns_of_both(tmp_path):
-    both = appended(recording(), recording(2.0))
+    both = append_recording(recording(), recording(2.0))
     assert len(both) == 300
     assert both.t[100] - both.t[99] > 1.0
     assert both.phase is None
     write_recording(both, tmp_path / "both")
     np.testing.assert_array_equal(read_recording(tmp_path / "both").t, both.t)
     with pytest.raises(BadRecording, match="another robot"):
-        appended(recording(), Recording(**{**vars(recording()), "robot": None}))
+        append_recording(recording(), Recording(**{**vars(recording()), "robot": None}))

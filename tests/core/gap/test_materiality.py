@@ -13,14 +13,14 @@ from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
 from core.gap.limits import GAP
-from core.gap.materiality import moved
+from core.gap.materiality import find_moved_parameters
 from core.payload.inertia import InertialParameters
 from core.plant.faults import Setting, variants
 from core.plant.mechanics import Drives
 from core.procedure.identify import carry_out
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import planned, returned
+from core.trial.draw import planned, run_to_end
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
 
@@ -33,7 +33,7 @@ def near_a_magnet() -> tuple[Recording, InertialParameters]:
     kinds = {fault.variant: fault for fault in variants("unknown")}
     magnet = kinds["magnetic_field"].draw(np.random.default_rng(1), 0.45, Setting(cell, carried.parameters, plan.robot_s))
     session = SimulatedSession(cell, carried.parameters, seed=4, faults=(magnet,), drives=Drives(damping_s=0.0, friction=0.0))
-    return returned(carry_out(cell, session, carried.box, plan)).recording, carried.parameters
+    return run_to_end(carry_out(cell, session, carried.box, plan)).recording, carried.parameters
 
 
 def examined(reference: InertialParameters | None) -> tuple[str, Evidence, set[str]]:
@@ -48,7 +48,7 @@ def examined(reference: InertialParameters | None) -> tuple[str, Evidence, set[s
 def test_a_gap_that_may_be_why_the_payload_is_off_is_answered_before_the_reference_is_doubted() -> None:
     _, true = near_a_magnet()
     verdict, evidence, beside = examined(true)
-    assert not moved(evidence.nominal, evidence.best).any()  # no effect of the library moves it
+    assert not find_moved_parameters(evidence.nominal, evidence.best).any()  # no effect of the library moves it
     assert 1.2 < gap_of(evidence.windows, evidence.nominal) < GAP
     assert verdict == "unknown"
     assert beside == set()

@@ -20,7 +20,7 @@ def fits(delay_s: float, seed: int, encoder_std: float = 2e-6) -> tuple[EffectFi
     recording = record(run_of("lwr4_bench", 0, repetitions=1), payload("steel_block"), np.random.default_rng(seed), imperfections)
     windows = Windows(basis_of(recording))
     nominal = fit_nominal(windows)
-    scene = windows.basis.scene.carrying(nominal.phi)
+    scene = windows.basis.scene.with_phi(nominal.phi)
     residual = windows.on_grid(nominal.residual)
     late, filtered = (fit_effects(windows, (effect,), nominal, effect.starts(scene, residual)) for effect in (DELAY, FILTER))
     return late, filtered

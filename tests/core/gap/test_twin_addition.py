@@ -23,7 +23,7 @@ from core.procedure.identify import carry_out
 from core.recording.folder import read_recording, recording_sha256, write_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, returned
+from core.trial import planned, run_to_end
 from core.twin.file import read_twin
 from core.twin.twin import NOMINAL
 
@@ -40,7 +40,7 @@ def recorded(cell: Cell, **options: object) -> Recording:
     carried = cell.payloads[PAYLOAD]
     session = SimulatedSession(cell, carried.parameters, seed=4, drives=SMOOTH, **options)  # type: ignore[arg-type]  # any option
     plan = planned("lwr4_bench")[1][PAYLOAD]
-    return returned(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
+    return run_to_end(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
 
 
 @pytest.fixture(scope="module")

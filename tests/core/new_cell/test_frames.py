@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from core.errors import BadRobot
-from core.new_cell.frames import Frames, choose_frames
+from core.new_cell.frames import ArmFrames, choose_frames
 from core.new_cell.order import Behind, Order
 from core.new_cell.robot_tree import RobotTree
 from tests.core.new_cell.small_arm import arm, joint, link
@@ -18,7 +18,7 @@ HAND = (
 )  # fmt: skip
 
 
-def chosen(text: str, ask: object = None, **wanted: object) -> tuple[Frames, list[str]]:
+def chosen(text: str, ask: object = None, **wanted: object) -> tuple[ArmFrames, list[str]]:
     notes: list[str] = []
     return choose_frames(RobotTree(text, "arm.urdf"), Order("tried", Path("arm.urdf"), **wanted), ask, notes), notes
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import chi2, kstest
 
-from core.payload.comparison import SIGNIFICANT, Comparison, chance_of, chi_square_tail, compared
+from core.payload.comparison import SIGNIFICANT, Comparison, chance_of, chi_square_tail, compare_payloads
 from core.payload.uncertain_parameters import UncertainParameters
 from tests.core.export.cloud import cloud, covariance
 
@@ -26,7 +26,7 @@ def repeated(seed: int, change: float = 0.0) -> Comparison:
     truth, S = cloud(0).parameters(covariance(0)).phi, covariance(0)
     first, second = (rng.multivariate_normal(truth, S) for _ in range(2))
     second[0] += change
-    return compared(UncertainParameters(first, S), UncertainParameters(second, S), OFFSET, OFFSET)
+    return compare_payloads(UncertainParameters(first, S), UncertainParameters(second, S), OFFSET, OFFSET)
 
 
 def test_runs_with_one_payload_differ_as_often_as_is_said():
@@ -51,12 +51,12 @@ def test_what_one_run_does_not_determine_is_left_out():
     known = cloud(0).parameters(covariance(0))
     phi, S = known.phi.copy(), known.covariance.copy()
     phi[4:], S[4:, :], S[:, 4:] = np.nan, np.nan, np.nan
-    found = compared(known, UncertainParameters(phi, S), OFFSET, OFFSET)
+    found = compare_payloads(known, UncertainParameters(phi, S), OFFSET, OFFSET)
     assert [each.name for each in found.parameters] == ["m", "mc_x", "mc_y", "mc_z"]
     assert found.inertia_com == []
     assert found.chance == pytest.approx(1.0)
     nothing = UncertainParameters(np.full(10, np.nan), np.full((10, 10), np.nan))
-    alone = compared(known, nothing, OFFSET, OFFSET)
+    alone = compare_payloads(known, nothing, OFFSET, OFFSET)
     assert (alone.chance, alone.differ) == (None, False)
     assert "cannot be compared" in alone.verdict
 
@@ -64,7 +64,7 @@ def test_what_one_run_does_not_determine_is_left_out():
 def test_a_drift_of_the_offset_is_told_with_its_uncertainty():
     known = cloud(0).parameters(covariance(0))
     later = np.array([0.5, 0, 0, 0, 0, 0]), np.full(6, 0.1)
-    drift = compared(known, known, OFFSET, later).offset[0]
+    drift = compare_payloads(known, known, OFFSET, later).offset[0]
     assert (drift.name, drift.value, drift.unit) == ("fx", 0.5, "N")
     assert drift.times_std == pytest.approx(0.5 / np.hypot(0.1, 0.1))
 

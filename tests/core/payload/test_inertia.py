@@ -62,10 +62,10 @@ def test_a_frame_change_is_pinocchios_and_comes_back(seed: int) -> None:
     rng = np.random.default_rng(seed)
     body = random_payload(rng)
     R, p = Rotation.random(rng=rng).as_matrix(), rng.normal(size=3)
-    moved = body.moved(R, p)
+    moved = body.to_frame(R, p)
     expected = pin.Inertia.FromDynamicParameters(body.phi[PINOCCHIO_ORDER]).se3Action(pin.SE3(R, p))
     np.testing.assert_allclose(moved.phi[PINOCCHIO_ORDER], expected.toDynamicParameters(), rtol=1e-8, atol=1e-9)
-    np.testing.assert_allclose(moved.moved(R.T, -R.T @ p).phi, body.phi, rtol=1e-8, atol=1e-9)
+    np.testing.assert_allclose(moved.to_frame(R.T, -R.T @ p).phi, body.phi, rtol=1e-8, atol=1e-9)
 
 
 def test_a_frame_change_carries_the_covariance_along() -> None:
@@ -83,7 +83,7 @@ def test_a_real_body_stays_consistent_in_every_frame(seed: int) -> None:
     rng = np.random.default_rng(seed)
     body = random_payload(rng)
     assert body.consistent
-    assert body.moved(Rotation.random(rng=rng).as_matrix(), rng.normal(size=3)).consistent
+    assert body.to_frame(Rotation.random(rng=rng).as_matrix(), rng.normal(size=3)).consistent
 
 
 @given(seeds)

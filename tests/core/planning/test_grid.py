@@ -65,7 +65,7 @@ def test_the_second_grid_is_centred_in_the_best_vertex_and_reaches_to_its_neighb
 
 def test_aligned_postures_have_the_axis_along_gravity_at_many_angles_about_it(cell):
     _, postures = drawn(cell)
-    rotations = postures.aligned(np.arange(500))
+    rotations = postures.align_with_gravity(np.arange(500))
     assert rotations @ X == pytest.approx(np.tile(DOWN, (500, 1)), abs=1e-9)
     yaw = np.arctan2(rotations[:, 1, 1], rotations[:, 0, 1])
     assert np.histogram(yaw, bins=8, range=(-np.pi, np.pi))[0].min() > 20

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from core.cell.cell import Box, Cell, Friction, Pose, load_cell
 from core.errors import TooHeavy
-from core.planning.joint_torques import HOLDING_SHARE, JointTorques, Load, even_load, guessed_load, known_load, refuse_too_heavy
+from core.planning.joint_torques import HOLDING_SHARE, JointTorques, Load, even_load, find_known_load, guess_load, refuse_too_heavy
 from core.planning.plan import plan_procedure
 from core.planning.start_configuration import Grid, find_start_configuration
 from core.plant.arm import arm_of_cell
@@ -68,7 +68,7 @@ def mujocos(cell: Cell, load: Load, q: Array) -> Array:
 def test_the_largest_share_of_a_torque_is_the_one_that_mujoco_finds(name: str, base: tuple[float, float, float]) -> None:
     cell, _ = known(name)
     cell = cell.model_copy(update={"robot": cell.robot.model_copy(update={"base": Pose(rpy_rad=base)})})
-    load = known_load(cell, "steel_block")
+    load = find_known_load(cell, "steel_block")
     assert load is not None
     q = swing(cell, 0.6, 0.8)
     found = JointTorques(cell, RobotModel.of_cell(cell), load).of([JointPath("there", q[:300]), JointPath("back", q[300:])], PERIOD)
@@ -89,7 +89,7 @@ def test_stated_friction_is_asked_of_the_drives_as_well() -> None:
     cell, robot = known("ur5e_line")
     friction = Friction(coulomb_n_m=(20.0,) * 6, viscous_n_m_s=(5.0,) * 6)
     rough = cell.model_copy(update={"robot": cell.robot.model_copy(update={"friction": friction})})
-    load = guessed_load(cell, cell.payload_box, 1.0)
+    load = guess_load(cell, cell.payload_box, 1.0)
     q = swing(cell, 0.6, 0.8)
     speed = np.gradient(np.concatenate((q[:1], q, q[-1:])), PERIOD, axis=0)[1:-1]
     asked = np.abs(mujocos(cell, load, q) + np.where(np.abs(speed) > 1e-4, 20.0 * np.sign(speed), 0.0) + 5.0 * speed)
@@ -112,10 +112,10 @@ def test_an_even_load_has_the_inertia_of_its_points() -> None:
 
 def test_an_unknown_payload_is_as_heavy_as_the_robot_may_carry_and_otherwise_as_guessed() -> None:
     cell, _ = known("ur5e_line")
-    assert known_load(cell, "anvil") is None
-    assert guessed_load(cell, cell.payload_box, 1.5).parameters.mass == 1.5
+    assert find_known_load(cell, "anvil") is None
+    assert guess_load(cell, cell.payload_box, 1.5).parameters.mass == 1.5
     limited = cell.model_copy(update={"robot": cell.robot.model_copy(update={"payload_limit_kg": 5.0})})
-    found = guessed_load(limited, cell.payload_box, 1.5)
+    found = guess_load(limited, cell.payload_box, 1.5)
     assert found.parameters.mass == 5.0
     assert "payload limit" in found.source
 
@@ -170,7 +170,7 @@ def _with_effort(text: str, joint: str, effort: float) -> str:
 def test_without_an_effort_or_a_mass_the_torques_are_not_determined_and_the_reason_is_told() -> None:
     cell, _ = known("ur5e_line")
     names = [each.name for each in arm_of_cell(cell).joints]
-    load = guessed_load(cell, cell.payload_box, 1.0)
+    load = guess_load(cell, cell.payload_box, 1.0)
     here = [JointPath("home", np.array([cell.robot.home_rad]))]
     silent = with_urdf(cell, lambda text: _with_effort(text, names[0], 0.0))
     found = JointTorques(silent, RobotModel.of_cell(silent), load).of(here, PERIOD)

@@ -40,11 +40,11 @@ def test_the_distance_of_each_link_is_what_another_library_finds(cell, fcl_scene
 def test_each_link_is_seen_against_the_most_room_that_it_has(cell):
     room = room_of(cell)
     largest = int(np.argmax(room.most))
-    at_most = room.normalised(room.most[None])[0]
+    at_most = room.normalise(room.most[None])[0]
     np.testing.assert_allclose(at_most, room.most[largest] / DIAMETER)
-    half = room.normalised(0.5 * room.most[None])[0]
+    half = room.normalise(0.5 * room.most[None])[0]
     np.testing.assert_allclose(half, 0.5 * at_most)
-    assert room.normalised(np.full((1, len(room.names)), 100.0)).max() == 1.0
+    assert room.normalise(np.full((1, len(room.names)), 100.0)).max() == 1.0
 
 
 def test_hardly_any_posture_has_more_room_than_the_most(cell):
@@ -65,6 +65,6 @@ def test_an_upper_arm_that_stays_near_its_table_does_not_hide_the_room_of_the_pa
         return min(distance for (link, _), distance in scene.to_environment(found.q).items() if link == "payload")
 
     here = [room_of_payload(axis) for axis in ("x+", "y+", "z-")]
-    monkeypatch.setattr(LinkRoom, "normalised", lambda _, distances: np.minimum(distances / (2.0 * collision.reach[0]), 1.0))
+    monkeypatch.setattr(LinkRoom, "normalise", lambda _, distances: np.minimum(distances / (2.0 * collision.reach[0]), 1.0))
     as_printed = [room_of_payload(axis) for axis in ("x+", "y+", "z-")]
     assert min(here) > 1.3 * min(as_printed)

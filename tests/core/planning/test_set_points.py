@@ -15,15 +15,15 @@ from hypothesis import strategies as st
 
 from core.cell.cell import Cell, load_cell
 from core.errors import BadInput
-from core.planning.commanded_path import commanded_paths
+from core.planning.commanded_path import compute_joint_paths
 from core.planning.plan import Plan, motions_of, plan_procedure
-from core.planning.set_points import SetPoints, check_target, set_points_of, write_set_points
+from core.planning.set_points import SetPoints, check_set_points, set_points_of, write_set_points
 from core.planning.settings import Timing
 from core.planning.slow_run import slowed
 from core.planning.timing import MotionLimits
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-from core.trial.draw import returned
+from core.trial.draw import run_to_end
 from tests.independent_checker import IndependentChecker
 
 CELL = Path(__file__).parents[3] / "cells" / "ur5e_line"
@@ -39,7 +39,7 @@ def planned() -> tuple[Cell, RobotModel, CollisionModel, Plan]:
     collision = CollisionModel(cell, robot, cell.payload_box)
     home = np.array(cell.robot.home_rad)
     plan = plan_procedure(cell, robot, collision, cell.payload_box, start=home, poses=("z-", "z+"), timing=SHORT)
-    return cell, robot, collision, returned(plan)
+    return cell, robot, collision, run_to_end(plan)
 
 
 @cache
@@ -53,7 +53,7 @@ def all_rows(found: SetPoints) -> np.ndarray:
 
 def test_the_motions_are_those_of_the_controller_with_the_holds_between_them() -> None:
     cell, robot, collision, plan = planned()
-    commanded = commanded_paths(cell, robot, collision, motions_of(plan.legs, plan.home), np.array(cell.robot.home_rad))
+    commanded = compute_joint_paths(cell, robot, collision, motions_of(plan.legs, plan.home), np.array(cell.robot.home_rad))
     found = at()
     names = [motion.name for motion in found.motions]
     assert names == ["transfer z-", "hold z-", "transfer z+", "hold z+", "rotation z", "hold z+", "home"]
@@ -116,7 +116,7 @@ def test_the_file_says_every_set_point_with_its_time_motion_and_joint(tmp_path: 
 @pytest.mark.parametrize("period_s", [0.0, -0.001, 0.0005, 0.0015, 0.2, float("nan"), float("inf")])
 def test_a_period_that_is_no_multiple_of_the_plans_is_refused(period_s: float) -> None:
     with pytest.raises(BadInput, match=r"a multiple of 0\.001 s"):
-        check_target(Path("plan.csv"), period_s, 0.001)
+        check_set_points(Path("plan.csv"), period_s, 0.001)
 
 
 @pytest.mark.parametrize(
@@ -131,4 +131,4 @@ def test_a_file_that_cannot_be_written_is_refused_before_anything_is_planned(
     file: Path | None, period_s: float | None, expected: str
 ) -> None:
     with pytest.raises(BadInput, match=expected):
-        check_target(file, period_s, 0.001)
+        check_set_points(file, period_s, 0.001)

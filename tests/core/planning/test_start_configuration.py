@@ -147,7 +147,7 @@ def brute_force(robot: RobotModel, collision: CollisionModel, axis: int, count: 
             q = q + np.linalg.pinv(J) @ error
         inside = (q > robot.lower + LIMIT_MARGIN_RAD).all() and (q < robot.upper - LIMIT_MARGIN_RAD).all()
         if inside and np.linalg.norm(error) < 1e-8 and a @ down > 0 and collision.margin(q) > ROOM_M:
-            least = float(room.normalised(room.distances(q[None])).min())
+            least = float(room.normalise(room.distances(q[None])).min())
             best = least if best is None else max(best, least)
     return best
 

@@ -14,16 +14,16 @@ from core.effects.library import library
 from core.estimation.kinematics import Poses, axial, poses_of
 from core.estimation.segments import segments_of_phase
 from core.gap.attribution import Tie, distance_sigma
-from core.gap.basis import unchecked_basis
+from core.gap.basis import build_unchecked_basis
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.prediction import Prediction
 from core.gap.proposal import proposals
-from core.gap.rehearsal import rehearsed
+from core.gap.rehearsal import rehearse
 from core.gap.windows import Windows
 from core.payload.inertia import Motion
 from core.payload.rigid_wrench import wrench
 from core.planning.stop import Stop, Swings, Wave, candidates, wave_shape
-from core.recording.recording import Recording, SensorDescription, appended
+from core.recording.recording import Recording, SensorDescription, append_recording
 from core.robot.model import RobotModel
 
 CELL = load_cell(find_cell("lwr4_bench"))
@@ -43,7 +43,7 @@ def made(stops: tuple[Stop, ...], rng: np.random.Generator) -> Recording:
         robot=robot.description,
         sensor=SensorDescription(noise_std=noise),
     )
-    path = rehearsed(start, poses_of(start), stops)
+    path = rehearse(start, poses_of(start), stops)
     late = wrench(kinematics(path, path.t - DELAY_S), CELL.payloads["cylinder"].parameters.phi)
     fields = {**vars(path), "wrench": late + rng.normal(0.0, noise, late.shape), "q": path.q + rng.normal(0.0, 2e-6, path.q.shape)}
     return Recording(**fields)
@@ -72,9 +72,9 @@ def recorded() -> Recording:
 
 def fitted(recording: Recording) -> tuple[Windows, EffectFit, tuple[EffectFit, EffectFit]]:
     """Delay and filter."""
-    windows = Windows(unchecked_basis(recording, poses_of(recording), recording.wrench))
+    windows = Windows(build_unchecked_basis(recording, poses_of(recording), recording.wrench))
     nominal = fit_nominal(windows)
-    scene = windows.basis.scene.carrying(nominal.phi)
+    scene = windows.basis.scene.with_phi(nominal.phi)
     still = np.zeros((len(scene), 6))
     by_id = {effect.id: effect for effect in library()}
     fits = [fit_effects(windows, (by_id[name],), nominal, by_id[name].starts(scene, still)) for name in ("time_delay", "sensor_lowpass")]
@@ -114,7 +114,7 @@ def test_a_stop_from_a_file_that_cannot_be_is_refused(wrong):
 def test_a_rehearsed_rotation_turns_about_its_axis_in_place(axis):
     start = recorded()
     vertical = DOWN["xyz"[("xyz".index(axis) + 1) % 3]]
-    path = rehearsed(start, poses_of(start), (Stop(down=vertical, swings=Swings(about=axis, repetitions=2)),))
+    path = rehearse(start, poses_of(start), (Stop(down=vertical, swings=Swings(about=axis, repetitions=2)),))
     poses, down = gravity(path)
     turning = path.phase == f"rotate:{axis}"
     assert np.abs(down[turning, "xyz".index(axis)]).max() < 2e-3  # the axis stays horizontal
@@ -126,7 +126,7 @@ def test_a_rehearsed_rotation_turns_about_its_axis_in_place(axis):
 def test_another_posture_has_the_same_attitude_with_other_joints():
     start = recorded()
     q = start.q[np.flatnonzero(start.phase == "hold:z+")[0]]
-    path = rehearsed(start, poses_of(start), (Stop(down=DOWN["z"], away_from_rad=tuple(q)),))
+    path = rehearse(start, poses_of(start), (Stop(down=DOWN["z"], away_from_rad=tuple(q)),))
     _, down = gravity(path)
     np.testing.assert_allclose(down[-1], DOWN["z"], atol=2e-3)
     assert np.abs(path.q[-1] - q).max() > 1.0
@@ -144,10 +144,10 @@ def test_a_wave_is_at_rest_at_both_ends_and_holds_its_band():
 
 def test_the_distance_that_is_predicted_is_the_one_that_is_reached():
     windows, nominal, fits = fitted(recorded())
-    path = rehearsed(recorded(), poses_of(recorded()), (SHAKEN,))
+    path = rehearse(recorded(), poses_of(recorded()), (SHAKEN,))
     before = distance_sigma(windows, nominal, *fits)
     predicted = np.hypot(before, Prediction(windows, path, fits[0]).distance_sigma(*fits))
-    both = appended(recorded(), made((SHAKEN,), np.random.default_rng(3)))
+    both = append_recording(recorded(), made((SHAKEN,), np.random.default_rng(3)))
     windows, nominal, fits = fitted(both)
     reached = np.sqrt(fits[1].cost - fits[0].cost)  # twice the logarithm of the likelihood ratio, the truth being a delay
     assert predicted == pytest.approx(reached, abs=2.0 + 0.1 * reached)
@@ -158,7 +158,7 @@ def test_the_proposal_settles_the_worst_tie_and_standing_still_does_not():
     windows, nominal, fits = fitted(recorded())
     tie = Tie(*fits, distance_sigma(windows, nominal, *fits))
     best = proposals(recorded(), windows, [tie])[0]
-    still = rehearsed(recorded(), poses_of(recorded()), (Stop(down=DOWN["x"]),))
+    still = rehearse(recorded(), poses_of(recorded()), (Stop(down=DOWN["x"]),))
     assert Prediction(windows, still, fits[0]).distance_sigma(*fits) < 0.5
     assert best.after > 2.0 * max(best.before, 1.0)
     assert best.motion.stops
@@ -181,7 +181,7 @@ def test_without_ties_nothing_is_proposed():
 def test_a_recording_of_poses_without_joints_is_rehearsed_too():
     poses = poses_of(recorded())
     bare = Recording(t=recorded().t, gravity=CELL.gravity, orientation=poses.rotation, position=poses.position)
-    path = rehearsed(bare, poses, (NEXT,))
+    path = rehearse(bare, poses, (NEXT,))
     _, down = gravity(path)
     assert path.q is None
     assert np.abs(down[path.phase == "rotate:z", 2]).max() < 2e-3

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from core.cell.cell import Cell, load_cell
 from core.errors import NoPath
-from core.planning.blending import corners, rounded
+from core.planning.blending import corners, round_corners
 from core.planning.phase_plane import fastest_profile
 from core.planning.timing import SMOOTHING_S, MotionLimits, least_seconds, time_curve
 from core.robot.collision import CollisionModel
@@ -43,7 +43,7 @@ def arm(name: str) -> tuple[Cell, RobotModel, CollisionModel, MotionLimits]:
 
 def timed(name: str, q: Array) -> JointTrajectory:
     _, robot, _, limits = arm(name)
-    return time_curve(rounded(q), robot, limits, period=PERIOD)
+    return time_curve(round_corners(q), robot, limits, period=PERIOD)
 
 
 def polyline(name: str, seed: int, vertices: int) -> Array:
@@ -70,7 +70,7 @@ def test_the_time_is_close_to_what_the_speed_limits_leave(name: str, seed: int) 
     """The lower bound has infinite accelerations; speeding up, slowing down and tight corners may cost some."""
     _, robot, _, limits = arm(name)
     q = polyline(name, seed, 3)
-    bound = least_seconds(np.asarray(rounded(q)(np.linspace(0, rounded(q).x[-1], 400))), robot, limits)
+    bound = least_seconds(np.asarray(round_corners(q)(np.linspace(0, round_corners(q).x[-1], 400))), robot, limits)
     assert 0.999 * bound <= timed(name, q).duration <= 1.1 * bound + 2.5 * SMOOTHING_S
 
 
@@ -82,7 +82,7 @@ def test_a_trajectory_runs_along_its_path_from_rest_to_rest_without_jumps() -> N
     assert np.abs(velocity[[0, -1]]).max() < 1e-3
     jerk = np.diff(np.pad(velocity, ((3, 3), (0, 0))), n=2, axis=0) / PERIOD**2
     assert np.abs(jerk).max() < 1500.0  # rad/s3; a step to the acceleration limit would be 15 000
-    curve = rounded(q)
+    curve = round_corners(q)
     samples = np.asarray(curve(np.linspace(0.0, curve.x[-1], 4000)))
     off = [np.linalg.norm(samples - row, axis=1).min() for row in trajectory.q[::50]]
     assert max(off) < 1e-3
@@ -96,7 +96,7 @@ def test_a_path_without_motion_is_one_sample() -> None:
 def test_limits_far_below_anything_are_refused_or_kept() -> None:
     _, robot, _, limits = arm("ur5e_line")
     slow = MotionLimits(limits.velocity, limits.acceleration, 0.01, limits.points)
-    trajectory = time_curve(rounded(polyline("ur5e_line", 1, 3)), robot, slow, period=PERIOD)
+    trajectory = time_curve(round_corners(polyline("ur5e_line", 1, 3)), robot, slow, period=PERIOD)
     fast = timed("ur5e_line", polyline("ur5e_line", 1, 3))
     assert trajectory.duration == pytest.approx(25.0 * fast.duration, rel=0.1)
 
@@ -107,7 +107,7 @@ def test_the_phase_plane_agrees_with_toppra(seed: int) -> None:
     rng = np.random.default_rng(seed)
     n = 6
     velocity, acceleration = rng.uniform(0.5, 2.0, n), rng.uniform(1.0, 5.0, n)
-    curve = rounded(np.cumsum(rng.normal(0.0, 0.7, (4, n)), axis=0))
+    curve = round_corners(np.cumsum(rng.normal(0.0, 0.7, (4, n)), axis=0))
     s = np.linspace(0.0, curve.x[-1], 1500)
     tangent, curvature = np.asarray(curve(s, 1)), np.asarray(curve(s, 2))
     ceiling = 1.0 / (np.abs(tangent) / velocity).max(axis=1) ** 2
@@ -144,7 +144,7 @@ def test_corners_are_found_again_in_a_dense_polyline() -> None:
 def test_a_rounded_curve_is_smooth_and_stays_in_the_triangles_that_it_cuts_off(seed: int) -> None:
     rng = np.random.default_rng(seed)
     q = np.cumsum(rng.normal(0.0, 1.0, (4, 3)), axis=0)
-    curve = rounded(q)
+    curve = round_corners(q)
     inner = curve.x[1:-1]
     for order in range(3):
         np.testing.assert_allclose(curve(inner - 1e-9, order), curve(inner + 1e-9, order), atol=1e-5 * 10**order)
@@ -158,7 +158,7 @@ def test_a_corner_is_rounded_only_as_far_as_there_is_room() -> None:
     def is_clear(samples: Array) -> bool:
         return bool(np.linalg.norm(samples - q[1], axis=1).min() < 0.02)
 
-    wide, tight = rounded(q), rounded(q, is_clear)
+    wide, tight = round_corners(q), round_corners(q, is_clear)
     from_corner = [np.linalg.norm(np.asarray(curve(np.linspace(0, curve.x[-1], 999))) - q[1], axis=1).min() for curve in (wide, tight)]
     assert from_corner[0] > 0.1
     assert from_corner[1] < 0.02
@@ -166,4 +166,4 @@ def test_a_corner_is_rounded_only_as_far_as_there_is_room() -> None:
 
 def test_a_corner_without_any_room_is_refused() -> None:
     with pytest.raises(NoPath, match="cannot be rounded"):
-        rounded(np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]), lambda _: False)
+        round_corners(np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]), lambda _: False)

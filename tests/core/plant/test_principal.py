@@ -6,7 +6,7 @@ from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 
 from core.payload.inertia import InertialParameters
-from core.plant.mechanics import quaternion
+from core.plant.mechanics import to_mujoco_quaternion
 from core.plant.principal import principal_inertia
 
 vectors = arrays(float, 3, elements=st.floats(-2, 2))
@@ -34,5 +34,5 @@ def test_a_flat_plate_is_a_body():
 def test_quaternions_are_in_mujocos_order(turn, v):
     R = Rotation.from_rotvec(turn).as_matrix()
     turned = np.zeros(3)
-    mujoco.mju_rotVecQuat(turned, v, quaternion(R))
+    mujoco.mju_rotVecQuat(turned, v, to_mujoco_quaternion(R))
     np.testing.assert_allclose(turned, R @ v, atol=1e-12)

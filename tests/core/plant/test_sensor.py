@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.plant.imperfections import ExponentialDrift, LinearDrift
+from core.plant.imperfections import ExponentialOffsetDrift, LinearOffsetDrift
 from core.plant.sensor import Encoders, WhiteNoise, WristSensor, quantize
 from tests.core.plant.plant_oracle import CELLS
 
@@ -82,7 +82,7 @@ def test_a_delay_that_is_none_is_refused(delay):
 
 def test_drifts_add_up_and_start_at_zero():
     size = (0.3, -0.2, 0.1, 0.01, 0.02, -0.03)
-    drift = (LinearDrift(size, duration_s=100.0), ExponentialDrift(size, time_constant_s=20.0))
+    drift = (LinearOffsetDrift(size, duration_s=100.0), ExponentialOffsetDrift(size, time_constant_s=20.0))
     sensor = WristSensor(FINE, np.random.default_rng(0), period=PERIOD, drift=drift)
     zero = np.zeros(6)
     for t in (0.0, 20.0, 100.0):

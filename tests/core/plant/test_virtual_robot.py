@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from core.payload.inertia import InertialParameters
-from core.plant.imperfections import Imperfections, LinearDrift
+from core.plant.imperfections import Imperfections, LinearOffsetDrift
 from core.plant.mechanics import Drives
 from core.plant.virtual_robot import VirtualRobot
 from tests.core.plant.plant_oracle import CARRIED, CELLS, NAMES, PinocchioArm, smooth_move
@@ -123,7 +123,7 @@ def test_a_tilted_base_shows_as_gravity_turned_about_the_bases_axes(name):
 def test_planted_imperfections_leave_the_motion_alone_and_change_the_wrench():
     cell = CELLS["ur5e_line"]
     payload = cell.payloads["steel_block"].parameters
-    drift = LinearDrift((0.3, 0, 0, 0, 0, 0), duration_s=0.6)
+    drift = LinearOffsetDrift((0.3, 0, 0, 0, 0, 0), duration_s=0.6)
     planted = Imperfections(wrench_delay_s=0.004, offset_drift=(drift,))
     clean = VirtualRobot(cell, payload, np.random.default_rng(2))
     faulty = VirtualRobot(cell, payload, np.random.default_rng(2), imperfections=planted)

@@ -24,7 +24,7 @@ from core.procedure.outcome import Outcome
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import returned
+from core.trial.draw import run_to_end
 from tests.late_readings import CARRIED, LATE, NOISIER, first_run, noisy_cell, session
 
 FEW = tuple(effect for effect in library() if effect.id in ("time_delay", "sensor_lowpass", "kinematic_lag", "base_tilt"))
@@ -49,9 +49,9 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     cell, before = noisy_cell(), first_run()
     box = cell.payloads[CARRIED].box
     first = examine(before, FEW, fit_all=one_by_one)
-    choice = returned(choose_experiment(cell, before, first[1], box))
+    choice = run_to_end(choose_experiment(cell, before, first[1], box))
     out = tmp_path_factory.mktemp("experiment") / "both"
-    outcome = returned(measure_more(before, choice.proposal.motion.stops, cell, session(5), box, out=out))
+    outcome = run_to_end(measure_more(before, choice.proposal.motion.stops, cell, session(5), box, out=out))
     return Story(cell, before, first, choice, outcome, examine(outcome.recording, FEW, fit_all=one_by_one), out)
 
 
@@ -120,7 +120,7 @@ def test_what_is_no_motion_or_no_recording_of_this_robot_is_refused_before_anyth
     carried = other.payloads["cylinder"]
     run = measure_more(story.before, (Stop(down=(0.0, 0.0, 1.0)),), other, SimulatedSession(other, carried.parameters), carried.box)
     with pytest.raises(BadInput, match="another robot"):
-        returned(run)
+        run_to_end(run)
     run = measure_more(story.before, (), story.cell, session(1), story.cell.payloads[CARRIED].box)
     with pytest.raises(BadInput, match="no stops"):
-        returned(run)
+        run_to_end(run)

@@ -18,7 +18,7 @@ from core.report.faces import (
     cylinder_faces,
     faces_of_points,
     mesh_faces,
-    placed,
+    place_faces,
     shape_faces,
     sphere_faces,
 )
@@ -58,7 +58,7 @@ SOLIDS: dict[str, tuple[Callable[[], Faces], float, float]] = {
 def test_faces_are_closed_and_enclose_the_volume(name: str) -> None:
     make, expected, tolerance = SOLIDS[name]
     turn = Rotation.from_euler("xyz", [0.3, -0.7, 1.9]).as_matrix()
-    for faces in (make(), placed(make(), turn, np.array([1.0, -2.0, 0.5]))):
+    for faces in (make(), place_faces(make(), turn, np.array([1.0, -2.0, 0.5]))):
         np.testing.assert_allclose(area_vectors(faces).sum(axis=0), 0, atol=1e-12)
         assert volume(faces) == pytest.approx(expected, rel=tolerance)
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from core.cell.cell import load_cell
-from core.estimation.estimate import Drift, Estimate, Identification, PaperEstimate, TimeSeries
+from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.segments import segments_of_phase
 from core.payload.inertia import Motion
 from core.payload.rigid_wrench import wrench
@@ -23,9 +23,9 @@ from core.procedure.summary import RunSummary
 from core.recording.recording import Recording, SensorDescription
 from core.remark import Remark
 from core.report import page
-from core.report.charts import POINTS, decimated
+from core.report.charts import POINTS, decimate
 from core.report.page import write_report
-from core.report.rows import facts, parameter_rows, rounded
+from core.report.rows import facts, parameter_rows, round_to_uncertainty
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
 PHI = CELL.payloads["steel_block"].parameters.phi
@@ -60,7 +60,7 @@ def case() -> tuple[Recording, Identification, RunSummary]:
         consistent=True,
         residual_rms=noise * [1, 1, 1, 1, 2.5, 1],
         noise_std=noise,
-        drift=Drift(t[[0, -1]], np.zeros((2, 6)), np.full(6, 0.1)),
+        drift=DriftEstimate(t[[0, -1]], np.zeros((2, 6)), np.full(6, 0.1)),
         base_tilt_rad=np.radians([0.5, -0.25]),
         base_tilt_std=np.radians([0.01, 0.01]),
         delay_s=0.004,
@@ -267,7 +267,7 @@ def test_a_long_line_keeps_its_extremes() -> None:
     t = np.arange(123_457.0)
     values = random.normal(size=len(t))
     values[77_777], values[5] = 50.0, -40.0
-    x, y = decimated(t, values)
+    x, y = decimate(t, values)
     assert len(x) <= POINTS
     assert (np.diff(x) > 0).all()
     assert (y.max(), y.min()) == (50.0, -40.0)
@@ -287,7 +287,7 @@ def test_a_long_line_keeps_its_extremes() -> None:
     ],
 )
 def test_a_value_has_the_digits_that_its_uncertainty_leaves(value: float, uncertainty: float | None, text: str) -> None:
-    assert rounded(value, uncertainty) == text
+    assert round_to_uncertainty(value, uncertainty) == text
 
 
 def test_a_reference_outside_the_interval_is_marked_and_one_inside_is_not() -> None:

@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 from core.cell.cell import load_cell
 from core.planning.start_configuration import StartConfiguration
 from core.planning.throw import Throw
-from core.report.scene import HEIGHT, WIDTH, View, scene
+from core.report.scene import HEIGHT, WIDTH, Projection, scene
 from core.robot.model import RobotModel
 
 CELLS = Path(__file__).parents[3] / "cells"
@@ -28,7 +28,7 @@ def start(q: np.ndarray, axis: str = "x+") -> StartConfiguration:
 @settings(max_examples=50, deadline=None)
 @given(azimuth=st.floats(-np.pi, np.pi), seed=st.integers(0, 99))
 def test_the_projection_is_a_right_handed_parallel_one_that_shows_everything(azimuth: float, seed: int) -> None:
-    view = View(azimuth, np.array([-1.0, -2, 0]), np.array([1.0, 0.5, 2]))
+    view = Projection(azimuth, np.array([-1.0, -2, 0]), np.array([1.0, 0.5, 2]))
     assert Rotation.from_matrix(view.axes).as_matrix() == pytest.approx(view.axes)
     points = np.random.default_rng(seed).uniform(view.low, view.high, (50, 3))
     pixels = view.pixels(points)

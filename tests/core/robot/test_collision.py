@@ -141,14 +141,14 @@ def test_a_link_that_only_the_first_joint_moves_is_left_out_where_it_is_always_c
         distances = scene.to_environment(q)
         least = min(left_out, key=lambda pair: distances[pair])
         assert distances[least] >= cell.limits.clearance_m - 1e-6
-        told = collision.left_out_distance(q)
+        told = collision.find_nearest_left_out(q)
         assert told.distance_m == pytest.approx(distances[least], abs=2e-6)
         assert distances[told.first, told.second] == pytest.approx(distances[least], abs=2e-6)
 
 
 def test_where_nothing_stands_the_first_link_is_as_far_from_the_floor_as_it_is(cell, fcl_scene):
     empty = cell.model_copy(update={"obstacles": (), "zones": ()})
-    nearest = model_of(empty).left_out_distance(np.array(cell.robot.home_rad))
+    nearest = model_of(empty).find_nearest_left_out(np.array(cell.robot.home_rad))
     heights = fcl_scene(empty, cell.payload_box).to_environment(np.array(cell.robot.home_rad))
     assert nearest.second == "floor"
     assert nearest.distance_m == pytest.approx(heights[nearest.first, "floor"], abs=1e-6)

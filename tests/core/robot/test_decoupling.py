@@ -9,9 +9,9 @@ from scipy.integrate import cumulative_simpson
 from core.cell.cell import Box, Pose
 from core.robot.decoupling import (
     ACCELERATION,
-    accelerating_samples,
+    count_accelerating_samples,
     decoupling_profile,
-    expected_inertia,
+    predict_inertia,
     rate_limit,
     repetitions_for,
 )
@@ -109,7 +109,7 @@ def test_the_wanted_uncertainty_is_reached_in_a_simulation_and_not_by_much_less(
     tau = 0.005 * acceleration + 0.1 + rng.normal(0.0, torque_std, (2000, len(acceleration)))
     found = np.linalg.lstsq(regressor.T, tau.T)[0][0]
     assert np.std(found) < 1.05 * inertia_std
-    fewer = (repetitions - 1) * accelerating_samples(once)
+    fewer = (repetitions - 1) * count_accelerating_samples(once)
     assert torque_std / (ACCELERATION * np.sqrt(fewer)) > inertia_std
 
 
@@ -127,4 +127,4 @@ def test_the_expected_inertia_is_that_of_a_box_full_of_points(box, axis):
     grid = np.stack(np.meshgrid(gauss, gauss, gauss), axis=-1).reshape(-1, 3) * np.array(box.size_m)
     points = grid @ box.pose.rotation.T + box.pose.translation
     off_axis = np.delete(points, axis, axis=1)
-    assert expected_inertia(box, 2.0, axis) == pytest.approx(2.0 * np.mean(np.sum(off_axis**2, axis=1)))
+    assert predict_inertia(box, 2.0, axis) == pytest.approx(2.0 * np.mean(np.sum(off_axis**2, axis=1)))

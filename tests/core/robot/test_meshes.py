@@ -15,7 +15,7 @@ from core.files.confinement import Arrays, Order
 from core.report.faces import arm_parts
 from core.robot.bodies import link_bodies, visual_shapes
 from core.robot.model import RobotModel
-from core.second_opinion.arm import arm_of_cell
+from core.second_opinion.arm import build_solid_arm
 from tests.core.robot.mesh_bytes import BAD, BODY, FLAT, binary_stl, dae, elbow
 
 LWR = Path(__file__).parents[3] / "cells" / "lwr4_bench"
@@ -108,7 +108,7 @@ def test_a_link_that_moves_without_a_shape_for_collisions_is_refused(tmp_path: P
 def test_its_looks_count_for_planner_and_second_opinion_where_the_cell_says_so(tmp_path: Path) -> None:
     cell = load_cell(say(without_collision(tmp_path), '["link6"]'))
     names = [body.name for body in link_bodies(cell, RobotModel.of_cell(cell))]
-    assert sorted({*names}) == sorted({body.name for body in arm_of_cell(cell, cell.payload_box).bodies} - {"payload"})
+    assert sorted({*names}) == sorted({body.name for body in build_solid_arm(cell, cell.payload_box).bodies} - {"payload"})
     assert "link6" in names
 
 

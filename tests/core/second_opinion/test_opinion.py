@@ -19,20 +19,20 @@ from scipy.spatial.transform import Rotation
 
 from core.cell.cell import Box, Cell, Pose, load_cell
 from core.errors import BadRobot, PlanDisputed
-from core.planning.commanded_path import Motion, commanded_paths
-from core.planning.joint_torques import JointTorques, guessed_load
-from core.planning.plan import Plan, confirmed, plan_procedure, plan_summary
+from core.planning.commanded_path import PlanPart, compute_joint_paths
+from core.planning.joint_torques import JointTorques, guess_load
+from core.planning.plan import Plan, confirm_plan, plan_procedure, plan_summary
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.point_speed import point_speeds
 from core.second_opinion import solids
-from core.second_opinion.arm import Frames, arm_of_cell
-from core.second_opinion.least import least_margin
-from core.second_opinion.left_out import left_out_lines
-from core.second_opinion.opinion import Approach, FastestPoint, JointPath, Opinion, _exact, _steps, second_opinion
-from core.second_opinion.pairs import Kind, Placed, accounted_pairs, placed, standing
+from core.second_opinion.arm import Frames, build_solid_arm
+from core.second_opinion.least import find_least
+from core.second_opinion.left_out import describe_left_out
+from core.second_opinion.opinion import Approach, JointPath, Opinion, PeakSpeed, _exact, _steps, second_opinion
+from core.second_opinion.pairs import PairKind, Placed, classify_pairs, place_bodies, place_standing
 from core.second_opinion.refusal import refuse_disputed
-from core.trial.draw import returned
+from core.trial.draw import run_to_end
 from tests.core.robot.mesh_bytes import dae, elbow
 
 Array = NDArray[np.float64]
@@ -62,7 +62,7 @@ def bench(name: str) -> Bench:
 @cache
 def planned(name: str) -> Plan:
     at = bench(name)
-    return returned(plan_procedure(at.cell, at.robot, at.collision, at.cell.payload_box, start=at.home, poses=("x-", "x+")))
+    return run_to_end(plan_procedure(at.cell, at.robot, at.collision, at.cell.payload_box, start=at.home, poses=("x-", "x+")))
 
 
 def postures(robot: RobotModel, count: int) -> Array:
@@ -78,7 +78,7 @@ def there_and_back(home: Array, away: Array, seconds: float) -> Array:
 @pytest.mark.parametrize("name", NAMES)
 def test_its_kinematics_are_pinocchios(name: str) -> None:
     at = bench(name)
-    arm, q = arm_of_cell(at.cell, at.cell.payload_box), postures(at.robot, 50)
+    arm, q = build_solid_arm(at.cell, at.cell.payload_box), postures(at.robot, 50)
     own, theirs = arm.sensor_frames(q), at.robot.sensor_poses(q)
     np.testing.assert_allclose(own.rotation, theirs.rotation, atol=1e-12)
     np.testing.assert_allclose(own.position, theirs.position, atol=1e-12)
@@ -87,9 +87,9 @@ def test_its_kinematics_are_pinocchios(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_its_distances_are_coals_for_every_pair_that_the_planner_watches(name: str) -> None:
     at = bench(name)
-    arm = arm_of_cell(at.cell, at.cell.payload_box)
+    arm = build_solid_arm(at.cell, at.cell.payload_box)
     q = postures(at.robot, 200)
-    bodies = [*placed(arm, q), *standing(at.cell)]
+    bodies = [*place_bodies(arm, q), *place_standing(at.cell)]
     number = {body.name: i for i, body in enumerate(bodies)}
     watched = [pair for group in at.collision.pairs for pair in group]
     errors = []
@@ -108,7 +108,7 @@ def test_its_distances_are_coals_for_every_pair_that_the_planner_watches(name: s
 def test_round_solids_are_exact_where_python_fcl_by_itself_is_not() -> None:
     rng = np.random.default_rng(1)
     for own, theirs in (
-        (solids.ball(0.1), coal.Sphere(0.1)),
+        (solids.sphere(0.1), coal.Sphere(0.1)),
         (solids.capsule(0.06, 0.3), coal.Capsule(0.06, 0.3)),
         (solids.hull(Box(size_m=(0.1, 0.2, 0.3)).corners), coal.Box(0.1, 0.2, 0.3)),
     ):
@@ -173,10 +173,10 @@ def test_a_mesh_that_is_not_convex_is_as_far_as_its_triangles_and_no_nearer_from
         return solids.distance(solids.place(found, turn, np.zeros(3)), solids.place(other, turn, np.array([x, y, z])))
 
     assert from_elbow(small, 0.12, 0.10) == pytest.approx(0.04, abs=1e-9)  # in the hull, beside both arms
-    assert from_elbow(solids.ball(0.01), 0.10, 0.12) == pytest.approx(0.04, abs=1e-9)
+    assert from_elbow(solids.sphere(0.01), 0.10, 0.12) == pytest.approx(0.04, abs=1e-9)
     assert from_elbow(solids.capsule(0.01, 0.2), 0.10, 0.12) == pytest.approx(0.04, abs=1e-9)
     assert from_elbow(bar, 0.2, 0.03) < 0.0  # through an arm
-    assert from_elbow(solids.ball(0.01), 0.3, 0.025) < 0.0  # within it, meeting no surface
+    assert from_elbow(solids.sphere(0.01), 0.3, 0.025) < 0.0  # within it, meeting no surface
     assert from_elbow(small, 0.5, 0.025) == pytest.approx(0.09, abs=1e-6)  # as far as the hulls
     inside = solids.distance(solids.place(small, turn, np.array([0.12, 0.10, 0.025])), solids.place(found, turn, np.zeros(3)))
     assert inside == pytest.approx(0.04, abs=1e-9)
@@ -194,7 +194,7 @@ def test_what_it_finds_is_what_a_look_at_every_sample_finds(name: str) -> None:
     at = bench(name)
     q = there_and_back(at.home, np.linspace(1.0, -0.6, at.robot.n), 0.6)
     opinion = second_opinion(at.cell, at.cell.payload_box, [JointPath("first", q[:250]), JointPath("second", q[250:])], PERIOD)
-    bodies = [*placed(arm_of_cell(at.cell, at.cell.payload_box), q), *standing(at.cell)]
+    bodies = [*place_bodies(build_solid_arm(at.cell, at.cell.payload_box), q), *place_standing(at.cell)]
     for found in opinion.approaches:
         pairs = [pair for pair in opinion.pairs if pair.kind == found.kind]
         margins = np.array(
@@ -215,7 +215,7 @@ def test_a_least_margin_just_below_zero_is_found_however_coarse_the_figures_may_
     margins = np.full((3, 1000), 0.0005)
     margins[1, 617] = -0.0001
     ways = [np.linspace(0.0, 1.0, 1000)] * 3
-    found = least_margin(ways, lambda pair, sample: float(margins[pair, sample]), resolution=0.01)
+    found = find_least(ways, lambda pair, sample: float(margins[pair, sample]), resolution=0.01)
     assert (found.pair, found.sample) == (1, 617)
 
 
@@ -224,13 +224,13 @@ def test_a_plan_of_a_shipped_cell_passes_with_its_rotation_and_says_no_other_dis
     at, plan = bench(name), planned(name)
     assert plan.opinion.passes
     assert plan.opinion.samples > plan.robot_s / PERIOD * 0.5
-    around = [each for each in plan.opinion.approaches if each.kind == Kind.ENVIRONMENT]
+    around = [each for each in plan.opinion.approaches if each.kind == PairKind.ENVIRONMENT]
     assert around[0].distance_m <= min(leg.start.least_clearance_m for leg in plan.legs) + 1e-4
     assert around[0].distance_m >= at.cell.limits.clearance_m
     assert plan.opinion.fastest.speed_m_s == pytest.approx(0.96 * at.cell.limits.cartesian_speed_m_s, rel=0.01)
 
 
-def approach(opinion: Opinion, kind: Kind) -> Approach:
+def approach(opinion: Opinion, kind: PairKind) -> Approach:
     return next(each for each in opinion.approaches if each.kind == kind)
 
 
@@ -248,7 +248,7 @@ def test_a_path_bent_into_an_obstacle_by_5_mm_is_found_at_its_deepest_place(name
     theirs = at.collision.obstacle_distance(at.home + low * down)
     q = there_and_back(at.home, low * down, 6.0)
     opinion = second_opinion(at.cell, at.cell.payload_box, [JointPath("transfer x+", q[:2000]), JointPath("home", q[2000:])], PERIOD)
-    found = approach(opinion, Kind.ENVIRONMENT)
+    found = approach(opinion, PairKind.ENVIRONMENT)
     assert opinion.violations[0] == found
     assert (found.first, found.second, found.part) == (theirs.first, theirs.second, "home")
     assert found.distance_m == pytest.approx(-0.005, abs=2e-6)
@@ -264,7 +264,7 @@ def test_a_payload_box_that_turns_into_the_wrist_is_found() -> None:
     share = np.linspace(0.0, 1.0, 2001)
     q = at.home + 0.5 * np.pi * share[:, None] * np.eye(7)[6]
     opinion = second_opinion(at.cell, beside, [JointPath("rotation z", q)], PERIOD)
-    found = approach(opinion, Kind.PAYLOAD)
+    found = approach(opinion, PairKind.PAYLOAD)
     assert found in opinion.violations
     assert (found.first, found.second) == ("payload", "link6")
     assert found.distance_m == pytest.approx(0.07 - 0.065 * np.sqrt(2.0), abs=1e-3)  # an edge of the cube, at 45 degrees
@@ -275,7 +275,7 @@ def test_a_payload_bent_back_into_the_forearm_is_found() -> None:
     at = bench("lwr4_bench")
     away = np.array([0.0, 0.0, 0.0, 0.0, 0.0, -2.09 - at.home[5], 0.0])
     opinion = second_opinion(at.cell, at.cell.payload_box, [JointPath("transfer y-", there_and_back(at.home, away, 10.0))], PERIOD)
-    found = approach(opinion, Kind.PAYLOAD)
+    found = approach(opinion, PairKind.PAYLOAD)
     assert found in opinion.violations
     assert (found.first, found.second, found.part, found.required_m) == ("payload", "link5", "transfer y-", 0.01)
     assert found.time_s == pytest.approx(5.0, abs=0.1)
@@ -292,7 +292,7 @@ def test_a_speed_3_percent_over_the_limit_is_found_with_its_body_and_time(name: 
     q = there_and_back(at.home, angle * turn, 2.0 * seconds)
     opinion = second_opinion(at.cell, at.cell.payload_box, [JointPath("home", q[: len(q) // 2])], PERIOD)
     (found,) = opinion.violations
-    assert isinstance(found, FastestPoint)
+    assert isinstance(found, PeakSpeed)
     assert found.speed_m_s == pytest.approx(1.03 * 0.25, rel=2e-3)
     assert found.body == at.collision.points.owner[int(np.argmax(speeds))]
     assert found.time_s == pytest.approx(0.5 * seconds, abs=2.5 * PERIOD)
@@ -314,7 +314,7 @@ def test_a_step_between_two_parts_is_a_speed() -> None:
     at = bench("ur5e_line")
     apart = [JointPath("transfer x-", at.home[None]), JointPath("home", at.home[None] + 1e-3)]
     found = second_opinion(at.cell, at.cell.payload_box, apart, PERIOD).violations[-1]
-    assert isinstance(found, FastestPoint)
+    assert isinstance(found, PeakSpeed)
     assert (found.part, found.time_s) == ("home", 0.0)
 
 
@@ -327,7 +327,7 @@ def test_a_set_point_that_is_no_number_is_not_judged() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_pair_is_accounted_for_once_and_each_that_the_planner_watches_is_judged(name: str) -> None:
     at = bench(name)
-    pairs = accounted_pairs(at.cell, arm_of_cell(at.cell, at.cell.payload_box))
+    pairs = classify_pairs(at.cell, build_solid_arm(at.cell, at.cell.payload_box))
     names = [frozenset((pair.first, pair.second)) for pair in pairs]
     assert len(set(names)) == len(names)
     judged = {name for name, pair in zip(names, pairs, strict=True) if pair.kind.is_judged}
@@ -340,7 +340,7 @@ def test_a_rotation_is_judged_as_the_controller_will_command_it(name: str) -> No
     at, plan = bench(name), planned(name)
     leg = plan.legs[-1]
     assert leg.profile is not None
-    (path,) = commanded_paths(at.cell, at.robot, at.collision, [Motion("rotation x", leg.profile, "x")], leg.start.q)
+    (path,) = compute_joint_paths(at.cell, at.robot, at.collision, [PlanPart("rotation x", leg.profile, "x")], leg.start.q)
     poses = at.robot.sensor_poses(path.q)
     about = Rotation.from_matrix(poses.rotation[0].T @ poses.rotation).as_rotvec()
     assert np.abs(poses.position - poses.position[0]).max() < 1e-5
@@ -373,7 +373,7 @@ def test_the_least_distance_of_a_plan_is_that_of_everything_that_moves_the_first
     at, plan = bench(name), planned(name)
     told = plan_summary(at.cell, plan)
     scene = fcl_scene(at.cell, at.cell.payload_box)
-    base = {body.name for body in arm_of_cell(at.cell, at.cell.payload_box).bodies if body.joint == 0}
+    base = {body.name for body in build_solid_arm(at.cell, at.cell.payload_box).bodies if body.joint == 0}
     rows = np.concatenate([*(leg.transfer.trajectory.q[::25] for leg in plan.legs), plan.home.trajectory.q[::25]])
     seen = {
         pair: min(found[pair] for found in map(scene.to_environment, rows)) for pair in scene.to_environment(rows[0]) if pair[0] not in base
@@ -390,7 +390,7 @@ def test_every_pair_of_which_nothing_is_asked_stands_in_the_summary_with_its_rea
     told = plan_summary(bench("ur5e_line").cell, plan).left_out
     asked = {(pair.first, pair.second) for pair in plan.opinion.pairs if pair.required_m != 0.0}
     assert {(pair.first, pair.second) for pair in told} == {(pair.first, pair.second) for pair in plan.opinion.pairs} - asked
-    lines = left_out_lines(plan.opinion.left_out)
+    lines = describe_left_out(plan.opinion.left_out)
     assert len(lines) == len({pair.why for pair in told})
     for pair in told:
         assert any(f"{pair.first} - {pair.second}" in line and line.endswith(f": {pair.why}") for line in lines)
@@ -400,6 +400,6 @@ def test_a_plan_that_is_not_confirmed_is_not_offered() -> None:
     at = bench("ur5e_line")
     slower = at.cell.model_copy(update={"limits": at.cell.limits.model_copy(update={"cartesian_speed_m_s": 0.2})})
     plan = planned("ur5e_line")
-    torques = JointTorques(at.cell, at.robot, guessed_load(at.cell, at.cell.payload_box, 1.0))
+    torques = JointTorques(at.cell, at.robot, guess_load(at.cell, at.cell.payload_box, 1.0))
     with pytest.raises(PlanDisputed, match=r"limit 0\.200 m/s"):
-        confirmed(slower, at.robot, at.collision, at.cell.payload_box, plan.legs, plan.home, torques)
+        confirm_plan(slower, at.robot, at.collision, at.cell.payload_box, plan.legs, plan.home, torques)

@@ -11,7 +11,7 @@ import pytest
 from core.cell.cell import load_cell
 from core.effects.library import library
 from core.sessions.simulated import SimulatedSession
-from core.twin.twin import NOMINAL, Twin, standing
+from core.twin.twin import NOMINAL, Twin, make_home_scene
 from tests.twin_entries import entry
 
 CELLS = {name: load_cell(Path(__file__).parents[3] / "cells" / name) for name in ("lwr4_bench", "ur5e_line")}
@@ -73,6 +73,6 @@ def test_a_jump_of_the_offset_comes_when_the_twin_says() -> None:
 @pytest.mark.parametrize("effect", library(), ids=lambda effect: effect.id)
 def test_every_effect_of_the_library_can_be_shown_live(effect) -> None:
     cell = CELLS["lwr4_bench"]
-    sizes = {p.name: min(p.upper, p.absent + 0.1 * p.scale) for p in effect.parameters(standing(cell)) if not p.name.endswith("_s")}
+    sizes = {p.name: min(p.upper, p.absent + 0.1 * p.scale) for p in effect.parameters(make_home_scene(cell)) if not p.name.endswith("_s")}
     change = added("lwr4_bench", Twin(effects=(entry(cell, effect.id, **sizes),)))
     assert np.isfinite(change).all()

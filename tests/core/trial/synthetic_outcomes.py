@@ -6,7 +6,7 @@ from typing import Any
 
 from core.trial.bound import Bound
 from core.trial.draw import Sealed
-from core.trial.outcome import Estimate, Named, Outcome, PayloadTruth
+from core.trial.outcome import Named, Outcome, ParameterEstimate, PayloadTruth
 
 PHI = (2.0, 0.02, 0.0, 0.1, 0.01, 0.0, 0.0, 0.01, 0.0, 0.005)
 CLEAR = Bound(fault_sigma=100.0, material_sigma=50.0, nearest_rival_sigma=20.0, undescribed_sigma=1.0)
@@ -59,9 +59,9 @@ def double(seed: int, pair: tuple[str, str], **more: Any) -> Outcome:
     return Outcome(sealed=planted, stopped=None, verdict="explained", **values)
 
 
-def estimates(**values: tuple[float, float]) -> dict[str, Estimate]:
+def estimates(**values: tuple[float, float]) -> dict[str, ParameterEstimate]:
     """Parameters with their uncertainties."""
-    return {name: Estimate(value=value, std=std) for name, (value, std) in values.items()}
+    return {name: ParameterEstimate(value=value, std=std) for name, (value, std) in values.items()}
 
 
 def payload(before: float, after: float, std: float) -> PayloadTruth:

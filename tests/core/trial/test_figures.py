@@ -13,7 +13,7 @@ from core.trial.figures import (
     calibration_error,
     closure_ratios,
     first_answers,
-    half_named,
+    fit_halfway_size,
     parameter_errors,
     payload_errors,
     reliability,
@@ -108,6 +108,6 @@ def test_half_of_the_trials_are_named_where_the_curve_was_drawn_from():
     rng = np.random.default_rng(2)
     x = np.exp(rng.uniform(np.log(0.3), np.log(30.0), 3000))
     hit = rng.uniform(size=len(x)) < 1 / (1 + (3.0 / x) ** 2)
-    assert half_named(x.tolist(), hit.tolist()) == pytest.approx(3.0, rel=0.1)
-    assert half_named([1.0, 2.0], [True, True]) is None
-    assert 2.0 < (half_named([1.0, 2.0, 4.0, 8.0], [False, False, True, True]) or 0.0) < 4.0
+    assert fit_halfway_size(x.tolist(), hit.tolist()) == pytest.approx(3.0, rel=0.1)
+    assert fit_halfway_size([1.0, 2.0], [True, True]) is None
+    assert 2.0 < (fit_halfway_size([1.0, 2.0, 4.0, 8.0], [False, False, True, True]) or 0.0) < 4.0

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from core.trial.bound import Bound
-from core.trial.judgement import counts, exact_pair, forecast, mark, material, named, named_first, right, truth_class
-from core.trial.outcome import Estimate, Named, Outcome
+from core.trial.judgement import counts, exact_pair, find_named_effects, forecast, mark, material, names_truth_first, right, truth_class
+from core.trial.outcome import Named, Outcome, ParameterEstimate
 from tests.core.trial.synthetic_outcomes import double, estimates, none, payload, sealed, single, unknown
 
 SMALL = Bound(fault_sigma=20.0, material_sigma=50.0)
-NOISY = {"sensor_noise": {"fx_noise_factor": Estimate(value=2.0, std=0.02)}}
+NOISY = {"sensor_noise": {"fx_noise_factor": ParameterEstimate(value=2.0, std=0.02)}}
 FAINT = Bound(fault_sigma=5.0, material_sigma=2.0)
 
 
@@ -58,7 +58,7 @@ def test_unknown_counts_only_where_no_effect_of_the_library_describes_it():
 def test_two_faults_are_named_by_exactly_the_pair():
     assert right(double(0, ("base_tilt", "time_delay")))
     assert not right(double(0, ("base_tilt", "sensor_gain")))
-    assert named(double(0, ("time_delay", "base_tilt"))) == {"base_tilt", "time_delay"}
+    assert find_named_effects(double(0, ("time_delay", "base_tilt"))) == {"base_tilt", "time_delay"}
 
 
 def test_of_two_faults_one_that_is_read_off_is_to_stand_beside_the_verdict():
@@ -86,8 +86,8 @@ def test_what_is_read_off_is_right_where_it_stands_beside_with_its_parameters_an
 def test_another_name_in_the_verdict_is_not_right_for_what_is_read_off():
     creep = (Named(id="sensor_creep", probability=0.9, closure=1.0),)
     assert not right(beside(verdict="explained", effects=creep))
-    assert not named_first(beside(verdict="explained", effects=creep))
-    assert named_first(beside())
+    assert not names_truth_first(beside(verdict="explained", effects=creep))
+    assert names_truth_first(beside())
 
 
 def test_noise_that_does_not_matter_is_rightly_passed_over():

@@ -30,7 +30,7 @@ from core.plant.mechanics import PERIOD, Drives
 from core.plant.virtual_robot import VirtualRobot
 from core.recording.recording import Recording, SensorDescription
 from core.robot.model import RobotModel
-from core.trial.truth import TOLD, difference_of, parameters_of, payload_of
+from core.trial.truth import TOLD, difference_of, translate_truth, true_payload_of
 
 CELL = load_cell(find_cell("lwr4_bench"))
 PAYLOAD = CELL.payloads["cylinder"].parameters
@@ -45,7 +45,7 @@ def effect_of(name: str) -> Any:
 
 def told(fault: Fault) -> dict[str, float]:
     """What the table says of a fault."""
-    return parameters_of(fault.id, fault.variant, fault.truth, SETTING)
+    return translate_truth(fault.id, fault.variant, fault.truth, SETTING)
 
 
 def still_scene(seconds: float = 12.0) -> Scene:
@@ -122,33 +122,33 @@ def swung(fault: Fault) -> Recording:
 def test_a_fault_in_the_mechanism_is_fitted_with_the_stated_parameters_and_payload(fault: Fault):
     windows = Windows(basis_of(swung(fault)))
     nominal, effect = fit_nominal(windows), effect_of(fault.id)
-    scene = windows.basis.scene.carrying(nominal.phi)
+    scene = windows.basis.scene.with_phi(nominal.phi)
     residual = np.column_stack([np.interp(scene.t, windows.centres, channel) for channel in nominal.residual])
     fit = fit_effects(windows, (effect,), nominal, effect.starts(scene, residual))
     truth = told(fault)
     true = np.array([truth.get(p.name, p.absent) for p in fit.parameters])
     assert np.all(np.abs(fit.theta - true) < 4.0 * fit.theta_std + 0.03 * np.abs(true).max())
     assert np.linalg.norm(fit.theta - true) < 0.3 * np.linalg.norm(true)
-    payload = payload_of(CELL, PAYLOAD, (fault,)).phi
+    payload = true_payload_of(CELL, PAYLOAD, (fault,)).phi
     assert np.all(np.abs(fit.phi - payload)[:4] < 4.0 * fit.phi_std[:4] + 0.003 * payload[0])
 
 
 def test_the_true_payload_is_the_nominal_one_where_no_fault_touches_it():
     for faults in ((), (TiltedBase((0.02, 0.0)),), (ElasticJoints((3000.0,) * 7),), (TurnedSensorWithPayload((0.1, 0.0, 0.0)),)):
-        assert payload_of(CELL, PAYLOAD, faults).phi == pytest.approx(PAYLOAD.phi, rel=1e-6, abs=1e-7)
+        assert true_payload_of(CELL, PAYLOAD, faults).phi == pytest.approx(PAYLOAD.phi, rel=1e-6, abs=1e-7)
 
 
 def test_the_true_payload_is_seen_from_the_true_sensor():
     shift = np.array([0.01, -0.02, 0.03])
-    found = payload_of(CELL, PAYLOAD, (ShiftedSensor((0.01, -0.02, 0.03)),))
+    found = true_payload_of(CELL, PAYLOAD, (ShiftedSensor((0.01, -0.02, 0.03)),))
     assert found.com == pytest.approx(PAYLOAD.com - shift, abs=1e-9)
-    half_turn = payload_of(CELL, PAYLOAD, (TurnedSensor((0.0, 0.0, np.pi)),))
+    half_turn = true_payload_of(CELL, PAYLOAD, (TurnedSensor((0.0, 0.0, np.pi)),))
     assert half_turn.com == pytest.approx(PAYLOAD.com * [-1, -1, 1], abs=1e-9)
 
 
 def test_what_is_put_on_later_is_not_there_at_the_start_and_what_falls_off_is():
     for change in (0.2, -0.2):
-        found = payload_of(CELL, PAYLOAD, (MassStep(change, (0.05, 0.0, 0.1), 5.0, 0.0),))
+        found = true_payload_of(CELL, PAYLOAD, (MassStep(change, (0.05, 0.0, 0.1), 5.0, 0.0),))
         assert found.mass == pytest.approx(PAYLOAD.mass, rel=1e-9)
         assert found.com == pytest.approx(PAYLOAD.com, abs=1e-9)
 
@@ -165,4 +165,4 @@ def test_every_line_of_the_table_is_about_a_fault_that_there_is():
 
 
 def test_a_fault_of_another_shape_has_no_parameters():
-    assert parameters_of("sensor_drift", "random_walk", {}, SETTING) == {}
+    assert translate_truth("sensor_drift", "random_walk", {}, SETTING) == {}

@@ -52,7 +52,7 @@ def test_a_twin_that_could_not_be_read_again_is_not_written(cell: Cell, twin: Tw
     write_twin(cell, twin)
     text = (cell.folder / TWIN_FILE).read_text()
     with pytest.raises(BadTwin, match=r"delay_s\.value: found 0\.5 s, expected between 0 and 0\.1"):
-        write_twin(cell, twin.having(entry(cell, "time_delay", delay_s=0.5)))
+        write_twin(cell, twin.with_entry(entry(cell, "time_delay", delay_s=0.5)))
     assert (cell.folder / TWIN_FILE).read_text() == text
 
 

@@ -14,7 +14,7 @@ from fastapi.testclient import TestClient
 from pydantic import BaseModel
 
 from server.http.openapi import operations
-from server.http.schemas import Answer, Body
+from server.http.schemas import Answer, RequestBody
 from server.people.roles import Role
 from server.telemetry.logs import JsonLines
 from server.telemetry.request_context import run_id
@@ -119,7 +119,7 @@ def _of_the_service(model: type[BaseModel]) -> set[str]:
 
 
 def test_every_number_of_the_service_has_its_unit_in_its_name(app: FastAPI) -> None:
-    own = _of_the_service(Body) | _of_the_service(Answer)
+    own = _of_the_service(RequestBody) | _of_the_service(Answer)
     schemas = {name: schema for name, schema in app.openapi()["components"]["schemas"].items() if name in own}
     assert len(schemas) > 10
     for name, schema in schemas.items():

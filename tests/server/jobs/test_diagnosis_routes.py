@@ -15,10 +15,10 @@ from core.errors import BadRecording
 from core.gap.diagnosis import diagnose
 from core.recording.folder import read_recording
 from server.jobs import jobs
-from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder, diagnoses, overlay_of
+from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder, diagnoses, locate_overlay
 from server.people.roles import Role
 from server.runner.overlay_schemas import OverlayAnswer
-from server.runs.recording_archive import unpack
+from server.runs.recording_archive import unpack_recording
 from server.service import Service
 from tests.server.finished_diagnosis import finished_diagnosis, standing_recording
 from tests.server.made_people import As
@@ -97,7 +97,7 @@ def test_measured_and_simulated_are_there_to_plot_where_there_was_enough_to_comp
     assert nothing.status_code == 409
     assert "nothing to overlay" in nothing.json()["detail"]
     kept = OverlayAnswer(t_s=[0.1], phase=["transfer"], channels=[])
-    overlay_of(service.settings, diagnosis).write_text(kept.model_dump_json())
+    locate_overlay(service.settings, diagnosis).write_text(kept.model_dump_json())
     assert client.get(f"{place}/overlay").json() == kept.model_dump()
 
 
@@ -114,7 +114,7 @@ def test_a_diagnosis_that_waits_or_runs_is_cancelled_and_its_recording_stays(sig
     client = signed_in(Role.engineer)
     order = DiagnosisOrder(recording=standing_recording(tmp_path / "recording"))
     with service.store.write() as db:
-        diagnosis = jobs.queue(db, DIAGNOSIS, order, None, "account:anna", service.now()).id  # nobody has woken the worker
+        diagnosis = jobs.add_job(db, DIAGNOSIS, order, None, "account:anna", service.now()).id  # nobody has woken the worker
     answer = client.delete(f"/api/diagnoses/{diagnosis}").json()
     assert (answer["state"], answer["reason"]) == ("cancelled", "cancelled by account:engineer.")
     assert client.delete(f"/api/diagnoses/{diagnosis}").status_code == 409
@@ -131,7 +131,7 @@ def test_what_leads_elsewhere_in_a_zip_lands_in_the_folder_or_nowhere(tmp_path, 
     hostile = {f"../../{name}": content for name, content in files_of(standing).items()} | {"/etc/cron.d/x": b"", "evil.py": b""}
     (tmp_path / "upload").write_bytes(zipped(hostile))
     (tmp_path / "a" / "b").mkdir(parents=True)
-    unpack(tmp_path / "upload", tmp_path / "a" / "b" / "c")
+    unpack_recording(tmp_path / "upload", tmp_path / "a" / "b" / "c")
     assert {file.name for file in (tmp_path / "a" / "b" / "c").iterdir()} == set(files_of(standing))
     assert sorted(file.name for file in tmp_path.iterdir()) == ["a", "upload"]
     np.testing.assert_array_equal(read_recording(tmp_path / "a" / "b" / "c").t, read_recording(standing).t)
@@ -152,11 +152,11 @@ def test_what_leads_elsewhere_in_a_zip_lands_in_the_folder_or_nowhere(tmp_path, 
 def test_what_is_no_recording_is_refused_and_leaves_nothing(tmp_path, content):
     (tmp_path / "upload").write_bytes(content)
     with pytest.raises(BadRecording):
-        unpack(tmp_path / "upload", tmp_path / "recording")
+        unpack_recording(tmp_path / "upload", tmp_path / "recording")
     assert [file.name for file in tmp_path.iterdir()] == ["upload"]
 
 
 def test_a_link_in_a_zip_is_only_a_file_with_a_path_in_it(tmp_path, standing):
     (tmp_path / "upload").write_bytes(zipped(files_of(standing) | {}, symlink="x/robot2.urdf"))
-    unpack(tmp_path / "upload", tmp_path / "recording")
+    unpack_recording(tmp_path / "upload", tmp_path / "recording")
     assert not any(file.is_symlink() for file in (tmp_path / "recording").iterdir())

@@ -13,7 +13,7 @@ from sqlalchemy.orm import Session
 
 from server.http.errors import Conflict, NotFound
 from server.jobs import jobs
-from server.jobs.jobs import JobStatus, Kind, Worker
+from server.jobs.jobs import JobKind, JobStatus, Worker
 from server.runs.tables import JobRow
 from server.service import utc_now
 from server.store.store import Store
@@ -30,13 +30,13 @@ def store(tmp_path: Path) -> Store:
     return store
 
 
-def kind(also: Callable[[Session, JobRow], object] = lambda _db, _row: None) -> Kind:
-    return Kind("work", "tests.server.light_work", lambda row: (Order.model_validate_json(row.order).what,), also)
+def kind(also: Callable[[Session, JobRow], object] = lambda _db, _row: None) -> JobKind:
+    return JobKind("work", "tests.server.light_work", lambda row: (Order.model_validate_json(row.order).what,), also)
 
 
 def queued(store: Store, what: str) -> str:
     with store.write() as db:
-        return jobs.queue(db, "work", Order(what=what), None, "account:anna", utc_now()).id
+        return jobs.add_job(db, "work", Order(what=what), None, "account:anna", utc_now()).id
 
 
 def row_of(store: Store, job: str) -> JobRow:
@@ -110,7 +110,7 @@ def test_what_is_cancelled_while_it_answers_stays_cancelled_and_changes_nothing(
                 jobs.cancel(db, "work", job, "account:anna", utc_now())
         return True
 
-    monkeypatch.setattr(Worker, "_wanted", wanted_a_moment_ago)
+    monkeypatch.setattr(Worker, "_is_running", wanted_a_moment_ago)
     asyncio.run(worked(Worker(store, utc_now, kind(lambda _, row: seen.append(row.state))), over(store, job)))
     assert (row_of(store, job).state, row_of(store, job).result, seen) == (JobStatus.cancelled, None, ["running"])
 

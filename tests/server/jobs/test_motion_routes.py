@@ -32,7 +32,7 @@ def first_run(nothing_planned: None, service: Service) -> str:
     """A run that was stopped early, with a box of its own; the robot only stood."""
     with service.store.write() as db:
         order = RunOrder.model_validate({"cell": CELL, "payload": PAYLOAD, "seed": 7, "payload_box": ROOMY})
-        run = run_ledger.queue(db, order, "account:anna", service.now())
+        run = run_ledger.add_run(db, order, "account:anna", service.now())
         run_ledger.end(db, run, Reason("stopped", "stopped"), service.now())
     standing_recording(recording_of(service, run.id), service.cells.load(CELL), PAYLOAD)
     return run.id

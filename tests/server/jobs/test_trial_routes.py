@@ -7,10 +7,10 @@ import time
 from hashlib import sha256
 
 from core.trial.draw import draw
-from core.trial.outcome import unanswered
+from core.trial.outcome import make_stopped_outcome
 from server.people.roles import Role
 from server.runner.trial_schemas import TrialsResult
-from server.runner.trialling import _opened
+from server.runner.trialling import _open_trials
 from tests.server.made_people import As
 
 
@@ -38,7 +38,7 @@ def test_seals_are_told_and_written_down_before_the_answers_and_trials_can_be_ca
 
 def test_what_is_opened_is_what_was_sealed() -> None:
     sealed = draw(7).sealed
-    result = TrialsResult.model_validate_json(_opened([unanswered(sealed, "the guard stopped the robot")]))
+    result = TrialsResult.model_validate_json(_open_trials([make_stopped_outcome(sealed, "the guard stopped the robot")]))
     assert sha256(result.opened[0].sealed.encode()).hexdigest() == sealed.hash
     assert result.opened[0].planted == sealed.in_words
     assert "# " in result.sheet

@@ -120,7 +120,7 @@ def test_an_effect_that_no_twin_takes_is_refused_at_once_with_the_reason(service
 def test_nothing_is_taken_out_while_something_is_being_added(service: Service, signed_in: As, late: Path, tmp_path: Path) -> None:
     order = AdditionOrder(cell=CELL, effect="base_tilt", diagnosis="x", recording=tmp_path)
     with service.store.write() as db:
-        jobs.queue(db, ADDITION, order, CELL, "account:anna", service.now())  # nobody has woken the worker
+        jobs.add_job(db, ADDITION, order, CELL, "account:anna", service.now())  # nobody has woken the worker
     assert signed_in(Role.engineer).delete(f"{TWIN}/time_delay").status_code == 409
     assert (late / TWIN_FILE).exists()
 
@@ -130,7 +130,7 @@ def test_an_addition_is_cancelled_in_its_own_cell_and_leaves_the_twin_as_it_was(
 ) -> None:
     order = AdditionOrder(cell=CELL, effect="base_tilt", diagnosis="x", recording=tmp_path)
     with service.store.write() as db:
-        addition = jobs.queue(db, ADDITION, order, CELL, "account:anna", service.now()).id  # nobody has woken the worker
+        addition = jobs.add_job(db, ADDITION, order, CELL, "account:anna", service.now()).id  # nobody has woken the worker
     client, before = signed_in(Role.engineer), (late / TWIN_FILE).read_bytes()
     assert client.delete(f"/api/cells/other/twin/additions/{addition}").status_code == 404
     answer = client.delete(f"{TWIN}/additions/{addition}").json()
@@ -144,7 +144,7 @@ def test_what_was_fitted_is_said_and_in_the_cells_folder_once_the_job_is_done(
     service: Service, late: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(twin_adding, "give_way", lambda: None)
-    monkeypatch.setattr(twin_adding, "with_effect", lambda twin, *_, **__: twin.having(DELAY.moved({"delay_s": 0.003})))
+    monkeypatch.setattr(twin_adding, "with_effect", lambda twin, *_, **__: twin.with_entry(DELAY.move_parameters({"delay_s": 0.003})))
     hearing, saying = get_context("spawn").Pipe(duplex=False)
     twin_adding.main(load_cell(late), tmp_path, "time_delay", saying)
     answer = hearing.recv()
@@ -152,12 +152,12 @@ def test_what_was_fitted_is_said_and_in_the_cells_folder_once_the_job_is_done(
     assert read_twin(load_cell(late)).effects[0].parameters["delay_s"].value == pytest.approx(0.012)
     with service.store.write() as db:
         order = AdditionOrder(cell=CELL, effect="time_delay", diagnosis="x", recording=tmp_path)
-        row = jobs.queue(db, ADDITION, order, CELL, "account:anna", service.now())
+        row = jobs.add_job(db, ADDITION, order, CELL, "account:anna", service.now())
         row.state, row.result = JobStatus.done, answer.text
         additions(service.cells).also(db, row)
     assert Twin.model_validate_json(answer.text) == read_twin(load_cell(late))
     assert read_twin(load_cell(late)).effects[0].parameters["delay_s"].value == pytest.approx(0.015)
-    monkeypatch.setattr(twin_adding, "with_effect", lambda twin, *_, **__: twin.having(DELAY.moved({"delay_s": 99.0})))
+    monkeypatch.setattr(twin_adding, "with_effect", lambda twin, *_, **__: twin.with_entry(DELAY.move_parameters({"delay_s": 99.0})))
     twin_adding.main(load_cell(late), tmp_path, "time_delay", saying)
     assert isinstance(hearing.recv(), Failed)
     assert read_twin(load_cell(late)).effects[0].parameters["delay_s"].value == pytest.approx(0.015)

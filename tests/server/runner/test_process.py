@@ -32,7 +32,7 @@ class Order:
 
 
 def starting(monkeypatch: pytest.MonkeyPatch, begin: Callable[[Connection], Made]) -> None:
-    monkeypatch.setattr(process, "started", lambda _module, _order, theirs, **_named: begin(theirs))
+    monkeypatch.setattr(process, "start_process", lambda _module, _order, theirs, **_named: begin(theirs))
 
 
 async def heard(control: ControlProcess) -> list[Any]:

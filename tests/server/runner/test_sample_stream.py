@@ -13,7 +13,7 @@ from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
 from server.runner.run_folder import SAMPLES
-from server.runner.sample_stream import SampleStream, recover
+from server.runner.sample_stream import SampleStream, recover_recording
 
 ROOT = Path(__file__).parents[3]
 
@@ -42,7 +42,7 @@ def written(folder: Path, states: list) -> Path:
 
 def test_a_stream_without_an_end_becomes_the_same_samples_bit_for_bit(tmp_path, cell, states):
     written(tmp_path, states)
-    assert recover(tmp_path, log_of(cell), tmp_path / "recording") == 300
+    assert recover_recording(tmp_path, log_of(cell), tmp_path / "recording") == 300
     recording = read_recording(tmp_path / "recording")
     np.testing.assert_array_equal(recording.wrench, [state.wrench for state in states])
     np.testing.assert_array_equal(recording.q_cmd, [state.q_cmd for state in states])
@@ -51,10 +51,10 @@ def test_a_stream_without_an_end_becomes_the_same_samples_bit_for_bit(tmp_path, 
 
 def test_the_samples_of_a_run_that_continued_another_follow_those_of_the_other(tmp_path, cell, states):
     written(tmp_path, states)
-    recover(tmp_path, log_of(cell), tmp_path / "first")
+    recover_recording(tmp_path, log_of(cell), tmp_path / "first")
     before = read_recording(tmp_path / "first")
     both_log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None, before=before)
-    assert recover(tmp_path, both_log, tmp_path / "both") == 300
+    assert recover_recording(tmp_path, both_log, tmp_path / "both") == 300
     both = read_recording(tmp_path / "both")
     np.testing.assert_array_equal(both.wrench, np.concatenate((before.wrench, before.wrench)))
     assert both.t[300] - both.t[299] > 10.0
@@ -65,7 +65,7 @@ def test_a_stream_that_is_cut_anywhere_keeps_its_whole_batches(tmp_path, cell, s
     file = written(tmp_path, states)
     whole = file.read_bytes()
     file.write_bytes(whole[: int(share * len(whole))])
-    count = recover(tmp_path, log_of(cell), tmp_path / "recording")
+    count = recover_recording(tmp_path, log_of(cell), tmp_path / "recording")
     assert count % 50 == 0
     assert count >= 50 * int((share * len(whole) - 2000) / (len(whole) / 6 + 200))
     assert (tmp_path / "recording").exists() == (count > 0)
@@ -74,5 +74,5 @@ def test_a_stream_that_is_cut_anywhere_keeps_its_whole_batches(tmp_path, cell, s
 
 
 def test_where_nothing_was_written_there_is_nothing_to_recover(tmp_path, cell):
-    assert recover(tmp_path, log_of(cell), tmp_path / "recording") == 0
+    assert recover_recording(tmp_path, log_of(cell), tmp_path / "recording") == 0
     assert not (tmp_path / "recording").exists()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from core.report.diagnosis_page import Overlay
-from server.runner.shown_overlay import shown_overlay
+from server.runner.shown_overlay import thin_overlay
 
 
 def overlay(count: int) -> Overlay:
@@ -19,7 +19,7 @@ def overlay(count: int) -> Overlay:
 @pytest.mark.parametrize(("count", "points"), [(1, 100), (99, 100), (100, 100), (101, 100), (2503, 100)])
 def test_every_moment_that_is_shown_is_one_of_the_overlay_and_the_worst_of_all_is_shown(count: int, points: int) -> None:
     whole = overlay(count)
-    shown = shown_overlay(whole, points)
+    shown = thin_overlay(whole, points)
     assert min(count, points) / 2 <= len(shown.t_s) <= points
     assert shown.t_s == sorted(set(shown.t_s))
     rows = [int(np.argmin(np.abs(whole.t - t))) for t in shown.t_s]

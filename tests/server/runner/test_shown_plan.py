@@ -14,7 +14,7 @@ from core.planning.plan import Plan, plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from server.runner.release_hash import release_sha256
-from server.runner.shown_plan import plan_digest, shown
+from server.runner.shown_plan import build_run_plan, plan_digest
 
 ROOT = Path(__file__).parents[3]
 
@@ -53,7 +53,7 @@ def test_a_zone_a_limit_or_the_box_that_differs_makes_the_release_void(cell):
     assert release_sha256("d", load_cell(cell.folder), box) == sha256
     zone = cell.zones[0].name
     pose = cell.zones[0].shape.pose
-    moved = cell.with_moved(zone, Pose(xyz_m=(pose.xyz_m[0] + 1e-6, *pose.xyz_m[1:]), rpy_rad=pose.rpy_rad))
+    moved = cell.with_pose_of(zone, Pose(xyz_m=(pose.xyz_m[0] + 1e-6, *pose.xyz_m[1:]), rpy_rad=pose.rpy_rad))
     faster = cell.model_copy(update={"limits": cell.limits.model_copy(update={"cartesian_speed_m_s": 0.26})})
     wider = box.model_copy(update={"size_m": (box.size_m[0] + 1e-6, *box.size_m[1:])})
     others = {
@@ -66,7 +66,7 @@ def test_a_zone_a_limit_or_the_box_that_differs_makes_the_release_void(cell):
 
 
 def test_what_is_shown_begins_and_ends_where_the_robot_does(cell, plan):
-    answer = shown(cell, cell.payload_box, plan)
+    answer = build_run_plan(cell, cell.payload_box, plan)
     for path, transfer in zip(answer.paths, [*(leg.transfer for leg in plan.legs), plan.home], strict=True):
         np.testing.assert_allclose(path.q_rad[0], transfer.trajectory.q[0], atol=1e-5)
         np.testing.assert_allclose(path.q_rad[-1], transfer.trajectory.q[-1], atol=1e-5)
@@ -75,7 +75,7 @@ def test_what_is_shown_begins_and_ends_where_the_robot_does(cell, plan):
 
 
 def test_the_load_flies_off_square_to_axis_and_arm_at_the_speed_that_planning_found(cell, plan):
-    held, throw = shown(cell, cell.payload_box, plan).throws
+    held, throw = build_run_plan(cell, cell.payload_box, plan).throws
     leg = plan.legs[1]
     sensor = RobotModel.of_cell(cell).sensor_pose(leg.start.q)
     arm, velocity, axis = np.array(throw.point_m) - sensor.position, np.array(throw.velocity_m_s), sensor.rotation[:, 0]

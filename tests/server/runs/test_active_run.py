@@ -158,8 +158,8 @@ def test_a_database_that_is_away_for_a_moment_stops_nothing_and_gets_everything_
     away.gone = False
     until(lambda: stage.service.conductor.of_run(stage.run)._follower.behind_s == 0.0)
     with stage.service.store.read() as db:
-        assert run_ledger.load(db, stage.run).finished_steps == 3
-        told = run_ledger.told(db, stage.run, 0)
+        assert run_ledger.load_run(db, stage.run).finished_steps == 3
+        told = run_ledger.list_events(db, stage.run, 0)
     assert [sequence for sequence, _ in told] == list(range(1, stage.shown()["sequence"] + 1))
 
 

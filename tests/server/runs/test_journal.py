@@ -13,16 +13,16 @@ from hypothesis import strategies as st
 
 from server.people import audit
 from server.runs.event_schemas import EventMessage, PlanShown
-from server.runs.journal import FILE, Entry, RunChange, RunJournal, read_journal
+from server.runs.journal import FILE, JournalEntry, RunChange, RunJournal, read_journal
 from server.runs.tables import RunRow
 
 NOW = datetime(2026, 3, 1, 8, 0, 0, 123456, tzinfo=UTC)
 
 
-def entry(number: int, **change: object) -> Entry:
+def entry(number: int, **change: object) -> JournalEntry:
     message = EventMessage(sequence=number, at=NOW, event=PlanShown(sha256="a" * 64, robot_s=30.0))
-    done = audit.deed("account:anna", "run.hold", {"run": "r"}, now=NOW)
-    return Entry(number=number, change=RunChange.model_validate(change), messages=[message], deeds=[done], ended=False)
+    done = audit.make_deed("account:anna", "run.hold", {"run": "r"}, now=NOW)
+    return JournalEntry(number=number, change=RunChange.model_validate(change), messages=[message], deeds=[done], ended=False)
 
 
 def test_what_is_appended_is_read_as_it_was(tmp_path: Path):

@@ -8,7 +8,7 @@ import pytest
 
 from core.sessions.leased import LEASE_S, Renewal
 from server.http.errors import Conflict
-from server.runs.lease import COMMAND_AGE_S, SETTLE_S, Control, next_fence
+from server.runs.lease import COMMAND_AGE_S, SETTLE_S, ControlRegistry, next_fence
 from server.settings import Settings
 from tests.hand_clock import HandClock
 from tests.server.kept import Kept, kept
@@ -21,8 +21,8 @@ def clock() -> HandClock:
 
 
 @pytest.fixture
-def control(clock) -> Control:
-    return Control(clock)
+def control(clock) -> ControlRegistry:
+    return ControlRegistry(clock)
 
 
 @pytest.fixture
@@ -31,7 +31,7 @@ def service(settings: Settings) -> Iterator[Kept]:
         yield found
 
 
-def taken(service: Kept, control: Control, who: str) -> int:
+def taken(service: Kept, control: ControlRegistry, who: str) -> int:
     with service.store.write() as db:
         return control.take("line", who, next_fence(db, "line"), LEASE_S).fence
 
@@ -56,7 +56,7 @@ def test_control_that_is_never_answered_ends(service, control, clock):
 def test_fences_never_count_back_also_not_in_a_new_service(service, control, clock):
     fences = [taken(service, control, "anna") for _ in range(3)]
     assert fences == sorted(set(fences))
-    assert taken(service, Control(clock), "anna") > fences[-1]
+    assert taken(service, ControlRegistry(clock), "anna") > fences[-1]
 
 
 def test_answers_that_are_repeated_reordered_old_foreign_or_from_the_future_renew_nothing(service, control, clock):

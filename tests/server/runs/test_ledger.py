@@ -47,7 +47,7 @@ def service(settings: Settings, clock: Clock) -> Iterator[Kept]:
 
 def run_in(service: Kept, state: State) -> str:
     with service.store.write() as db:
-        row = run_ledger.queue(db, ORDER, "account:anna", service.now())
+        row = run_ledger.add_run(db, ORDER, "account:anna", service.now())
         row.released = Command.START in TO[state]
         run_ledger.keep_steps(db, row, TO[state], service.now())
         assert row.state == state
@@ -56,7 +56,7 @@ def run_in(service: Kept, state: State) -> str:
 
 def events(service: Kept, run: str) -> list[EventMessage]:
     with service.store.read() as db:
-        return [EventMessage.model_validate_json(text) for _, text in run_ledger.told(db, run, 0)]
+        return [EventMessage.model_validate_json(text) for _, text in run_ledger.list_events(db, run, 0)]
 
 
 def test_every_state_is_an_event_and_sequence_numbers_have_no_gaps(service):
@@ -70,12 +70,12 @@ def test_an_illegal_command_keeps_nothing(service):
     run = run_in(service, State.IDLE)
     before = events(service, run)
     with pytest.raises(IllegalCommandError), service.store.write() as db:
-        row = run_ledger.load(db, run)
+        row = run_ledger.load_run(db, run)
         row.reason = "not kept"
         run_ledger.keep_steps(db, row, [Command.START, Command.UNHOLD], service.now())
     assert events(service, run) == before
     with service.store.read() as db:
-        assert run_ledger.load(db, run).reason is None
+        assert run_ledger.load_run(db, run).reason is None
 
 
 @pytest.mark.parametrize("state", list(TO))
@@ -84,14 +84,14 @@ def test_a_crash_in_any_state_leaves_a_run_that_waits_is_over_or_is_aborted_with
     with service.store.write() as db:
         close_crashed(db, service.now())
     with service.store.read() as db:
-        row = run_ledger.load(db, run)
+        row = run_ledger.load_run(db, run)
     untouched = {State.RESETTING, State.COMPLETE, State.STOPPED, State.ABORTED}
     if state in untouched:
         assert row.state == state
     else:
         assert row.state == (State.STOPPED if state is State.CLEARING else State.ABORTED)
         assert str(state) in row.reason
-        assert run_ledger.answer(row).job_state == "Aborted"
+        assert run_ledger.build_answer(row).job_state == "Aborted"
     assert State(row.state) not in set(COMPLETED) - {State.RESETTING}
 
 
@@ -102,7 +102,7 @@ def test_a_run_that_ends_is_delivered_to_each_webhook_once_also_when_it_is_clear
     run = run_in(service, State.ABORTED)
     with service.store.write() as db:
         assert db.scalar(select(func.count()).select_from(Delivery)) == 2
-        run_ledger.keep_steps(db, run_ledger.load(db, run), [Command.CLEAR, None], service.now())
+        run_ledger.keep_steps(db, run_ledger.load_run(db, run), [Command.CLEAR, None], service.now())
         assert db.scalar(select(func.count()).select_from(Delivery)) == 2
 
 
@@ -111,20 +111,20 @@ def test_runs_of_one_cell_wait_for_each_other_and_an_aborted_one_until_it_is_cle
     service.now.go_on(seconds=1)
     second = run_in(service, State.RESETTING)
     with service.store.write() as db:
-        assert [row.id for row in run_ledger.waiting(db)] == [first]
-        run_ledger.keep_steps(db, run_ledger.load(db, first), [Command.CLEAR, None], service.now())
-        assert [row.id for row in run_ledger.waiting(db)] == [second]
+        assert [row.id for row in run_ledger.list_first_runs(db)] == [first]
+        run_ledger.keep_steps(db, run_ledger.load_run(db, first), [Command.CLEAR, None], service.now())
+        assert [row.id for row in run_ledger.list_first_runs(db)] == [second]
 
 
 def test_what_is_in_the_way_of_a_cell_is_forgotten_with_the_next_run_and_until_then_belongs_to_the_one_that_has_the_cell(service):
     def in_the_way() -> str | None:
         with service.store.read() as db:
-            return run_ledger.in_the_way(db, ORDER.cell)
+            return run_ledger.find_in_the_way(db, ORDER.cell)
 
     assert in_the_way() is None
     refused = run_in(service, State.STOPPED)
     with service.store.write() as db:
-        run_ledger.load(db, refused).in_the_way = "pillar"
+        run_ledger.load_run(db, refused).in_the_way = "pillar"
     assert in_the_way() == "pillar"
     service.now.go_on(seconds=1)
     having = run_in(service, State.SUSPENDED)
@@ -132,25 +132,25 @@ def test_what_is_in_the_way_of_a_cell_is_forgotten_with_the_next_run_and_until_t
     service.now.go_on(seconds=1)
     run_in(service, State.RESETTING)
     with service.store.write() as db:
-        run_ledger.load(db, having).in_the_way = "operator"
+        run_ledger.load_run(db, having).in_the_way = "operator"
     assert in_the_way() == "operator"
     with service.store.read() as db:
-        assert run_ledger.in_the_way(db, "another cell") is None
+        assert run_ledger.find_in_the_way(db, "another cell") is None
 
 
 def test_the_same_key_with_another_body_is_refused(service):
     with service.store.write() as db:
-        assert idempotency.made_before(db, "key:mes", "k", b"one") is None
-        idempotency.once(db, "key:mes", "k", b"one", "run-1", service.now())
+        assert idempotency.recall_request(db, "key:mes", "k", b"one") is None
+        idempotency.remember_request(db, "key:mes", "k", b"one", "run-1", service.now())
     with service.store.read() as db:
-        assert idempotency.made_before(db, "key:mes", "k", b"one") == "run-1"
-        assert idempotency.made_before(db, "key:other", "k", b"two") is None
+        assert idempotency.recall_request(db, "key:mes", "k", b"one") == "run-1"
+        assert idempotency.recall_request(db, "key:other", "k", b"two") is None
         with pytest.raises(Unprocessable):
-            idempotency.made_before(db, "key:mes", "k", b"two")
+            idempotency.recall_request(db, "key:mes", "k", b"two")
 
 
 def test_an_order_comes_back_as_it_was_given(service):
     run = run_in(service, State.IDLE)
     with service.store.read() as db:
-        assert run_ledger.answer(run_ledger.load(db, run)).order == ORDER
+        assert run_ledger.build_answer(run_ledger.load_run(db, run)).order == ORDER
         assert db.scalar(select(func.count()).select_from(RunEventRow)) == db.get(RunRow, run).sequence

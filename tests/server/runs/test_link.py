@@ -17,9 +17,9 @@ def answered(link: Link, round_trips: list[float], begin: float = 100.0) -> floa
     moments += [(float(arrival), 1, begin + k * PERIOD) for k, arrival in enumerate(arrivals)]
     for at, kind, stamp in sorted(moments):
         if kind == 0:
-            link.sent(stamp)
+            link.note_stamp(stamp)
         else:
-            link.answered(stamp, at)
+            link.note_answer(stamp, at)
     return float(arrivals[-1])
 
 
@@ -61,7 +61,7 @@ def test_stamps_that_were_never_answered_are_lost():
     link = Link()
     now = answered(link, [0.01] * 100)
     for k in range(100):
-        link.sent(now + PERIOD * (k + 1))
+        link.note_stamp(now + PERIOD * (k + 1))
     found = link.figures(1.0, now + 100 * PERIOD + 5.0)
     assert found.lost_share == pytest.approx(0.5, abs=0.02)
 

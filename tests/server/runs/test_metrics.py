@@ -30,9 +30,9 @@ def test_an_aborted_run_that_is_cleared_has_ended_once(registry: CollectorRegist
     metrics = RunMetrics(registry)
     end = BEGAN + timedelta(seconds=12)
     row = RunRow(released_at=BEGAN, ended_at=end)
-    metrics.told([changed(State.ABORTING, end), changed(State.ABORTED, end)], row)
+    metrics.count_events([changed(State.ABORTING, end), changed(State.ABORTED, end)], row)
     cleared = end + timedelta(minutes=3)
-    metrics.told([changed(State.CLEARING, cleared), changed(State.STOPPED, cleared)], row)
+    metrics.count_events([changed(State.CLEARING, cleared), changed(State.STOPPED, cleared)], row)
     assert registry.get_sample_value("heft_runs_ended_total", {"job_state": "Aborted"}) == 1
     assert registry.get_sample_value("heft_run_motion_seconds_sum", {"job_state": "Aborted"}) == 12
     assert registry.get_sample_value("heft_run_states_total", {"state": "Stopped"}) == 1
@@ -41,8 +41,8 @@ def test_an_aborted_run_that_is_cleared_has_ended_once(registry: CollectorRegist
 def test_stops_and_late_ticks_are_counted(registry: CollectorRegistry) -> None:
     metrics = RunMetrics(registry)
     stop = RobotStopped(error="TooFast", message="", restart=1, final=False)
-    metrics.told([EventMessage(sequence=1, at=BEGAN, event=stop)], RunRow())
-    metrics.paced(Paced(ticks=1000, late=3, latest_s=0.007, median_s=0.0002))
+    metrics.count_events([EventMessage(sequence=1, at=BEGAN, event=stop)], RunRow())
+    metrics.observe_pace(Paced(ticks=1000, late=3, latest_s=0.007, median_s=0.0002))
     assert registry.get_sample_value("heft_guard_stops_total", {"error": "TooFast"}) == 1
     assert registry.get_sample_value("heft_control_ticks_total") == 1000
     assert registry.get_sample_value("heft_control_late_ticks_total") == 3

@@ -22,7 +22,7 @@ START = (0.1, -2.0, 0.5, 1.5, 0.0, 0.8, 0.0)
 
 def told(service: Service, order: RunOrder, cell=LWR):
     with service.store.write() as db:
-        return order_of(run_ledger.queue(db, order, "account:anna", service.now()), cell, Path("run"))
+        return order_of(run_ledger.add_run(db, order, "account:anna", service.now()), cell, Path("run"))
 
 
 def test_the_control_process_is_told_what_was_asked_for(service: Service) -> None:

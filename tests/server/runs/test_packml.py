@@ -16,7 +16,7 @@ from server.runs.packml import (
     IllegalCommandError,
     JobState,
     State,
-    commanded,
+    apply_command,
     job_state,
     legal_commands,
 )
@@ -50,7 +50,7 @@ def test_aborted_is_left_only_by_clear():
 def test_a_refused_command_names_the_legal_ones(state):
     for command in set(Command) - set(legal_commands(state)):
         with pytest.raises(IllegalCommandError) as refused:
-            commanded(state, command)
+            apply_command(state, command)
         for legal in legal_commands(state):
             assert legal in str(refused.value)
 
@@ -70,8 +70,8 @@ def test_every_state_can_be_reached_and_left():
 def test_what_is_offered_is_legal_and_never_starts_or_resets_a_run(state):
     legal = {run_ledger.OFFERED.get(command) for command in legal_commands(state)}
     over = state in (State.COMPLETE, State.STOPPED)  # the machine could be aborted there; the run would take its cell once more
-    assert set(run_ledger.offered(state)) == (set() if over else legal - {None})
-    assert not {"start", "reset"} & set(run_ledger.offered(state))
+    assert set(run_ledger.list_offered_commands(state)) == (set() if over else legal - {None})
+    assert not {"start", "reset"} & set(run_ledger.list_offered_commands(state))
 
 
 class Walk(RuleBasedStateMachine):
@@ -87,7 +87,7 @@ class Walk(RuleBasedStateMachine):
     def ask(self, command):
         self.before, self.command = self.state, command
         try:
-            self.state = commanded(self.state, command)
+            self.state = apply_command(self.state, command)
         except IllegalCommandError:
             assert command not in legal_commands(self.state)
             return

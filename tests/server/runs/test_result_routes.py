@@ -28,7 +28,7 @@ def ended_run(service: Service, result: Result | None, cell: str = CELL, payload
     """A run that is Complete with this result; Stopped where there is none."""
     path = [Command.STOP, None] if result is None else [None, Command.START, None, None, None]
     with service.store.write() as db:
-        row = run_ledger.queue(db, RunOrder(cell=cell, payload=payload), "account:anna", service.now())
+        row = run_ledger.add_run(db, RunOrder(cell=cell, payload=payload), "account:anna", service.now())
         run_ledger.keep_steps(db, row, path, service.now())
         row.result = None if result is None else result.model_dump_json()
         return row.id

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from core.events import Event, PhaseStarted, RobotStopped
 from server.runner.live_schemas import WaitingForZone
-from server.runs.steps import in_the_way
+from server.runs.steps import update_in_the_way
 
-WAITING = WaitingForZone(message="no way", in_the_way="operator")
+WAITING = WaitingForZone(message="no way", update_in_the_way="operator")
 GOING_ON = PhaseStarted(phase="transfer", toward="x+", step=2, steps=9)
 STOPPED = RobotStopped(error="TooClose", message="too close", restart=1, final=False)
 
@@ -14,7 +14,7 @@ STOPPED = RobotStopped(error="TooClose", message="too close", restart=1, final=F
 def after_all(*events: Event) -> str | None:
     found = None
     for event in events:
-        found = in_the_way(event, found)
+        found = update_in_the_way(event, found)
     return found
 
 

@@ -14,7 +14,7 @@ from server.people.audit import AuditEntry
 from server.runs import ledger as run_ledger
 from server.runs.crashed_runs import forget_journals, take_from_journals
 from server.runs.event_schemas import PlanShown
-from server.runs.journal import Entry, RunChange, RunJournal
+from server.runs.journal import JournalEntry, RunChange, RunJournal
 from server.runs.schemas import RunOrder
 from server.runs.store_follower import StoreFollower, keep_entry
 from server.runs.tables import RunRow
@@ -35,24 +35,24 @@ def service(settings: Settings, clock: Clock) -> Iterator[Kept]:
 
 def queued(service: Kept) -> RunRow:
     with service.store.write() as db:
-        return run_ledger.queue(db, ORDER, "account:anna", service.now())
+        return run_ledger.add_run(db, ORDER, "account:anna", service.now())
 
 
-def entries(service: Kept, row: RunRow, count: int) -> list[Entry]:
+def entries(service: Kept, row: RunRow, count: int) -> list[JournalEntry]:
     """Each tells of one event and of one deed."""
-    found, row = [], run_ledger.copied(row)
+    found, row = [], run_ledger.copy_row(row)
     for number in range(1, count + 1):
-        before = run_ledger.copied(row)
+        before = run_ledger.copy_row(row)
         messages = run_ledger.tell(row, [PlanShown(sha256=f"{number:064d}", robot_s=1.0)], service.now())
-        done = audit.deed("account:anna", "run.hold", {"run": row.id, "number": number}, now=service.now())
+        done = audit.make_deed("account:anna", "run.hold", {"run": row.id, "number": number}, now=service.now())
         change = RunChange.between(before, row)
-        found.append(Entry(number=number, change=change, messages=messages, deeds=[done], ended=False))
+        found.append(JournalEntry(number=number, change=change, messages=messages, deeds=[done], ended=False))
     return found
 
 
 def check_all_there(service: Kept, run: str, count: int) -> None:
     with service.store.read() as db:
-        assert [sequence for sequence, _ in run_ledger.told(db, run, 0)] == list(range(1, count + 2))
+        assert [sequence for sequence, _ in run_ledger.list_events(db, run, 0)] == list(range(1, count + 2))
         assert db.get(RunRow, run).sequence == count + 1
         assert db.scalar(select(func.count()).select_from(AuditEntry).where(AuditEntry.action == "run.hold")) == count
         assert audit.verify(audit.entries(db))[2] is None

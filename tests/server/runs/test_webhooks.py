@@ -52,8 +52,8 @@ def due(service: Kept) -> None:
     with service.store.write() as db:
         db.add(Webhook(id="hook", url="http://plant/ended", secret=SECRET, made_by="account:anna", made_at=now))
         db.flush()
-        row = run_ledger.queue(db, RunOrder(cell="lwr4_bench"), "key:mes", now)
-        enqueue(db, run_ledger.answer(row), run_ledger.new_id, now)
+        row = run_ledger.add_run(db, RunOrder(cell="lwr4_bench"), "key:mes", now)
+        enqueue(db, run_ledger.build_answer(row), run_ledger.new_id, now)
 
 
 def delivery(service: Kept) -> Delivery:

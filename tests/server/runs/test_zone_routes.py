@@ -183,7 +183,7 @@ def test_the_run_is_told_where_the_zone_is_after_an_undo(
     nothing_planned: None, service: Service, signed_in: As, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told: list[ZoneMoved] = []
-    monkeypatch.setattr(ActiveRun, "zone_moved", lambda _, moved: told.append(moved))
+    monkeypatch.setattr(ActiveRun, "tell_zone_move", lambda _, moved: told.append(moved))
     operator = signed_in(Role.operator)
     assert operator.post("/api/runs", json={"cell": "lwr4_bench"}).status_code == 202
     wait_for(lambda: "lwr4_bench" in service.conductor.active, "the run to have its cell")

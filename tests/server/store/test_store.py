@@ -19,7 +19,7 @@ from server.people.roles import Role
 from server.runs.tables import RunRow
 from server.service import utc_now
 from server.store.migration import upgrade
-from server.store.store import MIGRATIONS, Store, up_to_date
+from server.store.store import MIGRATIONS, Store, is_up_to_date
 from server.tables import Table
 from tests.server.made_people import BOTH_STORES
 from tests.server.postgresql import Cluster
@@ -113,7 +113,7 @@ def test_diagnoses_of_an_older_version_are_jobs_now_and_the_newest_version_is_kn
     engine = create_engine(url)
     with engine.begin() as connection:
         upgrade(connection, MIGRATIONS, "0002")
-        assert not up_to_date(connection)
+        assert not is_up_to_date(connection)
         values = "'1', '/data/r', 'run-1', 'done', '{}', NULL, 'account:anna', '2026-03-01 00:00:00.000000', NULL"
         connection.execute(text(f"INSERT INTO diagnoses VALUES ({values})"))
     store = Store(url)
@@ -124,7 +124,7 @@ def test_diagnoses_of_an_older_version_are_jobs_now_and_the_newest_version_is_kn
         assert job_kinds.DiagnosisOrder.model_validate_json(row.order).recording == Path("/data/r")
     store.close()
     with engine.begin() as connection:
-        assert up_to_date(connection)
+        assert is_up_to_date(connection)
     engine.dispose()
 
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from core.cell.cell import load_cell
 from core.report.faces import arm_faces, box_faces
 from core.robot.model import RobotModel
-from server.viewer.first_look import crossed, first_look, hidden
+from server.viewer.first_look import find_occluded, first_look, hidden
 
 CELLS = Path(__file__).parents[3] / "cells"
 
@@ -25,7 +25,7 @@ def test_a_line_crosses_a_box_where_one_of_its_points_lies_inside(seed: int) -> 
     walked = eye + np.linspace(0.0, 1.0, 4001)[:, None, None] * (points - eye)
     depth = (0.5 * size - np.abs(walked)).min(axis=2).max(axis=0)  # m, how deep the line gets into the box
     clear = np.abs(depth) > 1e-3
-    np.testing.assert_array_equal(crossed(box_faces(size), eye, points)[clear], (depth > 0.0)[clear])
+    np.testing.assert_array_equal(find_occluded(box_faces(size), eye, points)[clear], (depth > 0.0)[clear])
 
 
 @pytest.mark.parametrize("name", ["lwr4_bench", "ur5e_line"])

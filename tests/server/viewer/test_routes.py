@@ -23,7 +23,7 @@ from server.runner.live_schemas import LiveBatch
 from server.viewer import scene
 from server.viewer.in_the_way import Mark, edges
 from server.viewer.plots import SHOWN_S, Plots
-from server.viewer.scene import Scene, open_server, triangles_of
+from server.viewer.scene import ViewerScene, open_server, triangles_of
 from tests.server.real_service import ROOT, Console, RealService
 from tests.server.zone_at import AT_THE_ROBOT, zone_at
 
@@ -104,7 +104,7 @@ def test_it_listens_on_the_loopback_only_and_cannot_be_asked_for_a_public_tunnel
         if not own.startswith("127."):
             with pytest.raises(OSError), socket.create_connection((own, server.get_port()), timeout=1):
                 pass
-        shown = Scene(server, load_cell(ROOT / "cells" / "lwr4_bench"))
+        shown = ViewerScene(server, load_cell(ROOT / "cells" / "lwr4_bench"))
         shown.move(np.array(shown._cell.robot.home_rad) + 0.1, None)
     finally:
         server.stop()
@@ -131,7 +131,7 @@ def drawn() -> Iterator[tuple[Mark, Callable[[], dict[str, Any]]]]:
     """A mark over a drawn cell, and what stands in the scene, by name."""
     server = open_server()
     cell = load_cell(ROOT / "cells" / "lwr4_bench")
-    Scene(server, cell)
+    ViewerScene(server, cell)
     yield Mark(server, cell), lambda: dict(server.scene._handle_from_node_name)
     server.stop()
 
