@@ -20,12 +20,12 @@ from core.plant.imperfections import Imperfections
 from core.procedure.identify import carry_out
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, run_to_end
+from core.trial import plan_each_payload, run_to_end
 
 
 def recorded() -> Recording:
     """A run with 10 ms of delay, every second sample: 500 Hz."""
-    cell, plans = planned("lwr4_bench")
+    cell, plans = plan_each_payload("lwr4_bench")
     carried = cell.payloads["cylinder"]
     session = SimulatedSession(cell, carried.parameters, seed=1, imperfections=Imperfections(wrench_delay_s=0.01))
     return thinned(run_to_end(carry_out(cell, session, carried.box, plans["cylinder"])).recording, slice(None, None, 2))

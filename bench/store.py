@@ -205,7 +205,7 @@ def differences(url: str, watcher: Watcher, run: str) -> list[str]:
     while len(kept()) < len(watcher.told) and time.monotonic() < until:
         time.sleep(TAP_S)
     with store.read() as db:
-        count, _, wrong = audit.verify(audit.entries(db))
+        count, _, wrong = audit.verify_chain(audit.entries(db))
     found, numbers = kept(), range(1, len(watcher.told) + 1)
     store.close()
     flaws = [] if wrong is None else [f"audit log, after {count} entries: {wrong}"]

@@ -140,7 +140,7 @@ def verify_audit(data: Path | None, expect: str | None = None) -> str:
     with store.read() as db:
         chain = list(audit.entries(db))
     store.close()
-    count, last, flaw = audit.verify(chain)
+    count, last, flaw = audit.verify_chain(chain)
     seen = seen or any(entry.hash == expect for entry in chain[:count])
     if flaw is not None:
         raise BadInput("audit log", flaw, "an unbroken chain; restore the database from a backup and find out who had access to it")

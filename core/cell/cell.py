@@ -44,7 +44,8 @@ from core.payload.shapes import (
 
 __all__ = [
     "Box", "Capsule", "Cell", "CellRead", "Control", "Cylinder", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor",
-    "Shape", "Sphere", "Tool", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cells", "load_cell", "read_cell_folder",
+    "Shape", "Sphere", "Tool", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cell_folders", "load_cell",
+    "read_cell_folder",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -342,7 +343,7 @@ def _keys() -> list[str]:
     return sorted({key for model in models for key in model.model_fields} - {"folder"})
 
 
-def list_cells() -> list[Path]:
+def list_cell_folders() -> list[Path]:
     """Folders of the known cells: those in `./cells`, then those that come with the program; a name counts once."""
     known: dict[str, Path] = {}
     for place in (Path("cells"), Path(__file__).parents[2] / "cells"):
@@ -362,7 +363,7 @@ def find_cell(name: str | Path) -> Path:
         return path.parent
     if (path / CELL_FILE).is_file():
         return path
-    known = {folder.name: folder for folder in list_cells()}
+    known = {folder.name: folder for folder in list_cell_folders()}
     if str(name) in known:
         return known[str(name)]
     close = difflib.get_close_matches(str(name), known, n=1)

@@ -7,7 +7,7 @@ import numpy as np
 from core.cell.cell import Box, Cell
 from core.cell.tool_checks import tool_parameters
 from core.payload.inertia import InertialParameters
-from core.payload.known_tool import KnownTool, carried
+from core.payload.known_tool import KnownTool, add_tools
 
 
 def find_tools(cell: Cell) -> tuple[KnownTool, ...]:
@@ -23,7 +23,7 @@ def find_tools(cell: Cell) -> tuple[KnownTool, ...]:
 
 def add_cell_tools(cell: Cell, workpiece: InertialParameters) -> InertialParameters:
     """What the cell's sensor feels where the robot carries a workpiece: the tools with it."""
-    return carried(find_tools(cell), workpiece)
+    return add_tools(find_tools(cell), workpiece)
 
 
 def tool_boxes(cell: Cell) -> dict[str, Box]:

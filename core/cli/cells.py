@@ -13,9 +13,9 @@ from core.cell.cell import find_cell
 from core.cli.terminal import answers, messages
 from core.errors import BadInput
 from core.files.whole_file import write_whole
-from core.new_cell.findings import Finding, findings_of
+from core.new_cell.findings import CellFinding, findings_of
 from core.new_cell.making import PICTURE, make_cell
-from core.new_cell.order import Behind, Order
+from core.new_cell.order import Behind, CellOrder
 
 app = typer.Typer(help="Make a cell from a robot's description, and look for what is wrong in one.", no_args_is_help=True)
 
@@ -47,7 +47,7 @@ def new(
     ] = None,
 ) -> None:
     """Make a cell from a robot's URDF or xacro: meshes copied, limits completed, a free home proposed and pictured."""
-    order = Order(
+    order = CellOrder(
         name=name,
         urdf=urdf,
         into=into,
@@ -87,7 +87,7 @@ def check(
         raise typer.Exit(BadInput.exit_code)
 
 
-def _as_json(folder: Path, found: list[Finding]) -> str:
+def _as_json(folder: Path, found: list[CellFinding]) -> str:
     return json_text.dumps({"cell": folder.name, "findings": [each._asdict() for each in found]}, indent=2, ensure_ascii=False)
 
 

@@ -16,7 +16,7 @@ from core.procedure.progress import watch
 from core.recording.recording import Recording
 
 
-def check_target(file: Path | None, cell: str | None) -> None:
+def check_experiment_file(file: Path | None, cell: str | None) -> None:
     """Before anything long begins.
 
     Raises:

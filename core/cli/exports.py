@@ -24,7 +24,7 @@ def export(
     cell: Annotated[str | None, typer.Option(metavar="CELL", help="Whose sensor mount counts. [default: the cell of the result]")] = None,
 ) -> None:
     """Write the payload as a robot's controller or a simulator takes it, on standard output; say what that cannot hold."""
-    found = read_result(result)
+    found = read_result_file(result)
     name = cell or found.cell
     made_in = None if name is None else load_cell(find_cell(name))
     payload = payload_of(found, made_in)
@@ -39,7 +39,7 @@ def export(
         messages.print(sentence, highlight=False, soft_wrap=True)
 
 
-def read_result(file: Path) -> Result:
+def read_result_file(file: Path) -> Result:
     """A result that was written as JSON.
 
     Raises:

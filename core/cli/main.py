@@ -12,10 +12,10 @@ from typing import Annotated
 
 import typer
 
-from core.cell.cell import Cell, Payload, find_cell, list_cells, load_cell
+from core.cell.cell import Cell, Payload, find_cell, list_cell_folders, load_cell
 from core.cli import cells as cell_commands
 from core.cli import twins as twin_commands
-from core.cli.experiments import check_target, plan_next, read_request
+from core.cli.experiments import check_experiment_file, plan_next, read_request
 from core.cli.exports import export
 from core.cli.tables import (
     broken_lines,
@@ -45,14 +45,14 @@ from core.planning.plan import plan_summary
 from core.planning.sequence import PlanRequest, Procedure
 from core.planning.set_points import check_set_points, set_points_of, write_set_points
 from core.planning.settings import WHOLE, Timing
-from core.planning.slow_run import slowed
+from core.planning.slow_run import limit_speed
 from core.planning.starting_point import starting_point
 from core.plant.mechanics import PERIOD
 from core.procedure.experiment import measure_more
 from core.procedure.identify import identify
 from core.procedure.progress import watch
 from core.recording.folder import read_recording
-from core.recording.stated_friction import knowing_friction
+from core.recording.stated_friction import with_cell_friction
 from core.report.diagnosis_page import write_diagnosis
 from core.report.overlay import overlay_of
 from core.report.page import write_report
@@ -108,7 +108,7 @@ def run(
     recording: Annotated[Path | None, typer.Option(metavar="DIR", help="The recording that the experiment continues, if moved.")] = None,
 ) -> None:
     """Plan and run the procedure on the simulated robot, identify the payload, write recording, answer and report."""
-    loaded = slowed(load_cell(find_cell(cell)), speed, "--speed")
+    loaded = limit_speed(load_cell(find_cell(cell)), speed, "--speed")
     scope = scope_of(axes, holds_only=holds_only)
     if experiment is not None and (start is not None or scope != WHOLE):
         raise BadInput(
@@ -185,11 +185,11 @@ def diagnose_command(
 ) -> None:
     """Where simulation and recording part, which unmodelled effect causes it, and how far adding it closes the gap."""
     _check_new(report, json)
-    check_target(experiment, cell)
+    check_experiment_file(experiment, cell)
     made_in = None if cell is None else load_cell(find_cell(cell))
     twin = NOMINAL if made_in is None else read_twin(made_in)
     loaded = read_recording(recording)
-    loaded = loaded if made_in is None else knowing_friction(loaded, made_in)
+    loaded = loaded if made_in is None else with_cell_friction(loaded, made_in)
     with messages.status("fitting effects") if messages.is_terminal else nullcontext():
         diagnosis, evidence = examine(loaded, twin=twin)
     if made_in is not None:
@@ -235,7 +235,7 @@ def plan(
     ] = None,
 ) -> None:
     """Plan the procedure and show start configurations, distances and times. Nothing moves."""
-    loaded = slowed(load_cell(find_cell(cell)), speed, "--speed")
+    loaded = limit_speed(load_cell(find_cell(cell)), speed, "--speed")
     scope = scope_of(axes, holds_only=holds_only)
     box = loaded.payload_box if payload is None else _payload(loaded, payload)[1].box
     _check_new(None, json)
@@ -244,7 +244,7 @@ def plan(
     collision = CollisionModel(loaded, robot, box)
     load = find_known_load(loaded, payload)
     asked = PlanRequest(loaded, box, starting_point(start, loaded, robot), 0, PERIOD, planner.value, seed, load, effort)
-    found = watch(Procedure(Timing(), scope=scope).planned(asked, robot, collision), messages)
+    found = watch(Procedure(Timing(), scope=scope).plan_legs(asked, robot, collision), messages)
     if trajectory is not None:
         write_set_points(trajectory, set_points_of(loaded, robot, collision, found, period_s=period))
     if json is not None:
@@ -260,7 +260,7 @@ def plan(
 def cells() -> None:
     """List the cells at hand, and what keeps any of them from being used."""
     loaded, broken = [], {}
-    for folder in list_cells():
+    for folder in list_cell_folders():
         try:
             loaded.append(load_cell(folder))
         except BadInput as error:

@@ -17,7 +17,7 @@ from core.trial.batch import cores, on_cluster, on_cores, outcomes
 from core.trial.draw import Drawn, draw
 from core.trial.folder import append, check_seals, open_folder, read_outcomes
 from core.trial.judgement import mark
-from core.trial.outcome import Outcome
+from core.trial.outcome import TrialOutcome
 from core.trial.sheet import score_sheet, write_sheet
 
 answers = Console()
@@ -59,7 +59,7 @@ def trial(
             _finish(list(done.values()), report)
 
 
-def _finish(found: list[Outcome], report: Path | None) -> None:
+def _finish(found: list[TrialOutcome], report: Path | None) -> None:
     """The sheet over all that is there, however the run ended."""
     found = sorted(found, key=lambda outcome: outcome.sealed.seed)
     answers.print(score_sheet(found), highlight=False, markup=False, soft_wrap=True)
@@ -90,14 +90,16 @@ def _make_room(keep: Path, missing: Sequence[Drawn]) -> None:
     keep.mkdir(parents=True, exist_ok=True)
 
 
-def _track_outcomes(drawn: Sequence[Drawn], where: AbstractContextManager[Executor], keep: Path | None) -> Generator[Outcome, None, None]:
+def _track_outcomes(
+    drawn: Sequence[Drawn], where: AbstractContextManager[Executor], keep: Path | None
+) -> Generator[TrialOutcome, None, None]:
     """The outcomes with a bar that tells how long the rest will take."""
     columns = (SpinnerColumn(), TextColumn("trials"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with where as executor, Progress(*columns, console=messages, transient=True, disable=not messages.is_terminal) as progress:
         yield from progress.track(outcomes(drawn, executor, keep), total=len(drawn))
 
 
-def _show(outcome: Outcome) -> None:
+def _show(outcome: TrialOutcome) -> None:
     sealed = outcome.sealed
     answer = outcome.stopped or f"{outcome.verdict} {outcome.first or ''}".strip()
     answers.print(

@@ -14,7 +14,7 @@ from rich.table import Table
 from core.cell.cell import find_cell, load_cell
 from core.errors import BadInput, BadTwin
 from core.files.whole_file import write_whole
-from core.gap.twin_addition import chosen_effects, with_effect
+from core.gap.twin_addition import find_effects, with_effect
 from core.twin.file import close_name, read_twin, write_twin
 from core.twin.twin import Entry, Twin
 
@@ -32,7 +32,7 @@ def add(
     effect: Annotated[str, typer.Argument(metavar="EFFECT", help="An effect's identifier, or two as in `time_delay+base_tilt`.")],
 ) -> None:
     """Fit an effect to a recording and add it to the cell's twin: simulation, identification and diagnosis count with it from then on."""
-    chosen = chosen_effects(effect)
+    chosen = find_effects(effect)
     loaded = load_cell(find_cell(cell))
     before = read_twin(loaded)
     with messages.status("fitting effects") if messages.is_terminal else nullcontext():

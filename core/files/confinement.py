@@ -130,7 +130,7 @@ def _arrays(said: io.BytesIO, where: str) -> Arrays:
     raise BadRobot(where, head["found"], head["expected"])
 
 
-def serve(answer: Reader) -> None:
+def answer_orders(answer: Reader) -> None:
     """Answers the orders on standard input, one a line, on standard output; the process has limits from here on."""
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from core.effects.effect import Effect, Parameter
 from core.gap.clustered import enlarge_covariance
 from core.gap.problem import Problem
-from core.gap.quadratic import bounded_minimum, inverse, solved
+from core.gap.quadratic import bounded_minimum, inverse, solve_scaled
 from core.gap.spared_noise import estimate_spared_noise
 from core.gap.windows import PHI, Windows
 
@@ -82,20 +82,20 @@ def fit_nominal(windows: Windows) -> EffectFit:
     problem = Problem(windows, ())
     beta = bounded_minimum(problem.XX + np.diag(problem.precision), problem.X.T @ problem.target, problem.bounds)
     if problem.held:  # they depend on the payload
-        _, beta, _ = _descended(problem, beta, np.zeros(0), iterations=ITERATIONS)
-    return _finished(problem, beta, np.zeros(0))
+        _, beta, _ = _descend(problem, beta, np.zeros(0), iterations=ITERATIONS)
+    return _finish(problem, beta, np.zeros(0))
 
 
 def fit_effects(windows: Windows, effects: tuple[Effect, ...], start: EffectFit, thetas: list[Array]) -> EffectFit:
     """The best fit from several starting values of theta, payload and offsets starting from another fit."""
     problem = Problem(windows, effects)
-    candidates = [_descended(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
+    candidates = [_descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
     _, beta, theta = min(candidates, key=lambda found: found[0])
-    _, beta, theta = _descended(problem, beta, theta, iterations=ITERATIONS)
-    return _finished(problem, beta, theta)
+    _, beta, theta = _descend(problem, beta, theta, iterations=ITERATIONS)
+    return _finish(problem, beta, theta)
 
 
-def _descended(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> tuple[float, Array, Array]:
+def _descend(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> tuple[float, Array, Array]:
     cost, damping = problem.cost(beta, theta), 1e-6
     for _ in range(iterations):
         new_beta, new_theta = problem.step(beta, theta, damping)
@@ -111,10 +111,10 @@ def _descended(problem: Problem, beta: Array, theta: Array, *, iterations: int) 
     return cost, beta, theta
 
 
-def _finished(problem: Problem, beta: Array, theta: Array) -> EffectFit:
+def _finish(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     rows, J = np.zeros(len(problem.target)), np.zeros((len(problem.target), 0))
     if problem.effects or problem.held:
-        rows, J = problem.linearised(theta, beta[PHI])
+        rows, J = problem.linearise(theta, beta[PHI])
     r = problem.target - problem.X @ beta - rows
     normal = problem.normal(J)
     columns = np.column_stack((problem.X, J))
@@ -123,7 +123,7 @@ def _finished(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     away = np.concatenate((beta, theta - problem.absent))
     here = np.concatenate((beta, theta))
     free = (here > problem.bounds[0]) & (here < problem.bounds[1])
-    held_out = held_out_rows(problem.windows, columns[:, free], r, problem.precision[free], away[free])
+    held_out = predict_held_out(problem.windows, columns[:, free], r, problem.precision[free], away[free])
     held_out += estimate_spared_noise(problem, theta, beta)
     covariance = inverse(normal)
     shape = problem.windows.target.shape
@@ -142,7 +142,7 @@ def _finished(problem: Problem, beta: Array, theta: Array) -> EffectFit:
     )
 
 
-def held_out_rows(windows: Windows, columns: Array, r: Array, precision: Array, away: Array) -> Array:
+def predict_held_out(windows: Windows, columns: Array, r: Array, precision: Array, away: Array) -> Array:
     """(6, K), chi-square of each row when its whole motion is left out.
 
     With e the prediction error of a motion from all others and S its covariance (noise and what is left open by the others),
@@ -156,10 +156,10 @@ def held_out_rows(windows: Windows, columns: Array, r: Array, precision: Array, 
     motions = [group == g for g in np.unique(group)]
     seen = [columns[rows].T @ columns[rows] for rows in motions]
     prior = np.diag(precision)
-    r = r - columns @ solved(sum(seen, prior), columns.T @ r - precision * away)
+    r = r - columns @ solve_scaled(sum(seen, prior), columns.T @ r - precision * away)
     result = np.empty_like(r)
     for k, rows in enumerate(motions):
         # summed anew: where one motion alone shows a parameter, the difference N - Z^T Z is nothing but rounding
         others = sum(seen[:k] + seen[k + 1 :], prior)
-        result[rows] = r[rows] * (r[rows] + columns[rows] @ solved(others, columns[rows].T @ r[rows]))
+        result[rows] = r[rows] * (r[rows] + columns[rows] @ solve_scaled(others, columns[rows].T @ r[rows]))
     return result.reshape(windows.target.shape)

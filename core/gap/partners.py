@@ -12,7 +12,7 @@ from core.effects.effect import STAGES, Effect
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import Task
 from core.gap.problem import Problem
-from core.gap.quadratic import solved
+from core.gap.quadratic import solve_scaled
 from core.gap.windows import Windows
 
 Array = NDArray[np.float64]
@@ -38,11 +38,11 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
         count: how many pairs.
     """
     problem = Problem(windows, first.effects)
-    columns = np.column_stack((problem.X, problem.linearised(first.theta, first.phi)[1]))
+    columns = np.column_stack((problem.X, problem.linearise(first.theta, first.phi)[1]))
     scene = windows.basis.scene.with_phi(first.phi)
     residual = windows.on_grid(first.residual)
     found = [
-        _joined(windows, first, columns, problem.precision, effect, theta)
+        _join(windows, first, columns, problem.precision, effect, theta)
         for effect in effects
         if effect not in first.effects
         for theta in effect.starts(scene, residual)[:STARTS]
@@ -53,11 +53,11 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
     return [_pair(first, partner) for partner in list(best.values())[:count]]
 
 
-def _joined(windows: Windows, first: EffectFit, columns: Array, precision: Array, effect: Effect, theta: Array) -> Partner:
+def _join(windows: Windows, first: EffectFit, columns: Array, precision: Array, effect: Effect, theta: Array) -> Partner:
     """Fall of chi-square when the effect joins, linearised at theta, less what its parameters may bend."""
     problem = Problem(windows, (effect,))
     theta = np.clip(theta, problem.lower, problem.upper)
-    rows, J = problem.linearised(theta, first.phi)
+    rows, J = problem.linearise(theta, first.phi)
     count = columns.shape[1]
     columns = np.column_stack((columns, J))
     precision = np.concatenate((precision, problem.precision[-len(theta) :]))
@@ -65,7 +65,7 @@ def _joined(windows: Windows, first: EffectFit, columns: Array, precision: Array
     r = before - rows
     pull = np.zeros(len(precision))
     pull[count:] = precision[count:] * (problem.absent - theta)
-    step = solved(columns.T @ columns + np.diag(precision), columns.T @ r + pull)
+    step = solve_scaled(columns.T @ columns + np.diag(precision), columns.T @ r + pull)
     after = r - columns @ step
     gain = float(before @ before - after @ after) - len(theta) * float(np.log(len(r)))
     return Partner(gain, effect, np.clip(theta + step[count:], problem.lower, problem.upper))

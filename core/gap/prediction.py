@@ -43,16 +43,16 @@ class Prediction:
         ahead = replace(basis, noise=present.basis.noise, wrench=basis.V @ fit.phi)
         self._present = present
         self._windows = Windows(ahead)
-        self._scene = followed(present.basis.scene, ahead.scene)
+        self._scene = append_scene(present.basis.scene, ahead.scene)
         self.seconds = float(motion.t[-1] - motion.t[0])
 
     def distance_sigma(self, a: EffectFit, b: EffectFit) -> float:
         """Standard deviations that this motion alone puts between two fits, whichever of them is true."""
         (rows_a, columns_a), (rows_b, columns_b) = self._rows(a), self._rows(b)
         d = rows_b - rows_a
-        return min(self._left(d, a, columns_a), self._left(-d, b, columns_b))
+        return min(self._find_distance(d, a, columns_a), self._find_distance(-d, b, columns_b))
 
-    def _left(self, d: Array, fit: EffectFit, columns: Array) -> float:
+    def _find_distance(self, d: Array, fit: EffectFit, columns: Array) -> float:
         """What a fit cannot follow of rows d (6K,): the root of the least `|d - Z x|^2 + x^T S^-1 x` within the bounds of its parameters.
 
         S is their covariance, beside unit variances of the new offsets in the last columns Z.
@@ -83,7 +83,7 @@ class Prediction:
         return predicted.ravel(), columns.reshape(-1, columns.shape[2])
 
 
-def followed(scene: Scene, ahead: Scene) -> Scene:
+def append_scene(scene: Scene, ahead: Scene) -> Scene:
     """Both one after the other; what only the first one knows stays at its mean."""
     rows: dict[str, Any] = {
         name: _rows_of(getattr(scene, name), getattr(ahead, name), len(ahead)) for name in PER_ROW if name not in ("t", "motion")

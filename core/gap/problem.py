@@ -59,7 +59,7 @@ class Problem:
         """
         return self._behind(theta, scene, scene.nominal, {} if known is None else known) - scene.nominal
 
-    def passed(self, theta: Array, scene: Scene, changes: Array) -> Array:
+    def pass_changes(self, theta: Array, scene: Scene, changes: Array) -> Array:
         """(M, N, 6), what the effects make of M small changes of the nominal wrench (M, N, 6)."""
         without = self._behind(theta, scene, scene.nominal, {})
         return np.stack([self._behind(theta, scene, scene.nominal + change, {}) - without for change in changes])
@@ -76,7 +76,7 @@ class Problem:
             w = known[key]
         return w
 
-    def linearised(self, theta: Array, phi: Array) -> tuple[Array, Array]:
+    def linearise(self, theta: Array, phi: Array) -> tuple[Array, Array]:
         """Rows of the change (6K,), and their derivatives by theta (6K, n)."""
         scene = self.windows.basis.scene.with_phi(phi)
         known: dict[bytes, Array] = {}
@@ -101,7 +101,7 @@ class Problem:
 
     def step(self, beta: Array, theta: Array, damping: float) -> tuple[Array, Array]:
         """One damped step."""
-        rows, J = self.linearised(theta, beta[PHI])
+        rows, J = self.linearise(theta, beta[PHI])
         r = self.target - self.X @ beta - rows
         right = np.concatenate(
             (self.X.T @ r - self.precision[: len(beta)] * beta, J.T @ r - self.precision[len(beta) :] * (theta - self.absent))

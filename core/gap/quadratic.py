@@ -20,7 +20,7 @@ def bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
 
     With bounds that bind, by the active sets of Stark and Parker 1995 (`scipy.optimize.lsq_linear`).
     """
-    free = solved(normal, right)
+    free = solve_scaled(normal, right)
     if ((free >= bounds[0]) & (free <= bounds[1])).all():
         return free
     scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
@@ -37,7 +37,7 @@ def bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
     return np.clip(found.x * scale, bounds[0], bounds[1])
 
 
-def solved(matrix: Array, right: Array) -> Array:
+def solve_scaled(matrix: Array, right: Array) -> Array:
     """Solution of a symmetric positive definite system."""
     scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
     return np.asarray(np.linalg.solve(matrix * np.outer(scale, scale), right * scale) * scale)

@@ -32,7 +32,7 @@ def estimate_spared_noise(problem: Problem, theta: Array, beta: Array) -> Array:
     scene = windows.basis.scene.with_phi(phi)
     rate = np.gradient(noise, scene.t, axis=1)
     late = -beta[LATE] * rate + 0.5 * beta[BLUR] * np.gradient(rate, scene.t, axis=1)
-    return _by_motion(windows, _power(windows, noise) - _power(windows, problem.passed(theta, scene, noise) + late))
+    return _by_motion(windows, _power(windows, noise) - _power(windows, problem.pass_changes(theta, scene, noise) + late))
 
 
 def _power(windows: Windows, changes: Array) -> Array:

@@ -41,7 +41,7 @@ def with_effect(twin: Twin, cell: Cell, folder: Path, identifier: str, *, fit_al
         BadTwin: no such effect, or the recording does not show it; the sentence says why.
         BadRecording: the recording cannot be read, or is of another cell.
     """
-    chosen = chosen_effects(identifier)
+    chosen = find_effects(identifier)
     recording = read_recording(folder)
     _check_cell(recording, cell, folder)
     diagnosis, evidence = examine(recording, None if len(chosen) == 1 else chosen, twin, fit_all=fit_all)
@@ -67,7 +67,7 @@ def addable_to(diagnosis: Diagnosis, cell: Cell, recording: Recording, folder: P
     return diagnosis
 
 
-def chosen_effects(identifier: str) -> tuple[Effect, ...]:
+def find_effects(identifier: str) -> tuple[Effect, ...]:
     """One effect of the library, or two.
 
     Raises:

@@ -35,7 +35,7 @@ FLOOR_BELOW_M = 2.0
 FULL, EMPTY = 0.8, 0.02  # of a sensor's range
 
 
-class Finding(NamedTuple):
+class CellFinding(NamedTuple):
     """One thing that is wrong or doubtful.
 
     Args:
@@ -48,7 +48,7 @@ class Finding(NamedTuple):
     advice: str
 
 
-def findings_of(folder: Path) -> list[Finding]:
+def findings_of(folder: Path) -> list[CellFinding]:
     """Of the cell in a folder, what is wrong first."""
     try:
         read = read_cell_folder(folder)
@@ -68,22 +68,22 @@ def findings_of(folder: Path) -> list[Finding]:
         found = _wrong(error) + found
     except (ValueError, RuntimeError, IndexError, ArithmeticError) as error:  # Pinocchio's and Coal's own
         found = [
-            Finding("wrong", cell.robot.urdf, f"a model that cannot be built ({str(error)[:200]})", "mend its links and meshes"),
+            CellFinding("wrong", cell.robot.urdf, f"a model that cannot be built ({str(error)[:200]})", "mend its links and meshes"),
             *found,
         ]
     return sorted(found, key=lambda finding: finding.severity == "doubtful")
 
 
-def _wrong(error: BadInput, *, others: bool = True) -> list[Finding]:
+def _wrong(error: BadInput, *, others: bool = True) -> list[CellFinding]:
     flaws = (error, *error.others) if others else (error,)
-    return [Finding("wrong", flaw.where, flaw.found, f"expected is {flaw.expected}") for flaw in flaws]
+    return [CellFinding("wrong", flaw.where, flaw.found, f"expected is {flaw.expected}") for flaw in flaws]
 
 
-def _doubt(key: str, found: str, advice: str) -> Finding:
-    return Finding("doubtful", f"{CELL_FILE}: {key}", found, advice)
+def _doubt(key: str, found: str, advice: str) -> CellFinding:
+    return CellFinding("doubtful", f"{CELL_FILE}: {key}", found, advice)
 
 
-def _of_values(cell: Cell) -> Iterator[Finding]:
+def _of_values(cell: Cell) -> Iterator[CellFinding]:
     up = cell.gravity[2] / max(float(np.linalg.norm(cell.gravity)), 1e-9)
     if up > -0.999:
         tilt = np.degrees(np.arccos(np.clip(-up, -1.0, 1.0)))
@@ -116,7 +116,7 @@ def _of_values(cell: Cell) -> Iterator[Finding]:
         yield _doubt("robot.visual_shapes", f"{link!r} as it looks", advice)
 
 
-def _of_sensor(cell: Cell) -> Iterator[Finding]:
+def _of_sensor(cell: Cell) -> Iterator[CellFinding]:
     sensor = cell.sensor
     if sensor.name.startswith(NOT_STATED):
         yield _doubt("sensor", f"{sensor.name!r}", "noise, range and resolution of the sensor that is there: intervals count with them")
@@ -133,18 +133,18 @@ def _of_sensor(cell: Cell) -> Iterator[Finding]:
             yield _doubt("sensor.range", f"{least:g} N for the {weight:.2g} N of {name!r}", "a finer sensor: its errors go with its range")
 
 
-def _of_efforts(cell: Cell, robot: RobotModel) -> Iterator[Finding]:
+def _of_efforts(cell: Cell, robot: RobotModel) -> Iterator[CellFinding]:
     weights = weight_torques(robot, add_cell_tools(cell, InertialParameters(np.zeros(10))))
     for name, effort, needed in zip(robot.description.joints, robot.model.upperEffortLimit, weights, strict=True):
         where = f"{cell.robot.urdf}: joint {name!r}: limit"
         if effort <= 0.0:
-            yield Finding("doubtful", where, f"an effort of {effort:g} N m", "the joint's greatest torque: without it none is checked")
+            yield CellFinding("doubtful", where, f"an effort of {effort:g} N m", "the joint's greatest torque: without it none is checked")
         elif effort < needed:
             found = f"an effort of {effort:g} N m, where the arm and its tools may ask {needed:.0f} N m when it is stretched out"
-            yield Finding("doubtful", where, found, "the joint's greatest torque and the links' masses as the maker states them")
+            yield CellFinding("doubtful", where, found, "the joint's greatest torque and the links' masses as the maker states them")
 
 
-def _of_room(cell: Cell, robot: RobotModel, bodies: list[Body]) -> Iterator[Finding]:
+def _of_room(cell: Cell, robot: RobotModel, bodies: list[Body]) -> Iterator[CellFinding]:
     reach = float(np.linalg.norm([np.asarray(joint.translation) for joint in robot.model.jointPlacements][2:], axis=1).sum())
     reach += float(np.linalg.norm(robot.model.frames[robot.sensor_frame_id].placement.translation))
     boxes = {"payload_box": cell.payload_box, **{f"payloads.{name}.box": payload.box for name, payload in cell.payloads.items()}}
@@ -167,7 +167,7 @@ def _of_room(cell: Cell, robot: RobotModel, bodies: list[Body]) -> Iterator[Find
             yield _doubt(f"zones.{zone.name}", found, "a guard that does not depend on planning, wherever people may be in it")
 
 
-def _of_box(key: str, box: Box, reach: float) -> Iterator[Finding]:
+def _of_box(key: str, box: Box, reach: float) -> Iterator[CellFinding]:
     depth = box.depth(np.zeros(3))
     if depth < -FLANGE_M:
         found = f"a box {-depth:.3f} m away from the flange face"
@@ -183,15 +183,17 @@ def _distance(body: Body, point: Array) -> float:
     return float(coal.distance(body.geometry, shapes[0], coal.Sphere(1e-6), shapes[1], coal.DistanceRequest(), coal.DistanceResult()))
 
 
-def _of_home(cell: Cell, collision: CollisionModel) -> Iterator[Finding]:
+def _of_home(cell: Cell, collision: CollisionModel) -> Iterator[CellFinding]:
     nearest = collision.nearest(np.array(cell.robot.home_rad))
     if nearest.distance_m < NEAR_HOME * nearest.required_m:
         found = f"{nearest.first!r} {nearest.distance_m:.3f} m from {nearest.second!r}, of which {nearest.required_m:.3f} m are required"
         yield _doubt("robot.home_rad", found, "a home with more room: every run begins and ends there")
 
 
-def _of_overlaps(collision: CollisionModel) -> Iterator[Finding]:
+def _of_overlaps(collision: CollisionModel) -> Iterator[CellFinding]:
     for pair in collision.left_out:
         if pair.why == OVERLAPPING:
             found = f"{pair.first!r} and {pair.second!r}, whose shapes overlap at every angle of the joints between them, left out"
-            yield Finding("doubtful", collision.cell.robot.urdf, found, "look at the two: if they can meet on the robot, mend their shapes")
+            yield CellFinding(
+                "doubtful", collision.cell.robot.urdf, found, "look at the two: if they can meet on the robot, mend their shapes"
+            )

@@ -10,7 +10,7 @@ import numpy as np
 
 from core.cell.urdf_elements import UrdfJoint
 from core.errors import BadRobot
-from core.new_cell.order import Behind, Order
+from core.new_cell.order import Behind, CellOrder
 from core.new_cell.robot_tree import RobotTree
 
 SENSOR_LINK = "ft_sensor"
@@ -37,7 +37,7 @@ class ArmFrames:
     tool: tuple[str, ...]
 
 
-def choose_frames(tree: RobotTree, order: Order, ask: Ask | None, notes: list[str]) -> ArmFrames:
+def choose_frames(tree: RobotTree, order: CellOrder, ask: Ask | None, notes: list[str]) -> ArmFrames:
     """The frames as ordered, or chosen and told; adds the link `ft_sensor` where a mount was given.
 
     Raises:
@@ -63,7 +63,7 @@ def choose_frames(tree: RobotTree, order: Order, ask: Ask | None, notes: list[st
     return ArmFrames(base, sensor, joints, tool)
 
 
-def _sensor_frame(tree: RobotTree, order: Order, notes: list[str]) -> str:
+def _sensor_frame(tree: RobotTree, order: CellOrder, notes: list[str]) -> str:
     if order.mount is not None:
         _check_link(tree, order.mount, "--mount")
         tree.add_link(SENSOR_LINK, order.mount, np.array(order.mount_xyz), np.array(order.mount_rpy))
@@ -92,7 +92,7 @@ def _is_of_hand(tree: RobotTree, link: str) -> bool:
     return any(HAND.search(joint.name) or HAND.search(joint.child) or joint.mimic for joint in tree.path(link))
 
 
-def _what_is_behind(sensor: str, bodies: list[str], order: Order, ask: Ask | None, where: str) -> Behind:
+def _what_is_behind(sensor: str, bodies: list[str], order: CellOrder, ask: Ask | None, where: str) -> Behind:
     if order.behind is not None:
         return order.behind
     if ask is not None:
@@ -114,7 +114,7 @@ def _behind(tree: RobotTree, sensor: str) -> str:
     return max(ends, key=lambda link: (not tree.is_body(link), len(tree.path(link))))
 
 
-def _base_frame(tree: RobotTree, sensor: str, order: Order, notes: list[str]) -> str:
+def _base_frame(tree: RobotTree, sensor: str, order: CellOrder, notes: list[str]) -> str:
     if order.base_frame is not None:
         _check_link(tree, order.base_frame, "--base-frame")
         return order.base_frame

@@ -24,7 +24,7 @@ from core.new_cell.home import Home, HomeSearch
 from core.new_cell.joints import complete_limits, fix_others, propose_accelerations
 from core.new_cell.masses import G, complete_efforts, complete_masses, tool_of
 from core.new_cell.meshes import choose_shapes, copy_meshes
-from core.new_cell.order import Order, check_cell_order
+from core.new_cell.order import CellOrder, check_cell_order
 from core.new_cell.packages import Packages
 from core.new_cell.payload_room import EDGE_M, payload_room
 from core.new_cell.picture import draw_home
@@ -59,7 +59,7 @@ class Made:
     notes: tuple[str, ...]
 
 
-def make_cell(order: Order, ask: Ask | None = None) -> Made:
+def make_cell(order: CellOrder, ask: Ask | None = None) -> Made:
     """Makes the cell's folder with cell.toml, robot.urdf, meshes and home.png.
 
     Args:
@@ -158,7 +158,7 @@ def _new_folder(target: Path) -> Iterator[Path]:
                     parent.rmdir()
 
 
-def _arm(tree: RobotTree, frames: ArmFrames, visual: tuple[str, ...], order: Order, folder: Path) -> tuple[RobotModel, list[Body]]:
+def _arm(tree: RobotTree, frames: ArmFrames, visual: tuple[str, ...], order: CellOrder, folder: Path) -> tuple[RobotModel, list[Body]]:
     """Kinematics and bodies of the description as it is now, the base frame in the origin of the world."""
     where = str(order.urdf)
     text = tree.text

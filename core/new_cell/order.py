@@ -20,7 +20,7 @@ class Behind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Order:
+class CellOrder:
     """A cell to be made.
 
     Args:
@@ -54,7 +54,7 @@ class Order:
         return self.into / self.name
 
 
-def check_cell_order(order: Order) -> None:
+def check_cell_order(order: CellOrder) -> None:
     """Before anything is read: the names are names and nothing is there yet.
 
     Raises:

@@ -27,6 +27,6 @@ class KnownTool:
     std: Array
 
 
-def carried(tools: Iterable[KnownTool], workpiece: InertialParameters) -> InertialParameters:
+def add_tools(tools: Iterable[KnownTool], workpiece: InertialParameters) -> InertialParameters:
     """Tools and workpiece as one rigid body: what the sensor feels. About one point the ten parameters of bodies add."""
     return InertialParameters(sum((tool.parameters.phi for tool in tools), start=workpiece.phi))

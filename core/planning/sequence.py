@@ -48,7 +48,7 @@ class MotionSequence(Protocol):
     def steps(self) -> int:
         """How many legs there are."""
 
-    def planned(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
+    def plan_legs(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
         """A plan through the legs that are left, back to home.
 
         Args:
@@ -78,7 +78,7 @@ class Procedure:
         """How many legs there are: one for each pose."""
         return len(self.scope.poses)
 
-    def planned(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
+    def plan_legs(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
         """A plan through the poses that are left, back to home.
 
         Raises:

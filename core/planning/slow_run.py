@@ -15,7 +15,7 @@ def find_speed_range(cell: Cell) -> tuple[float, float]:
     return min(SLOWEST_M_S, limit), limit
 
 
-def slowed(cell: Cell, speed_m_s: float | None, where: str) -> Cell:
+def limit_speed(cell: Cell, speed_m_s: float | None, where: str) -> Cell:
     """The cell with a lower limit on the Cartesian speed, which planner, controller, second opinion and guard then all keep.
 
     Args:

@@ -38,7 +38,7 @@ class Stops:
         """How many legs there are."""
         return len(self.stops)
 
-    def planned(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
+    def plan_legs(self, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:
         """A plan through the stops that are left, back to home.
 
         Raises:

@@ -185,7 +185,7 @@ class Run:
 
         Another seed after each stop gives other start configurations.
         """
-        plan = yield from self.sequence.planned(self.plan_request(start, done), self.robot, self.collision)
+        plan = yield from self.sequence.plan_legs(self.plan_request(start, done), self.robot, self.collision)
         self.plan_s += plan.plan_s
         return plan
 

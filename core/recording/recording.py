@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from core.errors import BadRecording
 from core.payload.inertia import InertialParameters
-from core.payload.known_tool import KnownTool, carried
+from core.payload.known_tool import KnownTool, add_tools
 
 Array = NDArray[np.float64]
 
@@ -93,7 +93,7 @@ class Recording:
     @property
     def reference_of_whole(self) -> InertialParameters | None:
         """What the sensor feels if the reference is right: tools and payload."""
-        return None if self.reference is None else carried(self.tools, self.reference)
+        return None if self.reference is None else add_tools(self.tools, self.reference)
 
     @property
     def source_of_whole(self) -> str | None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from core.errors import BadRobot
-from core.files.confinement import Arrays, Order, serve
+from core.files.confinement import Arrays, Order, answer_orders
 from core.robot.convex_parts import convex_parts, hull_points
 from core.robot.mesh_file import read_mesh
 
@@ -38,4 +38,4 @@ def read_parts(order: Order) -> Arrays:
 
 
 if __name__ == "__main__":
-    serve(read_parts)
+    answer_orders(read_parts)

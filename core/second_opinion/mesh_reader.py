@@ -10,7 +10,7 @@ import trimesh
 from numpy.typing import NDArray
 
 from core.errors import BadRobot
-from core.files.confinement import Arrays, Order, serve
+from core.files.confinement import Arrays, Order, answer_orders
 
 CONVEX = 0.999
 """Share of its hull's room that a solid fills which counts as convex."""
@@ -55,4 +55,4 @@ def _triangles(part: collada.primitive.BoundPrimitive) -> NDArray[np.float64]:
 
 
 if __name__ == "__main__":
-    serve(read_surface)
+    answer_orders(read_surface)

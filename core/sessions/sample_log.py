@@ -9,7 +9,7 @@ import numpy as np
 from core.cell.cell import Cell, Payload
 from core.cell.tools import find_tools
 from core.recording.recording import Recording, SensorDescription, append_recording
-from core.recording.stated_friction import stated_friction
+from core.recording.stated_friction import read_friction
 from core.robot.model import RobotModel
 from core.sessions.session import RobotState
 
@@ -78,7 +78,7 @@ class SampleLog:
             temperature=np.array([state.temperature for state in states]) if has_temperature else None,
             phase=np.array(self.phases),
             robot=self.robot.description,
-            friction=stated_friction(self.cell),
+            friction=read_friction(self.cell),
             sensor=SensorDescription(np.array(sensor.noise_std), np.array(sensor.range), np.array(sensor.resolution)),
             reference=None if self.reference is None else self.reference.parameters,
             reference_source=None if self.reference is None else self.reference.source,

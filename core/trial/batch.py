@@ -15,7 +15,7 @@ from threadpoolctl import threadpool_limits
 
 from core.errors import BadInput
 from core.trial.draw import Drawn
-from core.trial.outcome import Outcome, make_stopped_outcome
+from core.trial.outcome import TrialOutcome, make_stopped_outcome
 from core.trial.run import run_trial
 
 CONNECT_S = 10
@@ -69,7 +69,7 @@ def on_cluster(address: str) -> Iterator[Executor]:
         yield executor
 
 
-def outcomes(drawn: Sequence[Drawn], executor: Executor, keep: Path | None = None) -> Iterator[Outcome]:
+def outcomes(drawn: Sequence[Drawn], executor: Executor, keep: Path | None = None) -> Iterator[TrialOutcome]:
     """Runs the trials and gives each outcome as soon as it is there, in whatever order. A trial that fails has an outcome that says why.
 
     Args:

@@ -79,7 +79,7 @@ def draw(seed: int) -> Drawn:
     """Draws cell, payload and faults of one trial."""
     rng = np.random.default_rng([seed, 20])
     name = CELLS[int(rng.integers(len(CELLS)))]
-    cell, plans = planned(name)
+    cell, plans = plan_each_payload(name)
     payload = sorted(plans)[int(rng.integers(len(plans)))]
     setting = Setting(cell, cell.payloads[payload].parameters, plans[payload].robot_s)
     kind = str(rng.choice(list(KINDS), p=list(KINDS.values())))
@@ -103,7 +103,7 @@ def draw(seed: int) -> Drawn:
 
 
 @cache
-def planned(name: str) -> tuple[Cell, dict[str, Plan]]:
+def plan_each_payload(name: str) -> tuple[Cell, dict[str, Plan]]:
     """A cell with one plan for each of its payloads; the trials of a process, and the processes it forks, share them."""
     cell = load_cell(find_cell(name))
     robot = RobotModel.of_cell(cell)

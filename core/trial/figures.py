@@ -12,7 +12,7 @@ from scipy.special import expit, ndtr
 
 from core.gap.limits import sizes
 from core.trial.judgement import CLEAR_SIGMA, SIZED_SIGMA, TIE_SIGMA, counts, forecast, is_beside, right, truth_class
-from core.trial.outcome import Outcome
+from core.trial.outcome import TrialOutcome
 
 Array = NDArray[np.float64]
 
@@ -63,7 +63,7 @@ class Bin:
     share: Share
 
 
-def share_right(outcomes: Sequence[Outcome], kind: str) -> Share:
+def share_right(outcomes: Sequence[TrialOutcome], kind: str) -> Share:
     """Of the trials of a kind that count."""
     return Share.among(right(o) for o in outcomes if o.sealed.kind == kind and counts(o))
 
@@ -74,7 +74,7 @@ def best_share(distances: Iterable[float | None]) -> float:
     return float(np.mean(ndtr(0.5 * np.array(known)))) if known else float("nan")
 
 
-def tie_honesty(outcomes: Sequence[Outcome]) -> tuple[Share, Share]:
+def tie_honesty(outcomes: Sequence[TrialOutcome]) -> tuple[Share, Share]:
     """Truth in the declared set where the nearest rival is inseparable; one name, the right one, where it is far."""
     singles = [o for o in outcomes if o.sealed.kind == "single" and counts(o) and o.bound.nearest_rival_sigma is not None]
     near = [o for o in singles if (o.bound.nearest_rival_sigma or 0.0) < TIE_SIGMA]
@@ -83,19 +83,19 @@ def tie_honesty(outcomes: Sequence[Outcome]) -> tuple[Share, Share]:
     return declared, Share.among(not o.ties and o.first in o.sealed.ids for o in far)
 
 
-def first_answers(outcomes: Sequence[Outcome]) -> tuple[Array, NDArray[np.bool_]]:
+def first_answers(outcomes: Sequence[TrialOutcome]) -> tuple[Array, NDArray[np.bool_]]:
     """Probability of the most probable class of each answer, and whether it was that."""
     answers = [(max(forecast(o).items(), key=lambda item: item[1]), truth_class(o)) for o in _in_the_wrench(outcomes)]
     return np.array([p for (_, p), _ in answers]), np.array([name == truth for (name, _), truth in answers], dtype=bool)
 
 
-def all_answers(outcomes: Sequence[Outcome], least: float) -> tuple[Array, NDArray[np.bool_]]:
+def all_answers(outcomes: Sequence[TrialOutcome], least: float) -> tuple[Array, NDArray[np.bool_]]:
     """The same for every class that was given at least this probability."""
     told = [(p, name == truth_class(o)) for o in _in_the_wrench(outcomes) for name, p in forecast(o).items() if p >= least]
     return np.array([p for p, _ in told]), np.array([hit for _, hit in told], dtype=bool)
 
 
-def _in_the_wrench(outcomes: Sequence[Outcome]) -> list[Outcome]:
+def _in_the_wrench(outcomes: Sequence[TrialOutcome]) -> list[TrialOutcome]:
     """Answers whose probabilities have a truth: what is planted in the readings is none of the effects, and may be more than nothing."""
     return [o for o in outcomes if o.stopped is None and not is_beside(o)]
 
@@ -112,7 +112,7 @@ def calibration_error(table: Sequence[Bin]) -> float:
     return sum(row.share.of * abs(row.mean - row.share.value) for row in table) / total if total else float("nan")
 
 
-def closure_ratios(outcomes: Sequence[Outcome]) -> list[tuple[float, float]]:
+def closure_ratios(outcomes: Sequence[TrialOutcome]) -> list[tuple[float, float]]:
     """Closure of the true effect and of the first name, single faults that count; NaN in neither."""
     found = []
     for o in outcomes:
@@ -122,7 +122,7 @@ def closure_ratios(outcomes: Sequence[Outcome]) -> list[tuple[float, float]]:
     return found
 
 
-def parameter_errors(outcomes: Sequence[Outcome]) -> tuple[list[float], Share]:
+def parameter_errors(outcomes: Sequence[TrialOutcome]) -> tuple[list[float], Share]:
     """Relative errors of the determined parameters of faults that are plain and of the model's shape, and how often 95 % intervals
     hold the truth (all of their parameters that have an interval)."""
     errors, inside = [], []
@@ -157,7 +157,7 @@ class PayloadErrors:
     covered: Share
 
 
-def payload_errors(outcomes: Sequence[Outcome]) -> PayloadErrors:
+def payload_errors(outcomes: Sequence[TrialOutcome]) -> PayloadErrors:
     """Of trials with a fault that were answered rightly, counted or not."""
     rows = []
     inside: list[bool] = []

@@ -10,13 +10,13 @@ from pydantic import ValidationError
 from core.errors import BadInput
 from core.files.whole_file import write_whole
 from core.trial.draw import Drawn
-from core.trial.outcome import Outcome
+from core.trial.outcome import TrialOutcome
 
 OUTCOMES = "trials.jsonl"
 SEALS = "seals.txt"
 
 
-def read_outcomes(folder: Path) -> dict[int, Outcome]:
+def read_outcomes(folder: Path) -> dict[int, TrialOutcome]:
     """The outcomes in a folder by seed; none where it does not exist yet. A last line that was cut off while it was written is dropped.
 
     Raises:
@@ -32,14 +32,14 @@ def read_outcomes(folder: Path) -> dict[int, Outcome]:
     return {outcome.sealed.seed: outcome for outcome in found}
 
 
-def _outcome(where: str, line: str) -> Outcome:
+def _outcome(where: str, line: str) -> TrialOutcome:
     try:
-        return Outcome.model_validate_json(line)
+        return TrialOutcome.model_validate_json(line)
     except ValidationError as error:
         raise BadInput(where, f"no outcome of this version ({error.error_count()} problems)", "a new folder") from None
 
 
-def check_seals(drawn: Iterable[Drawn], done: dict[int, Outcome]) -> None:
+def check_seals(drawn: Iterable[Drawn], done: dict[int, TrialOutcome]) -> None:
     """What is drawn now is what was drawn when the folder was begun.
 
     Raises:
@@ -52,7 +52,7 @@ def check_seals(drawn: Iterable[Drawn], done: dict[int, Outcome]) -> None:
         raise BadInput(f"seed {seed}", f"the seal {done[seed].sealed.hash[:12]} in the folder", f"{one.sealed.hash[:12]}; take a new one")
 
 
-def open_folder(folder: Path, drawn: Iterable[Drawn], done: dict[int, Outcome]) -> None:
+def open_folder(folder: Path, drawn: Iterable[Drawn], done: dict[int, TrialOutcome]) -> None:
     """Makes the folder with the seals of what is to come, and leaves only whole outcomes in it."""
     folder.mkdir(parents=True, exist_ok=True)
     with (folder / SEALS).open("a", encoding="utf-8") as seals:
@@ -60,7 +60,7 @@ def open_folder(folder: Path, drawn: Iterable[Drawn], done: dict[int, Outcome]) 
     write_whole(folder / OUTCOMES, "".join(outcome.model_dump_json() + "\n" for outcome in done.values()))
 
 
-def append(folder: Path, outcome: Outcome) -> None:
+def append(folder: Path, outcome: TrialOutcome) -> None:
     """Adds a finished trial; what is written is written."""
     with (folder / OUTCOMES).open("a", encoding="utf-8") as file:
         file.write(outcome.model_dump_json() + "\n")

@@ -15,7 +15,7 @@ import numpy as np
 
 from core.effects.library import symptoms
 from core.gap.limits import SHARES, sizes
-from core.trial.outcome import Outcome
+from core.trial.outcome import TrialOutcome
 from core.trial.truth import Parameters
 
 DETECTABLE_SIGMA = 3.0
@@ -32,13 +32,13 @@ SEEN_BESIDE = frozenset(symptom.id for symptom in symptoms())
 """Faults that are read off the recording directly."""
 
 
-def material(outcome: Outcome) -> bool:
+def material(outcome: TrialOutcome) -> bool:
     """Whether what was planted matters; faults without a measure in the wrench are taken to."""
     share = own_measure(outcome) if outcome.bound.materiality is None else outcome.bound.materiality
     return bool(outcome.sealed.ids) and share >= 1.0
 
 
-def own_measure(outcome: Outcome) -> float:
+def own_measure(outcome: TrialOutcome) -> float:
     """Materiality, 1 where it begins, of a fault that is read off the recording directly: from its parameters where its shape has them,
     else from what it adds to the readings; 1 where neither is known."""
     told = {name: _MEASURES[name](truth, outcome) for name, truth in outcome.truth.items() if name in _MEASURES}
@@ -47,13 +47,13 @@ def own_measure(outcome: Outcome) -> float:
     return max((seen | told).values(), default=1.0)
 
 
-def _mismatch(truth: Parameters, outcome: Outcome) -> float:
+def _mismatch(truth: Parameters, outcome: TrialOutcome) -> float:
     if outcome.payload is None:
         return 1.0
     return float((np.abs(list(truth.values())) / (SHARES * sizes(np.array(outcome.payload.true)))).max())
 
 
-_MEASURES: dict[str, Callable[[Parameters, Outcome], float]] = {
+_MEASURES: dict[str, Callable[[Parameters, TrialOutcome], float]] = {
     "sensor_noise": lambda truth, _: max(truth.values()) / 1.5,
     "sample_dropout": lambda truth, _: truth["held_share"] / 0.01,
     "payload_mismatch": _mismatch,
@@ -63,7 +63,7 @@ _LIMITS = {"sensor_interference": 3.0 / 2**0.5, "sensor_quantization": 12**-0.5,
 """The same for what is added to the readings, in standard deviations of their noise."""
 
 
-def counts(outcome: Outcome) -> bool:
+def counts(outcome: TrialOutcome) -> bool:
     """Whether any method could give the right answer."""
     bound, kind = outcome.bound, outcome.sealed.kind
     if outcome.stopped is not None:
@@ -78,7 +78,7 @@ def counts(outcome: Outcome) -> bool:
     return material(outcome) and shows
 
 
-def find_named_effects(outcome: Outcome) -> frozenset[str]:
+def find_named_effects(outcome: TrialOutcome) -> frozenset[str]:
     """The most probable explanation: one effect or two."""
     if outcome.verdict not in NAMED or outcome.first is None:
         return frozenset()
@@ -86,7 +86,7 @@ def find_named_effects(outcome: Outcome) -> frozenset[str]:
     return frozenset(pair[0]) if pair[1] > outcome.effects[0].probability else frozenset({outcome.first})
 
 
-def right(outcome: Outcome) -> bool:
+def right(outcome: TrialOutcome) -> bool:
     """Whether the answer is right, counted or not.
 
     None: no gap, and nothing that matters beside. One fault: its name first, or a declared tie that holds it; one that is read off the
@@ -108,34 +108,34 @@ def right(outcome: Outcome) -> bool:
     return bool((find_named_effects(outcome) | tied | set(outcome.also)) & ids)
 
 
-def names_truth_first(outcome: Outcome) -> bool:
+def names_truth_first(outcome: TrialOutcome) -> bool:
     """Whether the truth is the first name, ties or not."""
     return right(outcome) if is_beside(outcome) else outcome.first in outcome.sealed.ids
 
 
-def is_beside(outcome: Outcome) -> bool:
+def is_beside(outcome: TrialOutcome) -> bool:
     """Whether all that was planted is read off the recording directly: then the verdict, which is about the wrench, is to name nothing."""
     return bool(outcome.sealed.ids) and set(outcome.sealed.ids) <= SEEN_BESIDE
 
 
-def stands_beside(outcome: Outcome) -> bool:
+def stands_beside(outcome: TrialOutcome) -> bool:
     """What was planted stands beside the verdict with its parameters, and the verdict names nothing."""
     return not find_named_effects(outcome) and all(outcome.also.get(name) for name in outcome.sealed.ids)
 
 
-def exact_pair(outcome: Outcome) -> bool:
+def exact_pair(outcome: TrialOutcome) -> bool:
     """Both names and no other, each where it belongs: in the verdict, or beside it."""
     ids = set(outcome.sealed.ids)
     return find_named_effects(outcome) == ids - SEEN_BESIDE and ids & SEEN_BESIDE <= set(outcome.also)
 
 
-def mark(outcome: Outcome) -> str:
+def mark(outcome: TrialOutcome) -> str:
     """In words."""
     beside = "" if counts(outcome) or outcome.stopped is not None else " (does not count: too small, or another effect describes it)"
     return ("right" if right(outcome) else "not right") + beside
 
 
-def truth_class(outcome: Outcome) -> str:
+def truth_class(outcome: TrialOutcome) -> str:
     """What the probabilities are about, which is the wrench: none, unknown, an effect, or two joined by a plus sign; the verdict is about
     what matters."""
     kind, ids = outcome.sealed.kind, [name for name in outcome.sealed.ids if name not in SEEN_BESIDE]
@@ -146,7 +146,7 @@ def truth_class(outcome: Outcome) -> str:
     return max(ids, key=lambda name: next((e.closure for e in outcome.effects if e.id == name), 0.0))
 
 
-def forecast(outcome: Outcome) -> dict[str, float]:
+def forecast(outcome: TrialOutcome) -> dict[str, float]:
     """Probability of every class that the answer gives one to."""
     singles = {effect.id: effect.probability for effect in outcome.effects}
     pairs = {"+".join(sorted(ids)): probability for ids, probability in outcome.pairs}

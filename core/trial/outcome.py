@@ -51,7 +51,7 @@ class PayloadTruth(TrialPart):
     after_std: tuple[float, ...]
 
 
-class Outcome(TrialPart):
+class TrialOutcome(TrialPart):
     """One trial.
 
     Args:
@@ -86,10 +86,10 @@ class Outcome(TrialPart):
     bound: Bound = Bound()
     seconds: float = 0.0
     version: str = ""
-    second: Outcome | None = None
+    second: TrialOutcome | None = None
 
     @property
-    def final(self) -> Outcome:
+    def final(self) -> TrialOutcome:
         """The last answer."""
         return self.second or self
 
@@ -104,10 +104,10 @@ class Outcome(TrialPart):
         return frozenset(name for names, _ in self.ties for name in names)
 
 
-def make_outcome(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Parameters], payload: Array, bound: Bound) -> Outcome:
+def make_outcome(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Parameters], payload: Array, bound: Bound) -> TrialOutcome:
     """The outcome of a trial that was diagnosed; `payload` (10,) is the true one."""
     kept = {*sealed.ids, *(effect.id for effect in diagnosis.effects[:1])}
-    return Outcome(
+    return TrialOutcome(
         sealed=sealed,
         stopped=None,
         verdict=diagnosis.verdict,
@@ -128,9 +128,9 @@ def make_outcome(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Paramete
     )
 
 
-def make_stopped_outcome(sealed: Sealed, reason: str) -> Outcome:
+def make_stopped_outcome(sealed: Sealed, reason: str) -> TrialOutcome:
     """The outcome of a trial that the guard stopped, or that failed."""
-    return Outcome(sealed=sealed, stopped=reason, verdict="stopped", version=release())
+    return TrialOutcome(sealed=sealed, stopped=reason, verdict="stopped", version=release())
 
 
 def _summarise_effect(effect: Explanation, kept: set[str]) -> Named:

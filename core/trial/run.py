@@ -21,7 +21,7 @@ from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 from core.trial.bound import Bound, bound_of
 from core.trial.draw import Drawn, run_to_end
-from core.trial.outcome import Outcome, make_outcome, make_stopped_outcome
+from core.trial.outcome import TrialOutcome, make_outcome, make_stopped_outcome
 from core.trial.second_look import second_look
 from core.trial.truth import Parameters, difference_of, translate_truth, true_payload_of
 
@@ -29,7 +29,7 @@ SMOOTH = Drives(damping_s=0.0, friction=0.0)
 """Friction is one of the faults: where it is not planted, there is none."""
 
 
-def run_trial(drawn: Drawn, keep: Path | None = None) -> Outcome:
+def run_trial(drawn: Drawn, keep: Path | None = None) -> TrialOutcome:
     """Runs the procedure with the faults, diagnoses without them, and opens the seal. On one core.
 
     Args:

@@ -26,20 +26,20 @@ from core.trial.figures import (
     tie_honesty,
 )
 from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, counts, find_named_effects, material, names_truth_first, right
-from core.trial.outcome import Outcome
+from core.trial.outcome import TrialOutcome
 
 KINDS = ("none", "single", "double", "unknown")
 LEAST = 0.01
 """Probabilities below this are left out of the calibration of all classes: there are hundreds of them, all but zero."""
 
 
-def score_sheet(outcomes: Sequence[Outcome]) -> str:
+def score_sheet(outcomes: Sequence[TrialOutcome]) -> str:
     """Markdown without the pictures."""
     return "\n".join([*_head(outcomes), *_figures(outcomes), "", "## By kind", "", *_kinds(outcomes), "", "## By effect", "",
                       *_effects(outcomes), "", "## Not right", "", *_failures(outcomes), ""])  # fmt: skip
 
 
-def write_sheet(folder: Path, outcomes: Sequence[Outcome]) -> None:
+def write_sheet(folder: Path, outcomes: Sequence[TrialOutcome]) -> None:
     """`trials.md` with its pictures; files of an earlier sheet are replaced."""
     lines = [score_sheet(outcomes)]
     for name, (title, picture) in _pictures(outcomes).items():
@@ -48,7 +48,7 @@ def write_sheet(folder: Path, outcomes: Sequence[Outcome]) -> None:
     write_whole(folder / "trials.md", "\n".join([*lines, "## Confusion in numbers", "", *_confusion(outcomes), ""]))
 
 
-def _pictures(outcomes: Sequence[Outcome]) -> dict[str, tuple[str, str]]:
+def _pictures(outcomes: Sequence[TrialOutcome]) -> dict[str, tuple[str, str]]:
     """Title and picture by name; none of what no trial shows."""
     first, every = reliability(*first_answers(outcomes)), reliability(*all_answers(outcomes, LEAST))
     confused, closures, seen = confusions(outcomes), closure_ratios(outcomes), detections(outcomes)
@@ -64,12 +64,12 @@ def _pictures(outcomes: Sequence[Outcome]) -> dict[str, tuple[str, str]]:
     return drawn
 
 
-def confusions(outcomes: Sequence[Outcome]) -> Counter[tuple[str, str]]:
+def confusions(outcomes: Sequence[TrialOutcome]) -> Counter[tuple[str, str]]:
     """Planted and answered of single faults that count; without a name the verdict."""
     return Counter((o.sealed.ids[0], _describe_answer(o)) for o in outcomes if o.sealed.kind == "single" and counts(o))
 
 
-def detections(outcomes: Sequence[Outcome]) -> dict[str, list[tuple[float, bool]]]:
+def detections(outcomes: Sequence[TrialOutcome]) -> dict[str, list[tuple[float, bool]]]:
     """Distance from nothing of single faults, and whether they were named, by effect."""
     single = [o for o in outcomes if o.sealed.kind == "single" and o.bound.fault_sigma is not None]
     single.sort(key=lambda o: o.sealed.ids[0])
@@ -79,16 +79,16 @@ def detections(outcomes: Sequence[Outcome]) -> dict[str, list[tuple[float, bool]
     }
 
 
-def _describe_answer(outcome: Outcome) -> str:
+def _describe_answer(outcome: TrialOutcome) -> str:
     return "+".join(sorted(find_named_effects(outcome) or outcome.also)) or outcome.verdict
 
 
-def _names(outcome: Outcome) -> frozenset[str]:
+def _names(outcome: TrialOutcome) -> frozenset[str]:
     """Whatever was named, material or not, alone or in a declared tie, in the verdict or beside it."""
     return find_named_effects(outcome) | outcome.tied | set(outcome.minor) | set(outcome.also)
 
 
-def _head(outcomes: Sequence[Outcome]) -> list[str]:
+def _head(outcomes: Sequence[TrialOutcome]) -> list[str]:
     versions = ", ".join(sorted({o.version for o in outcomes}))
     seeds = _ranges([o.sealed.seed for o in outcomes])
     return [
@@ -112,7 +112,7 @@ def _ranges(seeds: Sequence[int]) -> str:
     return ",".join(parts)
 
 
-def _figures(outcomes: Sequence[Outcome]) -> list[str]:
+def _figures(outcomes: Sequence[TrialOutcome]) -> list[str]:
     counted = {kind: [o for o in outcomes if o.sealed.kind == kind and counts(o)] for kind in KINDS}
     near, far = tie_honesty(outcomes)
     errors, covered = parameter_errors(outcomes)
@@ -148,7 +148,7 @@ def _figures(outcomes: Sequence[Outcome]) -> list[str]:
     return _table(("figure", "wanted", "here", "bound"), rows)
 
 
-def _kinds(outcomes: Sequence[Outcome]) -> list[str]:
+def _kinds(outcomes: Sequence[TrialOutcome]) -> list[str]:
     rows = []
     for kind in KINDS:
         part = [o for o in outcomes if o.sealed.kind == kind]
@@ -159,7 +159,7 @@ def _kinds(outcomes: Sequence[Outcome]) -> list[str]:
     return _table(("kind", "trials", "count", "right of those that count", "right of all", "immaterial", "no answer"), rows)
 
 
-def _effects(outcomes: Sequence[Outcome]) -> list[str]:
+def _effects(outcomes: Sequence[TrialOutcome]) -> list[str]:
     single = sorted((o for o in outcomes if o.sealed.kind == "single" and o.stopped is None), key=lambda o: o.sealed.ids[0])
     rows = []
     for name, group in groupby(single, key=lambda o: o.sealed.ids[0]):
@@ -181,12 +181,12 @@ def _smallest(x: Sequence[float], hits: Sequence[bool]) -> str:
     return f"{middle:.2g}"
 
 
-def _failures(outcomes: Sequence[Outcome]) -> list[str]:
+def _failures(outcomes: Sequence[TrialOutcome]) -> list[str]:
     wrong = [o for o in outcomes if not right(o)]
     return [_failure(o) for o in sorted(wrong, key=lambda o: (not counts(o), o.sealed.seed))] or ["None."]
 
 
-def _failure(o: Outcome) -> str:
+def _failure(o: TrialOutcome) -> str:
     sigma = "" if o.bound.fault_sigma is None else f", {o.bound.fault_sigma:.0f} sigma (material from {o.bound.material_sigma:.0f})"
     gap = "" if o.gap_before is None or o.gap_after is None else f", gap {o.gap_before:.2f} to {o.gap_after:.2f}"
     answer = o.stopped or " ".join(part for part in (o.verdict, "+".join(sorted(find_named_effects(o)))) if part)
@@ -196,7 +196,7 @@ def _failure(o: Outcome) -> str:
     return f"- `heft trial --seed {o.sealed.seed}`: {o.sealed.in_words}, size {o.sealed.size:.2f}{sigma}, {where}: {answer}{gap}{asked}"
 
 
-def _confusion(outcomes: Sequence[Outcome]) -> list[str]:
+def _confusion(outcomes: Sequence[TrialOutcome]) -> list[str]:
     return _table(("planted", "answered", "times"), [(a, b, str(n)) for (a, b), n in sorted(confusions(outcomes).items())])
 
 

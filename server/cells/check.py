@@ -33,7 +33,7 @@ FORBIDDEN = ("socket.", "subprocess.", "os.exec", "os.fork", "os.posix_spawn", "
 CheckAnswer = dict[str, Any]
 
 
-def check(folder: Path) -> CheckAnswer:
+def check_upload(folder: Path) -> CheckAnswer:
     """Unpacks and loads the cell, up to the models that planning would use and the effects of its twin."""
     try:
         unpack_cell(folder / UPLOAD, folder / CELL)
@@ -102,7 +102,7 @@ def _run_child(folder: Path, write_fd: int) -> None:
     status = 1
     try:
         confine(folder)
-        answer = check(folder)
+        answer = check_upload(folder)
         os.write(write_fd, json.dumps(answer).encode())
         status = 0
     finally:

@@ -9,7 +9,7 @@ from pathlib import Path
 from threading import Lock
 from typing import Annotated
 
-from core.cell.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cells, read_cell_folder
+from core.cell.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cell_folders, read_cell_folder
 from core.errors import BadCell, BadInput, BadTwin, refuse, together
 from core.files.whole_file import write_whole
 from server.http.dependencies import depend_on
@@ -37,7 +37,7 @@ class CellFolder:
         """Makes the folder where there is none; ends a replacement that a crash cut off."""
         if not self.folder.exists():
             self.folder.mkdir(parents=True)
-            for cell in list_cells():
+            for cell in list_cell_folders():
                 shutil.copytree(cell, self.folder / cell.name)
         for old in self.folder.glob(f"{OLD}*"):
             place = self.folder / old.name.removeprefix(OLD)

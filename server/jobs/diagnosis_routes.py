@@ -123,7 +123,7 @@ def list_diagnoses(store: StoreDep, diagnoses: DiagnosesDep, limit: LimitQuery =
 def read_diagnosis(diagnosis: str, diagnoses: DiagnosesDep, store: StoreDep) -> DiagnosisAnswer:
     """One diagnosis."""
     with store.read() as db:
-        return _answer(diagnoses, jobs.load(db, DIAGNOSIS, diagnosis))
+        return _answer(diagnoses, jobs.load_job(db, DIAGNOSIS, diagnosis))
 
 
 @router.delete("/{diagnosis}")
@@ -141,7 +141,7 @@ def cancel_diagnosis(diagnosis: str, store: StoreDep, diagnoses: DiagnosesDep, c
 def read_overlay(diagnosis: str, store: StoreDep, settings: SettingsDep) -> OverlayAnswer:
     """Measured and simulated before and after, for plots; none where there was too little to compare."""
     with store.read() as db:
-        row = jobs.load(db, DIAGNOSIS, diagnosis)
+        row = jobs.load_job(db, DIAGNOSIS, diagnosis)
     file = locate_overlay(settings, diagnosis)
     if not file.is_file():
         raise Conflict(f"diagnosis {diagnosis}: has nothing to overlay, it is {row.state}; a done one has, if there was enough to compare")
@@ -152,7 +152,7 @@ def read_overlay(diagnosis: str, store: StoreDep, settings: SettingsDep) -> Over
 def download_diagnosis_report(diagnosis: str, store: StoreDep, settings: SettingsDep) -> Response:
     """The diagnosis as a page."""
     with store.read() as db:
-        row = jobs.load(db, DIAGNOSIS, diagnosis)
+        row = jobs.load_job(db, DIAGNOSIS, diagnosis)
     missing = f"diagnosis {diagnosis}: has no report, it is {row.state}; a report comes with a diagnosis that is done"
     return downloads.page(locate_report(settings, diagnosis), f"diagnosis-{diagnosis}", missing)
 

@@ -73,7 +73,7 @@ def add_job(db: Session, kind: str, order: BaseModel, about: str | None, who: st
     return row
 
 
-def load(db: Session, kind: str, job: str) -> JobRow:
+def load_job(db: Session, kind: str, job: str) -> JobRow:
     """One job.
 
     Raises:
@@ -92,7 +92,7 @@ def cancel(db: Session, kind: str, job: str, who: str, now: datetime) -> JobRow:
         NotFound: there is none of that kind.
         Conflict: it is over.
     """
-    row = load(db, kind, job)
+    row = load_job(db, kind, job)
     if row.state not in UNDER_WAY:
         raise Conflict(f"{kind} {job}: it is {row.state}; only what waits or runs can be cancelled")
     row.state, row.ended_at = JobStatus.cancelled, now
@@ -190,7 +190,7 @@ class Worker:
     def _is_running(self, job: str) -> bool:
         """Whether nobody has cancelled it."""
         with self._store.read() as db:
-            return load(db, self._kind.name, job).state == JobStatus.running
+            return load_job(db, self._kind.name, job).state == JobStatus.running
 
     def _fail(self, job: str, reason: Reason) -> None:
         self._end(job, JobStatus.failed, reason=reason.sentence, reason_kind=reason.kind)
@@ -200,7 +200,7 @@ class Worker:
 
     def _change(self, job: str, **changes: object) -> None:
         with self._store.write() as db:
-            row = load(db, self._kind.name, job)
+            row = load_job(db, self._kind.name, job)
             if row.state not in UNDER_WAY:  # cancelled while it answered
                 return
             for name, value in changes.items():

@@ -34,7 +34,7 @@ def queue_motion(
 ) -> RunAnswer:
     """Queues the motion that a diagnosis proposes as a run, to be released like any other; its recording continues the diagnosed one."""
     with store.read() as db:
-        diagnosed = jobs.load(db, DIAGNOSIS, diagnosis)
+        diagnosed = jobs.load_job(db, DIAGNOSIS, diagnosis)
         motion = read_proposed_motion(diagnosed)
         continued = None if motion.continues is None else run_ledger.load_run(db, motion.continues)
     cell = DiagnosisOrder.model_validate_json(diagnosed.order).cell

@@ -68,7 +68,7 @@ def list_trials(store: StoreDep, worker: TrialsDep, limit: LimitQuery = 50) -> l
 def read_trials(trials: str, store: StoreDep, worker: TrialsDep) -> TrialsAnswer:
     """Some trials: their seals, and in the end their answers."""
     with store.read() as db:
-        return _answer(worker, jobs.load(db, TRIALS, trials))
+        return _answer(worker, jobs.load_job(db, TRIALS, trials))
 
 
 @router.delete("/{trials}")

@@ -69,7 +69,7 @@ def add_effect(
     """Fits an effect anew to the recording of a diagnosis that names it, and adds it to the cell's twin."""
     cells.load(cell)
     with store.write() as db:
-        diagnosed = jobs.load(db, DIAGNOSIS, body.diagnosis)
+        diagnosed = jobs.load_job(db, DIAGNOSIS, body.diagnosis)
         _check_named(diagnosed, body.effect)
         recording = DiagnosisOrder.model_validate_json(diagnosed.order).recording
         order = AdditionOrder(cell=cell, effect=body.effect, diagnosis=body.diagnosis, recording=recording)
@@ -118,7 +118,7 @@ def remove_effect(cell: NamePath, effect: NamePath, store: StoreDep, cells: Cell
 
 
 def _load(db: Session, cell: str, addition: str) -> JobRow:
-    row = jobs.load(db, ADDITION, addition)
+    row = jobs.load_job(db, ADDITION, addition)
     if row.about != cell:
         raise NotFound(ADDITION, addition)
     return row

@@ -102,7 +102,7 @@ def entries(db: Session) -> Iterator[AuditEntry]:
     yield from db.scalars(select(AuditEntry).order_by(AuditEntry.number).execution_options(yield_per=500))
 
 
-def verify(chain: Iterable[AuditEntry]) -> tuple[int, str, str | None]:
+def verify_chain(chain: Iterable[AuditEntry]) -> tuple[int, str, str | None]:
     """Walks the chain.
 
     Returns:

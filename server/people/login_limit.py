@@ -48,7 +48,7 @@ def _keys(account: str, address: str) -> dict[str, str]:
     return {"pair": f"pair:{account}@{address}", "address": f"address:{address}", "account": f"account:{account}"}
 
 
-def check(db: Session, account: str, address: str, now: datetime) -> None:
+def check_limit(db: Session, account: str, address: str, now: datetime) -> None:
     """Raises TooMany while one of the three counts blocks."""
     for key in _keys(account, address).values():
         row = db.get(LoginFailures, key)

@@ -54,7 +54,7 @@ def sign_in(
     """Signs a browser in; the answer sets its cookie. Failures make the next try wait."""
     name = body.name
     with store.read() as db:
-        login_limit.check(db, name, address, now)
+        login_limit.check_limit(db, name, address, now)
         account = db.get(Account, name)
     if not accounts.password_is_right(account, body.password.get_secret_value()) or account is None:
         with store.write() as db:
@@ -98,7 +98,7 @@ def change_password(
     if caller.session is None:
         raise NotAllowed("password: a key has none; only an account changes its password")
     with store.read() as db:
-        login_limit.check(db, caller.name, address, now)
+        login_limit.check_limit(db, caller.name, address, now)
         account = db.get(Account, caller.name)
     if not accounts.password_is_right(account, body.password.get_secret_value()):
         with store.write() as db:

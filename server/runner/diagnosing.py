@@ -18,7 +18,7 @@ from core.gap.fit_all import FitAll, Task, one_by_one
 from core.gap.twin_addition import addable_to
 from core.gap.windows import Windows
 from core.recording.folder import read_recording
-from core.recording.stated_friction import knowing_friction
+from core.recording.stated_friction import with_cell_friction
 from core.report.diagnosis_page import write_diagnosis
 from core.report.overlay import overlay_of
 from core.twin.file import read_twin
@@ -38,7 +38,7 @@ def main(folder: Path, cell: Cell | None, report: Path, overlay: Path, connectio
     give_way()
     with suppress(BrokenPipeError):  # nobody waits any more
         try:
-            recording = read_recording(folder) if cell is None else knowing_friction(read_recording(folder), cell)
+            recording = read_recording(folder) if cell is None else with_cell_friction(read_recording(folder), cell)
             twin = NOMINAL if cell is None else read_twin(cell)
             diagnosis, evidence = examine(recording, twin=twin, fit_all=fit_with_progress(connection))
             if cell is not None:

@@ -97,6 +97,6 @@ def _answers(sequence: MotionSequence, request: PlanRequest) -> Generator[Event 
     try:
         robot = RobotModel.of_cell(request.cell)
         collision = CollisionModel(request.cell, robot, request.payload_box)
-        yield (yield from sequence.planned(request, robot, collision))
+        yield (yield from sequence.plan_legs(request, robot, collision))
     except HeftError as error:
         yield Failed(type(error).__name__, str(error), error.in_the_way)

@@ -14,7 +14,7 @@ from core.trial.batch import outcomes
 from core.trial.draw import Drawn, draw
 from core.trial.folder import append, check_seals, open_folder, read_outcomes
 from core.trial.judgement import mark
-from core.trial.outcome import Outcome
+from core.trial.outcome import TrialOutcome
 from core.trial.sheet import score_sheet
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.trial_schemas import SEALS, NamedEffect, OpenedTrial, Seal, TrialsResult
@@ -42,7 +42,7 @@ def main(folder: Path, count: int, seed: int, connection: Connection) -> None:
             connection.send(Failed(type(error).__name__, str(error)))
 
 
-def _run(drawn: list[Drawn], done: dict[int, Outcome], folder: Path, connection: Connection) -> None:
+def _run(drawn: list[Drawn], done: dict[int, TrialOutcome], folder: Path, connection: Connection) -> None:
     """What is not done yet."""
     missing = [one for one in drawn if one.sealed.seed not in done]
     with ThreadPoolExecutor(1) as alone:
@@ -56,7 +56,7 @@ def _seals(drawn: list[Drawn]) -> str:
     return SEALS.dump_json([Seal(seed=one.sealed.seed, sha256=one.sealed.hash) for one in drawn]).decode()
 
 
-def _open_trials(found: list[Outcome]) -> str:
+def _open_trials(found: list[TrialOutcome]) -> str:
     found = sorted(found, key=lambda outcome: outcome.sealed.seed)
     opened = [
         OpenedTrial(

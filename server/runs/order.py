@@ -6,7 +6,7 @@ from pathlib import Path
 
 from core.cell.cell import Cell
 from core.planning.settings import Timing
-from core.planning.slow_run import find_speed_range, slowed
+from core.planning.slow_run import find_speed_range, limit_speed
 from server.http.errors import Conflict
 from server.runner.messages import Continuation, Order
 from server.runs.ledger import motion_of
@@ -22,7 +22,7 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
     limit = cell.limits.cartesian_speed_m_s  # may have become lower since it was asked for
     return Order(
         run=row.id,
-        cell=slowed(cell, min(order.speed_m_s or limit, limit), "speed_m_s"),
+        cell=limit_speed(cell, min(order.speed_m_s or limit, limit), "speed_m_s"),
         payload=payload,
         payload_box=order.payload_box or cell.payloads[payload].box,
         timing=Timing(hold_s=order.hold_s, settle_s=order.settle_s, robot_s=order.robot_s, inertia_std=order.inertia_std),

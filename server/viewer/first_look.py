@@ -30,10 +30,10 @@ def first_look(cell: Cell, robot: RobotModel) -> tuple[Array, Array]:
     middle, size = 0.5 * (low + high), float(np.linalg.norm(high - low))
     seen = arm[:: max(1, len(arm) // POINTS)]
     eyes = [middle + AWAY * size * _direction(around, down) for down, around in product(DOWN_RAD, AROUND_RAD)]
-    return min(eyes, key=lambda eye: hidden(cell, eye, seen)), middle
+    return min(eyes, key=lambda eye: measure_occlusion(cell, eye, seen)), middle
 
 
-def hidden(cell: Cell, eye: Array, points: Array) -> float:
+def measure_occlusion(cell: Cell, eye: Array, points: Array) -> float:
     """Lines of sight from the eye (3,) to points (k, 3) that the cell's bodies cross, on average; a zone counts less."""
     weights = [(it.shape, 1.0) for it in cell.obstacles] + [(it.shape, VEIL) for it in cell.zones]
     return float(sum(weight * find_occluded(shape_faces(shape), eye, points).mean() for shape, weight in weights))

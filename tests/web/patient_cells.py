@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from core.cell.cell import CELL_FILE, list_cells
+from core.cell.cell import CELL_FILE, list_cell_folders
 from tests.server.real_service import ROOT, RealService, real_service
 
 LEASE_S = 3.0
@@ -17,7 +17,7 @@ LEASE_S = 3.0
 
 def patient_cells(data: Path) -> None:
     """Puts them into the data folder of a service that is to be started."""
-    for cell in list_cells():
+    for cell in list_cell_folders():
         shutil.copytree(cell, data / "cells" / cell.name)
         with (data / "cells" / cell.name / CELL_FILE).open("a") as file:
             file.write(f"\n[control]\nlease_s = {LEASE_S}\n")

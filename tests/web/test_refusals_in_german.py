@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, expect
 
-from core.cell.cell import Box, Pose, list_cells, load_cell
+from core.cell.cell import Box, Pose, list_cell_folders, load_cell
 from core.control.checks import GuardStop, Numbers
 from core.control.faults import make_distance_error, make_frozen_error, make_stop_error
 from core.errors import BadCell, Lateness, NoStartConfiguration, PlanDisputed
@@ -87,7 +87,7 @@ def test_the_german_sentences_are_those_that_can_be_said() -> None:
 def test_every_reason_for_asking_nothing_of_a_pair_has_german_words() -> None:
     """Of the cells at hand, with payloads from a plate to a bracket that reaches back beside the wrist."""
     said: set[str] = set()
-    for cell in map(load_cell, list_cells()):
+    for cell in map(load_cell, list_cell_folders()):
         for size, place in (((0.1, 0.1, 0.02), 0.01), ((0.3, 0.3, 0.3), -0.1)):
             box = Box(size_m=size, pose=Pose(xyz_m=(0.0, 0.0, place)))
             said |= {pair.why for pair in classify_pairs(cell, build_solid_arm(cell, box)) if not pair.kind.is_judged}

@@ -21,7 +21,7 @@ from core.cell.cell import (
     Sphere,
     contradictions_of,
     find_cell,
-    list_cells,
+    list_cell_folders,
     load_cell,
     read_cell_folder,
 )
@@ -276,11 +276,11 @@ def test_a_cell_is_found_by_name_by_folder_and_by_file(folder: Path, monkeypatch
 
 def test_a_cell_of_the_working_directory_goes_before_one_of_the_program(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(folder.parent)
-    assert [cell.name for cell in list_cells()] == NAMES
+    assert [cell.name for cell in list_cell_folders()] == NAMES
     (folder.parent / "cells").mkdir()
     folder.rename(folder.parent / "cells" / "lwr4_bench")
     assert find_cell("lwr4_bench").resolve() == (folder.parent / "cells" / "lwr4_bench").resolve()
-    assert [cell.name for cell in list_cells()] == NAMES
+    assert [cell.name for cell in list_cell_folders()] == NAMES
 
 
 @pytest.mark.parametrize(("name", "words"), [("lwr4_bensh", "'lwr4_bench', if"), ("nothing", "one of"), ("../cells", "one of")])

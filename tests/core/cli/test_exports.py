@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from core.cell.cell import find_cell, load_cell
-from core.cli.exports import read_result
+from core.cli.exports import read_result_file
 from core.cli.main import app
 from core.errors import BadInput
 from tests.core.export.cloud import cloud
@@ -54,6 +54,6 @@ def test_what_is_no_answer_is_refused(tmp_path: Path):
     file = tmp_path / "other.json"
     file.write_text('{"cell": 3}')
     with pytest.raises(BadInput, match=r"other.json: cell"):
-        read_result(file)
+        read_result_file(file)
     with pytest.raises(BadInput, match="nothing that can be read"):
-        read_result(tmp_path / "none.json")
+        read_result_file(tmp_path / "none.json")

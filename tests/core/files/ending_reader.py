@@ -8,7 +8,7 @@ import signal
 import numpy as np
 
 from core.errors import BadRobot
-from core.files.confinement import Arrays, Order, serve
+from core.files.confinement import Arrays, Order, answer_orders
 
 
 def answer(order: Order) -> Arrays:
@@ -23,4 +23,4 @@ def answer(order: Order) -> Arrays:
 
 
 if __name__ == "__main__":
-    serve(answer)
+    answer_orders(answer)

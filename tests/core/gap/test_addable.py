@@ -17,7 +17,7 @@ from core.procedure.identify import carry_out
 from core.recording.folder import write_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, run_to_end
+from core.trial import plan_each_payload, run_to_end
 from core.twin.twin import NOMINAL
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "payload_shift"))
@@ -26,7 +26,7 @@ FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_d
 @pytest.fixture(scope="module")
 def late() -> Recording:
     """A run in which the wrench was late."""
-    cell, plans = planned("lwr4_bench")
+    cell, plans = plan_each_payload("lwr4_bench")
     carried = cell.payloads["cylinder"]
     session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=Imperfections(wrench_delay_s=0.02))
     return run_to_end(carry_out(cell, session, carried.box, plans["cylinder"])).recording
@@ -35,7 +35,7 @@ def late() -> Recording:
 @pytest.fixture(scope="module")
 def cell(tmp_path_factory: pytest.TempPathFactory) -> Cell:
     folder = tmp_path_factory.mktemp("cell") / "lwr4_bench"
-    shutil.copytree(planned("lwr4_bench")[0].folder, folder, ignore=shutil.ignore_patterns(TWIN_FILE))
+    shutil.copytree(plan_each_payload("lwr4_bench")[0].folder, folder, ignore=shutil.ignore_patterns(TWIN_FILE))
     return load_cell(folder)
 
 
@@ -56,7 +56,7 @@ def test_what_is_offered_is_added_and_what_is_not_is_refused_for_the_reason_that
 
 
 def test_a_cell_is_offered_nothing_that_was_recorded_in_another(late: Recording, cell: Cell, tmp_path: Path) -> None:
-    elsewhere = addable_to(diagnose(late, FEW), planned("ur5e_line")[0], late, tmp_path)
+    elsewhere = addable_to(diagnose(late, FEW), plan_each_payload("ur5e_line")[0], late, tmp_path)
     assert not any(each.addable for each in (*elsewhere.effects, *elsewhere.pairs))
     assert elsewhere.effects[0].why_not == "a recording of the cell 'lwr4_bench'"
     own = diagnose(late, FEW)

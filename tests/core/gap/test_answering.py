@@ -19,7 +19,7 @@ from core.plant.mechanics import Drives
 from core.procedure.identify import carry_out
 from core.recording.recording import COLUMNS, Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, run_to_end
+from core.trial import plan_each_payload, run_to_end
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
 PAYLOAD = "cylinder"
@@ -28,7 +28,7 @@ PAYLOAD = "cylinder"
 @cache
 def recorded(name: str = "lwr4_bench", *, delay_s: float = 0.0, drives: Drives | None = None, magnet: float = 0.0) -> Recording:
     """A run of the default robot, or of one with other drives, a late wrench, or a magnet nearby, which no effect describes."""
-    cell, plans = planned(name)
+    cell, plans = plan_each_payload(name)
     carried, plan = cell.payloads[PAYLOAD], plans[PAYLOAD]
     session = SimulatedSession(
         cell, carried.parameters, seed=4, drives=drives or Drives(), imperfections=Imperfections(wrench_delay_s=delay_s),
@@ -57,7 +57,7 @@ def with_rows_dropped(run: Recording) -> Recording:
 
 def with_reference_off(run: Recording) -> Recording:
     """The payload is 4 % heavier than the reference says."""
-    return replace(run, reference=InertialParameters(planned("lwr4_bench")[0].payloads[PAYLOAD].parameters.phi / 1.04))
+    return replace(run, reference=InertialParameters(plan_each_payload("lwr4_bench")[0].payloads[PAYLOAD].parameters.phi / 1.04))
 
 
 SPOILT = {"sensor_noise": noisy, "sample_dropout": with_rows_dropped, "payload_mismatch": with_reference_off}
@@ -131,7 +131,7 @@ def test_it_does_not_take_the_place_of_unknown(spoilt: str) -> None:
 
 @pytest.mark.parametrize("off", [1.0, 1.01])
 def test_a_reference_is_not_doubted_where_a_gap_of_unknown_cause_may_be_why(off: float) -> None:
-    true = planned("lwr4_bench")[0].payloads[PAYLOAD].parameters
+    true = plan_each_payload("lwr4_bench")[0].payloads[PAYLOAD].parameters
     diagnosis = diagnose(replace(recorded(magnet=4.0), reference=InertialParameters(off * true.phi)), FEW)
     mismatch = beside(diagnosis).get("payload_mismatch")
     assert diagnosis.verdict == "unknown"

@@ -22,7 +22,7 @@ from core.procedure.identify import carry_out
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, run_to_end
+from core.trial import plan_each_payload, run_to_end
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
@@ -31,7 +31,7 @@ FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_d
 @cache
 def recorded(tilt: float = 0.0, delay: float = 0.0) -> Recording:
     """A run with the cylinder."""
-    cell, plans = planned("lwr4_bench")
+    cell, plans = plan_each_payload("lwr4_bench")
     carried = cell.payloads["cylinder"]
     imperfections = Imperfections(base_tilt_rad=(tilt, 0.0), wrench_delay_s=delay)
     session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=imperfections)

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from core.gap.effect_fit import held_out_rows
+from core.gap.effect_fit import predict_held_out
 
 
 @pytest.mark.parametrize("precision_of_the_last", [1.0, 1e-14])
@@ -21,7 +21,7 @@ def test_what_a_motion_adds_is_what_a_fit_of_the_others_says_of_it(precision_of_
     y = columns @ [1.0, -2.0, 0.5, 3.0] + rng.normal(size=len(columns))
     fitted = np.linalg.solve(columns.T @ columns + np.diag(precision), columns.T @ y)
     windows = SimpleNamespace(group=group, target=np.zeros((6, len(group))))
-    found = held_out_rows(windows, columns, y - columns @ fitted, precision, fitted)  # type: ignore[arg-type]  # all that is read of it
+    found = predict_held_out(windows, columns, y - columns @ fitted, precision, fitted)  # type: ignore[arg-type]  # all that is read of it
 
     def least_cost(rows: np.ndarray) -> float:
         x = np.linalg.lstsq(np.vstack((columns[rows], np.diag(np.sqrt(precision)))), np.append(y[rows], np.zeros(4)), rcond=None)[0]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from core.cell.cell import find_cell, load_cell
-from core.cli.experiments import check_target, read_request
+from core.cli.experiments import check_experiment_file, read_request
 from core.errors import BadInput, BadRecording
 from core.gap.experiment_file import ExperimentFile, read_continued_recording, read_experiment, write_experiment
 from core.planning.stop import Stop, Swings
@@ -92,9 +92,9 @@ def test_an_experiment_of_another_cell_or_without_a_motion_is_refused(asked, tmp
 
 def test_an_experiment_needs_a_cell_and_a_folder_for_its_file(tmp_path):
     with pytest.raises(BadInput, match="--cell"):
-        check_target(tmp_path / "next.json", None)
+        check_experiment_file(tmp_path / "next.json", None)
     with pytest.raises(BadInput, match="folder"):
-        check_target(tmp_path / "no" / "next.json", "lwr4_bench")
+        check_experiment_file(tmp_path / "no" / "next.json", "lwr4_bench")
 
 
 def test_what_is_appended_goes_on_after_a_gap_and_keeps_the_columns_of_both(tmp_path):

@@ -20,7 +20,7 @@ from core.plant.mechanics import Drives
 from core.procedure.identify import carry_out
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import planned, run_to_end
+from core.trial.draw import plan_each_payload, run_to_end
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
 
@@ -28,7 +28,7 @@ FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_d
 @cache
 def near_a_magnet() -> tuple[Recording, InertialParameters]:
     """A run past a magnet, which no effect describes: a gap of 1.5, and an inertia that is off. With the true payload."""
-    cell, plans = planned("ur5e_line")
+    cell, plans = plan_each_payload("ur5e_line")
     carried, plan = cell.payloads["cylinder"], plans["cylinder"]
     kinds = {fault.variant: fault for fault in variants("unknown")}
     magnet = kinds["magnetic_field"].draw(np.random.default_rng(1), 0.45, Setting(cell, carried.parameters, plan.robot_s))

@@ -16,14 +16,14 @@ from core.effects.library import library
 from core.errors import BadTwin
 from core.estimation.identification import identify_recording
 from core.gap.diagnosis import diagnose
-from core.gap.twin_addition import chosen_effects, with_effect
+from core.gap.twin_addition import find_effects, with_effect
 from core.plant.imperfections import Imperfections
 from core.plant.mechanics import Drives
 from core.procedure.identify import carry_out
 from core.recording.folder import read_recording, recording_sha256, write_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import planned, run_to_end
+from core.trial import plan_each_payload, run_to_end
 from core.twin.file import read_twin
 from core.twin.twin import NOMINAL
 
@@ -39,7 +39,7 @@ def recorded(cell: Cell, **options: object) -> Recording:
     """A run in the simulation."""
     carried = cell.payloads[PAYLOAD]
     session = SimulatedSession(cell, carried.parameters, seed=4, drives=SMOOTH, **options)  # type: ignore[arg-type]  # any option
-    plan = planned("lwr4_bench")[1][PAYLOAD]
+    plan = plan_each_payload("lwr4_bench")[1][PAYLOAD]
     return run_to_end(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
 
 
@@ -47,7 +47,7 @@ def recorded(cell: Cell, **options: object) -> Recording:
 def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Folders of a cell and of a run in which its base was tilted and its wrench late."""
     folder = tmp_path_factory.mktemp("loop")
-    shutil.copytree(planned("lwr4_bench")[0].folder, folder / "lwr4_bench", ignore=shutil.ignore_patterns(TWIN_FILE))
+    shutil.copytree(plan_each_payload("lwr4_bench")[0].folder, folder / "lwr4_bench", ignore=shutil.ignore_patterns(TWIN_FILE))
     faults = Imperfections(base_tilt_rad=(TILT_RAD, 0.0), wrench_delay_s=DELAY_S)
     write_recording(recorded(load_cell(folder / "lwr4_bench"), imperfections=faults), folder / "faulty")
     return folder
@@ -95,7 +95,7 @@ def test_the_twins_own_run_shows_what_was_planted(faulty: Recording, simulated: 
     assert faulty.wrench is not None and simulated.wrench is not None
     smooth = np.ones(25) / 25  # the two differ in how noise is made; means of 25 ms are below it
     apart = np.column_stack([np.convolve(x, smooth, "valid") for x in (simulated.wrench - faulty.wrench).T])
-    noise = planned("lwr4_bench")[0].sensor.noise_std
+    noise = plan_each_payload("lwr4_bench")[0].sensor.noise_std
     assert (apart.std(axis=0) < 0.5 * np.array(noise)).all()
     found = diagnose(simulated, FEW)
     assert {*found.pairs[0].ids} == {"time_delay", "base_tilt"}
@@ -154,11 +154,11 @@ def test_what_closes_nothing_is_refused_with_the_figures(completed: Cell, place:
 )
 def test_what_is_no_effect_on_the_wrench_is_refused(identifier: str, words: str) -> None:
     with pytest.raises(BadTwin) as caught:
-        chosen_effects(identifier)
+        find_effects(identifier)
     assert words in str(caught.value)
 
 
 def test_a_recording_of_another_cell_is_refused(place: Path) -> None:
-    other = load_cell(planned("lwr4_bench")[0].folder.parent / "ur5e_line")
+    other = load_cell(plan_each_payload("lwr4_bench")[0].folder.parent / "ur5e_line")
     with pytest.raises(BadTwin, match="'lwr4_bench', expected 'ur5e_line'"):
         with_effect(NOMINAL, other, place / "faulty", "time_delay")

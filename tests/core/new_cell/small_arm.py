@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from core.new_cell.making import Made, make_cell
-from core.new_cell.order import Order
+from core.new_cell.order import CellOrder
 
 LIMIT = '<limit lower="-2.8" upper="2.8" velocity="2.0" effort="90"/>'
 INERTIA = '<inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.01"/>'
@@ -43,4 +43,4 @@ def write_arm(folder: Path, text: str, name: str = "arm.urdf") -> Path:
 
 
 def made(tmp_path: Path, text: str, **wanted: object) -> Made:
-    return make_cell(Order("tried", write_arm(tmp_path / "given", text), into=tmp_path / "cells", **wanted))
+    return make_cell(CellOrder("tried", write_arm(tmp_path / "given", text), into=tmp_path / "cells", **wanted))

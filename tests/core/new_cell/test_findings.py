@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from core.new_cell.findings import Finding, findings_of
+from core.new_cell.findings import CellFinding, findings_of
 
 ROOT = Path(__file__).parents[3]
 FRICTION = "friction.coulomb_n_m = [3.52, 3.52, 2.0, 2.0, 2.0, 0.76, 0.76]\nfriction.viscous_n_m_s = [8.8, 8.8, 5.0, 5.0, 5.0, 1.9, 1.9]"
@@ -16,10 +16,10 @@ FIXTURE = "size_m = [0.25, 0.25, 0.2], pose.xyz_m = [0.45, -0.6, 0.1]"
 
 
 @pytest.fixture
-def changed(tmp_path: Path) -> Callable[..., list[Finding]]:
+def changed(tmp_path: Path) -> Callable[..., list[CellFinding]]:
     """The findings of the shipped bench with texts replaced, in cell.toml or in robot.urdf."""
 
-    def findings(*replaced: tuple[str, str], file: str = "cell.toml") -> list[Finding]:
+    def findings(*replaced: tuple[str, str], file: str = "cell.toml") -> list[CellFinding]:
         shutil.copytree(ROOT / "cells/lwr4_bench", tmp_path / "bench")
         target = tmp_path / "bench" / file
         text = target.read_text()
@@ -32,7 +32,7 @@ def changed(tmp_path: Path) -> Callable[..., list[Finding]]:
     return findings
 
 
-def keys(found: list[Finding], severity: str) -> set[str]:
+def keys(found: list[CellFinding], severity: str) -> set[str]:
     return {each.where.rpartition(": ")[2] for each in found if each.severity == severity}
 
 

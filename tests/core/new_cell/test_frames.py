@@ -8,7 +8,7 @@ import pytest
 
 from core.errors import BadRobot
 from core.new_cell.frames import ArmFrames, choose_frames
-from core.new_cell.order import Behind, Order
+from core.new_cell.order import Behind, CellOrder
 from core.new_cell.robot_tree import RobotTree
 from tests.core.new_cell.small_arm import arm, joint, link
 
@@ -20,7 +20,7 @@ HAND = (
 
 def chosen(text: str, ask: object = None, **wanted: object) -> tuple[ArmFrames, list[str]]:
     notes: list[str] = []
-    return choose_frames(RobotTree(text, "arm.urdf"), Order("tried", Path("arm.urdf"), **wanted), ask, notes), notes
+    return choose_frames(RobotTree(text, "arm.urdf"), CellOrder("tried", Path("arm.urdf"), **wanted), ask, notes), notes
 
 
 def test_by_default_the_arm_goes_from_its_first_joint_to_its_last_bare_link():

@@ -15,7 +15,7 @@ from core.cell.cell import Robot, load_cell
 from core.errors import BadInput
 from core.new_cell import making
 from core.new_cell.making import make_cell
-from core.new_cell.order import Behind, Order
+from core.new_cell.order import Behind, CellOrder
 from tests.core.new_cell.small_arm import BOX, INERTIAL, LIMIT, arm, joint, link, made, write_arm
 
 TRIANGLE = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"
@@ -130,7 +130,7 @@ def test_meshes_are_copied_once_each_under_names_of_their_own(tmp_path):
     shape = '<collision><geometry><mesh filename="{}"/></geometry></collision>'
     links = {1: link("link1", shapes=shape.format("package://arm/a/part.STL")), 2: link("link2", shapes=shape.format("a/part.STL"))}
     links[3] = link("link3", shapes=shape.format("b/part.STL"))
-    found = make_cell(Order("tried", write_arm(folder, arm(links=links)), into=tmp_path / "cells"))
+    found = make_cell(CellOrder("tried", write_arm(folder, arm(links=links)), into=tmp_path / "cells"))
     assert sorted(file.name for file in (found.folder / "meshes").iterdir()) == ["part.stl", "part_2.stl"]
     assert (found.folder / "meshes/part_2.stl").read_text() == _cube(0.1)
     assert "package://" not in (found.folder / "robot.urdf").read_text()
@@ -177,7 +177,7 @@ def test_a_description_that_cannot_be_used_is_refused_and_leaves_nothing(tmp_pat
 @pytest.mark.parametrize("name", ["../up", "a/b", "", ".", "..", "a b", "/tmp/x", "x" * 65, "a\n", "é"])
 def test_a_name_that_is_none_is_refused(tmp_path, name):
     with pytest.raises(BadInput, match="NAME"):
-        make_cell(Order(name, write_arm(tmp_path, arm()), into=tmp_path / "cells"))
+        make_cell(CellOrder(name, write_arm(tmp_path, arm()), into=tmp_path / "cells"))
     assert nothing_left(tmp_path)
 
 

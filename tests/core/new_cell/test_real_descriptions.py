@@ -13,7 +13,7 @@ from core.cell.cell import Cell, Robot, load_cell
 from core.errors import BadRobot
 from core.new_cell import home
 from core.new_cell.making import make_cell
-from core.new_cell.order import Behind, Order
+from core.new_cell.order import Behind, CellOrder
 
 ROBOTS = Path(sysconfig.get_path("purelib")) / "cmeel.prefix/share/example-robot-data/robots"
 PANDA, TIAGO = "panda_description/urdf/panda.urdf", "tiago_description/robots/tiago_no_hand.urdf"
@@ -46,7 +46,7 @@ def test_a_real_robot_becomes_a_cell(tmp_path, monkeypatch, name):
     monkeypatch.setattr(home, "SAMPLES", 96)
     monkeypatch.setattr(home, "STEPS", ())
     file, wanted, joints, sensor, tool = ARMS[name]
-    found = make_cell(Order(name, ROBOTS / file, into=tmp_path, **wanted))
+    found = make_cell(CellOrder(name, ROBOTS / file, into=tmp_path, **wanted))
     cell = loaded(found.folder)
     assert cell.robot.sensor_frame == sensor
     assert len(cell.robot.home_rad) == joints
@@ -63,9 +63,9 @@ def test_a_real_robot_becomes_a_cell(tmp_path, monkeypatch, name):
 
 def test_a_hand_without_a_word_about_it_is_refused(tmp_path):
     with pytest.raises(BadRobot, match=r"panda_hand.*--behind-sensor tool"):
-        make_cell(Order("panda", ROBOTS / PANDA, into=tmp_path))
+        make_cell(CellOrder("panda", ROBOTS / PANDA, into=tmp_path))
 
 
 def test_a_lift_below_the_arm_is_refused_with_the_way_round_it(tmp_path):
     with pytest.raises(BadRobot, match=r"torso_lift_joint.*prismatic.*--base-frame torso_lift_link"):
-        make_cell(Order("tiago", ROBOTS / TIAGO, into=tmp_path, behind=Behind.TOOL))
+        make_cell(CellOrder("tiago", ROBOTS / TIAGO, into=tmp_path, behind=Behind.TOOL))

@@ -19,7 +19,7 @@ from core.planning.commanded_path import compute_joint_paths
 from core.planning.plan import Plan, motions_of, plan_procedure
 from core.planning.set_points import SetPoints, check_set_points, set_points_of, write_set_points
 from core.planning.settings import Timing
-from core.planning.slow_run import slowed
+from core.planning.slow_run import limit_speed
 from core.planning.timing import MotionLimits
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
@@ -34,7 +34,7 @@ SHORT = Timing(hold_s=0.5, settle_s=0.4, robot_s=1.0)
 @cache
 def planned() -> tuple[Cell, RobotModel, CollisionModel, Plan]:
     """One axis, with its rotation, slower than the cell allows."""
-    cell = slowed(load_cell(CELL), SLOW_M_S, "--speed")
+    cell = limit_speed(load_cell(CELL), SLOW_M_S, "--speed")
     robot = RobotModel.of_cell(cell)
     collision = CollisionModel(cell, robot, cell.payload_box)
     home = np.array(cell.robot.home_rad)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from core.payload.inertia import InertialParameters
-from core.payload.known_tool import KnownTool, carried
+from core.payload.known_tool import KnownTool, add_tools
 from core.payload.uncertain_parameters import UncertainParameters
 from core.recording.workpiece import workpiece_alone
 
@@ -45,7 +45,7 @@ def covariances(draw: Any) -> np.ndarray:
 def test_the_whole_without_the_tools_is_the_workpiece_and_the_covariance_is_the_sum(
     workpiece: InertialParameters, mounted: list[KnownTool], covariance: np.ndarray
 ) -> None:
-    whole = carried(mounted, workpiece)
+    whole = add_tools(mounted, workpiece)
     found = workpiece_alone(UncertainParameters(whole.phi, covariance), mounted)
     np.testing.assert_allclose(found.phi, workpiece.phi, atol=1e-12)
     expected = covariance.copy()
@@ -75,7 +75,7 @@ def known(std: np.ndarray) -> KnownTool:
 
 def test_a_tool_without_a_stated_uncertainty_adds_none_and_is_named() -> None:
     std = np.array([0.002, *[np.nan] * 3, *[1e-5] * 6])
-    whole = UncertainParameters(carried([known(std)], heavy()).phi, 1e-6 * np.eye(10))
+    whole = UncertainParameters(add_tools([known(std)], heavy()).phi, 1e-6 * np.eye(10))
     found = workpiece_alone(whole, [known(std)])
     assert found.unstated == {"gripper": ("first_moment_std_kg_m",)}
     assert found.std[0] == pytest.approx(np.hypot(0.001, 0.002))
@@ -90,7 +90,7 @@ def heavy() -> InertialParameters:
 
 
 def test_what_is_not_determined_of_the_whole_is_not_of_the_workpiece() -> None:
-    phi, covariance = carried([known(np.zeros(10))], heavy()).phi.copy(), 1e-6 * np.eye(10)
+    phi, covariance = add_tools([known(np.zeros(10))], heavy()).phi.copy(), 1e-6 * np.eye(10)
     phi[5], covariance[5, :], covariance[:, 5] = np.nan, np.nan, np.nan
     found = workpiece_alone(UncertainParameters(phi, covariance), [known(np.zeros(10))])
     assert np.isnan(found.phi).tolist() == [k == 5 for k in range(10)]

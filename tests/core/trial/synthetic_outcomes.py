@@ -6,7 +6,7 @@ from typing import Any
 
 from core.trial.bound import Bound
 from core.trial.draw import Sealed
-from core.trial.outcome import Named, Outcome, ParameterEstimate, PayloadTruth
+from core.trial.outcome import Named, ParameterEstimate, PayloadTruth, TrialOutcome
 
 PHI = (2.0, 0.02, 0.0, 0.1, 0.01, 0.0, 0.0, 0.01, 0.0, 0.005)
 CLEAR = Bound(fault_sigma=100.0, material_sigma=50.0, nearest_rival_sigma=20.0, undescribed_sigma=1.0)
@@ -27,36 +27,36 @@ def sealed(seed: int, *ids: str, kind: str = "single", size: float = 1.0) -> Sea
     )
 
 
-def none(seed: int, verdict: str = "no_gap", **more: Any) -> Outcome:
+def none(seed: int, verdict: str = "no_gap", **more: Any) -> TrialOutcome:
     """A run without a fault."""
-    return Outcome(sealed=sealed(seed, kind="none"), stopped=None, verdict=verdict, none_probability=1.0, **more)
+    return TrialOutcome(sealed=sealed(seed, kind="none"), stopped=None, verdict=verdict, none_probability=1.0, **more)
 
 
 def single(
     seed: int, planted: str, answered: str, probability: float = 0.9, bound: Bound = CLEAR, size: float = 1.0, **more: Any
-) -> Outcome:
+) -> TrialOutcome:
     """One fault with a name for an answer."""
     names = (Named(id=answered, probability=probability, closure=0.95),)
     if planted != answered:
         names += (Named(id=planted, probability=1.0 - probability, closure=1.0),)
     rest = 1.0 - sum(effect.probability for effect in names)
     values = {"verdict": "explained", "effects": names, "unknown_probability": rest, "bound": bound} | more
-    return Outcome(sealed=sealed(seed, planted, size=size), stopped=None, **values)
+    return TrialOutcome(sealed=sealed(seed, planted, size=size), stopped=None, **values)
 
 
-def unknown(seed: int, verdict: str = "unknown", **bound: float) -> Outcome:
+def unknown(seed: int, verdict: str = "unknown", **bound: float) -> TrialOutcome:
     """A fault that the library does not have."""
     values = {"fault_sigma": 100.0, "material_sigma": 50.0, "undescribed_sigma": 40.0} | bound
     planted = sealed(seed, "unknown", kind="unknown")
-    return Outcome(sealed=planted, stopped=None, verdict=verdict, unknown_probability=1.0, bound=Bound(**values))
+    return TrialOutcome(sealed=planted, stopped=None, verdict=verdict, unknown_probability=1.0, bound=Bound(**values))
 
 
-def double(seed: int, pair: tuple[str, str], **more: Any) -> Outcome:
+def double(seed: int, pair: tuple[str, str], **more: Any) -> TrialOutcome:
     """Two faults, base tilt and a delay, answered by a pair."""
     bound = Bound(fault_sigma=100.0, material_sigma=50.0, second_sigma=30.0, second_material=True)
     values = {"bound": bound, "effects": (Named(id="base_tilt", probability=0.1, closure=0.5),), "pairs": ((pair, 0.9),)} | more
     planted = sealed(seed, "base_tilt", "time_delay", kind="double")
-    return Outcome(sealed=planted, stopped=None, verdict="explained", **values)
+    return TrialOutcome(sealed=planted, stopped=None, verdict="explained", **values)
 
 
 def estimates(**values: tuple[float, float]) -> dict[str, ParameterEstimate]:

@@ -14,7 +14,7 @@ from core.errors import BadInput
 from core.trial import batch
 from core.trial.batch import on_cluster, on_cores, outcomes
 from core.trial.draw import Drawn
-from core.trial.outcome import Outcome
+from core.trial.outcome import TrialOutcome
 from tests.core.trial.synthetic_outcomes import none, sealed
 
 
@@ -23,7 +23,7 @@ def drawn(seed: int) -> Drawn:
     return Drawn(None, None, sealed(seed, kind="none"), None, ())  # type: ignore[arg-type]  # never run
 
 
-def pretended(one: Drawn, keep: Path | None = None) -> Outcome:
+def pretended(one: Drawn, keep: Path | None = None) -> TrialOutcome:
     """In place of a trial: fails for seed 13, tells its process."""
     if one.sealed.seed == 13:
         raise ValueError("singular matrix")
@@ -57,7 +57,7 @@ def test_an_interruption_ends_the_workers_and_what_waits(monkeypatch: pytest.Mon
             raise KeyboardInterrupt
 
 
-def sleeping(one: Drawn, keep: Path | None = None) -> Outcome:
+def sleeping(one: Drawn, keep: Path | None = None) -> TrialOutcome:
     """Seeds from 1000 on never end."""
     if one.sealed.seed >= 1000:
         import threading

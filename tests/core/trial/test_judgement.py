@@ -6,7 +6,7 @@ import pytest
 
 from core.trial.bound import Bound
 from core.trial.judgement import counts, exact_pair, find_named_effects, forecast, mark, material, names_truth_first, right, truth_class
-from core.trial.outcome import Named, Outcome, ParameterEstimate
+from core.trial.outcome import Named, ParameterEstimate, TrialOutcome
 from tests.core.trial.synthetic_outcomes import double, estimates, none, payload, sealed, single, unknown
 
 SMALL = Bound(fault_sigma=20.0, material_sigma=50.0)
@@ -69,7 +69,7 @@ def test_of_two_faults_one_that_is_read_off_is_to_stand_beside_the_verdict():
     assert not exact_pair(double(0, ("base_tilt", "time_delay"), **one, minor=("time_delay",)))
 
 
-def beside(**more: object) -> Outcome:
+def beside(**more: object) -> TrialOutcome:
     """Of noise alone, which the verdict does not name."""
     return single(0, "sensor_noise", "sensor_noise", bound=Bound(), **{"verdict": "no_gap", "effects": (), "also": NOISY} | more)
 
@@ -109,7 +109,7 @@ def test_a_second_fault_that_does_not_show_is_not_asked_for():
 
 
 def test_a_trial_without_an_answer_is_not_right_and_does_not_count():
-    stopped = Outcome(sealed=sealed(3, "time_delay"), stopped="TooClose: ...", verdict="stopped")
+    stopped = TrialOutcome(sealed=sealed(3, "time_delay"), stopped="TooClose: ...", verdict="stopped")
     assert not right(stopped)
     assert not counts(stopped)
 

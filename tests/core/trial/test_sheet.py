@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from core.trial.outcome import Outcome
+from core.trial.outcome import TrialOutcome
 from core.trial.sheet import confusions, detections, score_sheet, write_sheet
 from tests.core.trial.synthetic_outcomes import double, none, payload, sealed, single, unknown
 
-STOPPED = Outcome(sealed=sealed(44, "cable_drag"), stopped="TooFast: the elbow was at 0.3 m/s", verdict="stopped")
+STOPPED = TrialOutcome(sealed=sealed(44, "cable_drag"), stopped="TooFast: the elbow was at 0.3 m/s", verdict="stopped")
 SOME = [
     none(0),
     single(1, "time_delay", "time_delay", payload=payload(0.03, 0.001, 0.001)),

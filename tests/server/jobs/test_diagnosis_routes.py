@@ -73,7 +73,7 @@ def test_a_diagnosis_knows_the_cell_of_its_recording_and_starts_from_its_twin(si
     found = waited(client, answer.headers["location"])
     assert (found["state"], found["cell"]) == ("done", "lwr4_bench")
     with service.store.read() as db:
-        row = jobs.load(db, DIAGNOSIS, answer.json()["diagnosis"])
+        row = jobs.load_job(db, DIAGNOSIS, answer.json()["diagnosis"])
     _, cell, *_ = diagnoses(service.settings, service.cells).arguments(row)
     assert cell == service.cells.load("lwr4_bench")
     assert client.post("/api/diagnoses/uploads?cell=none", content=zipped(files_of(standing)), headers=ZIP).status_code == 404

@@ -41,7 +41,7 @@ def queued(store: Store, what: str) -> str:
 
 def row_of(store: Store, job: str) -> JobRow:
     with store.read() as db:
-        return jobs.load(db, "work", job)
+        return jobs.load_job(db, "work", job)
 
 
 async def worked(worker: Worker, until: Callable[[], bool]) -> None:
@@ -119,7 +119,7 @@ def test_what_is_over_cannot_be_cancelled(store: Store) -> None:
     job = queued(store, "answer")
     for state in (JobStatus.done, JobStatus.failed, JobStatus.cancelled):
         with store.write() as db:
-            jobs.load(db, "work", job).state = state
+            jobs.load_job(db, "work", job).state = state
         with store.write() as db, pytest.raises(Conflict, match=f"it is {state}; only what waits or runs"):
             jobs.cancel(db, "work", job, "account:anna", utc_now())
 
@@ -127,7 +127,7 @@ def test_what_is_over_cannot_be_cancelled(store: Store) -> None:
 def test_a_job_that_a_service_left_is_begun_again_by_the_next(store: Store) -> None:
     job = queued(store, "answer")
     with store.write() as db:
-        jobs.load(db, "work", job).state = JobStatus.running
+        jobs.load_job(db, "work", job).state = JobStatus.running
     asyncio.run(worked(Worker(store, utc_now, kind()), over(store, job)))
     assert row_of(store, job).state == JobStatus.done
 
@@ -135,7 +135,7 @@ def test_a_job_that_a_service_left_is_begun_again_by_the_next(store: Store) -> N
 def test_a_job_of_another_kind_is_not_there(store: Store) -> None:
     job = queued(store, "answer")
     with store.read() as db, pytest.raises(NotFound):
-        jobs.load(db, "diagnosis", job)
+        jobs.load_job(db, "diagnosis", job)
 
 
 def test_a_service_that_ends_does_not_wait_for_what_is_not_done(store: Store) -> None:

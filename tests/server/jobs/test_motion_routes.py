@@ -155,5 +155,5 @@ def test_a_diagnosis_that_is_not_done_or_whose_recording_is_gone_is_refused(sign
     assert "gone" in refused(asked(operator, finished_diagnosis(service.store, service.now(), gone, next_experiment=SWINGS)))
     waiting = diagnosed(service, first_run)
     with service.store.write() as db:
-        jobs.load(db, DIAGNOSIS, waiting).result = None
+        jobs.load_job(db, DIAGNOSIS, waiting).result = None
     assert "only one that is done" in refused(asked(operator, waiting))

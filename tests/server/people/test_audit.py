@@ -42,7 +42,7 @@ def chain(store: Store) -> list[AuditEntry]:
 @BOTH_STORES
 def test_what_is_recorded_verifies(store: Store) -> None:
     write(store, 7)
-    count, last, flaw = audit.verify(chain(store))
+    count, last, flaw = audit.verify_chain(chain(store))
     assert (count, flaw) == (7, None)
     assert last == chain(store)[-1].hash
 
@@ -53,7 +53,7 @@ def test_the_database_refuses_changes(statement: str, store: Store) -> None:
     write(store, 3)
     with pytest.raises(DatabaseError, match="append-only"), store.write() as db:
         db.execute(text(statement))
-    assert audit.verify(chain(store))[0] == 3
+    assert audit.verify_chain(chain(store))[0] == 3
 
 
 @BOTH_STORES
@@ -63,7 +63,7 @@ def test_entries_written_at_once_make_one_chain(store: Store) -> None:
         thread.start()
     for thread in threads:
         thread.join()
-    assert audit.verify(chain(store))[::2] == (20, None)
+    assert audit.verify_chain(chain(store))[::2] == (20, None)
 
 
 def test_an_entry_is_kept_and_logged_only_with_what_it_records(store: Store, caplog: pytest.LogCaptureFixture) -> None:
@@ -92,7 +92,7 @@ def made(count: int) -> list[AuditEntry]:
 def test_any_change_to_any_entry_is_found_where_it_is(index: int, name: str) -> None:
     entries = made(9)
     setattr(entries[index], name, "changed")
-    count, _, flaw = audit.verify(entries)
+    count, _, flaw = audit.verify_chain(entries)
     assert count == index
     assert flaw is not None
 
@@ -101,14 +101,14 @@ def test_any_change_to_any_entry_is_found_where_it_is(index: int, name: str) -> 
 def test_what_is_missing_added_or_in_another_order_is_found(change: Callable[[list[AuditEntry]], object]) -> None:
     entries = made(6)
     change(entries)
-    assert audit.verify(entries)[2] is not None
+    assert audit.verify_chain(entries)[2] is not None
 
 
 def test_a_later_entry_made_to_fit_is_found(store: Store) -> None:
     entries = made(5)
     entries[1].who = "account:eve"
     entries[1].hash = audit.entry_hash(entries[1])
-    assert audit.verify(entries)[0] == 2
+    assert audit.verify_chain(entries)[0] == 2
 
 
 def test_an_end_that_was_cut_off_is_found_by_a_hash_seen_earlier(store: Store, tmp_path: Path) -> None:

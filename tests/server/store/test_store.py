@@ -119,7 +119,7 @@ def test_diagnoses_of_an_older_version_are_jobs_now_and_the_newest_version_is_kn
     store = Store(url)
     store.migrate()
     with store.read() as db:
-        row = jobs.load(db, job_kinds.DIAGNOSIS, "1")
+        row = jobs.load_job(db, job_kinds.DIAGNOSIS, "1")
         assert (row.about, row.state, row.requested_at) == ("run-1", "done", datetime(2026, 3, 1, tzinfo=UTC))
         assert job_kinds.DiagnosisOrder.model_validate_json(row.order).recording == Path("/data/r")
     store.close()

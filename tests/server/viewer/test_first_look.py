@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from core.cell.cell import load_cell
 from core.report.faces import arm_faces, box_faces
 from core.robot.model import RobotModel
-from server.viewer.first_look import find_occluded, first_look, hidden
+from server.viewer.first_look import find_occluded, first_look, measure_occlusion
 
 CELLS = Path(__file__).parents[3] / "cells"
 
@@ -34,5 +34,5 @@ def test_the_arm_is_seen_and_looked_down_upon(name: str) -> None:
     robot = RobotModel.of_cell(cell)
     eye, middle = first_look(cell, robot)
     arm = np.concatenate(arm_faces(cell, robot, np.array(cell.robot.home_rad)))
-    assert hidden(cell, eye, arm) < 0.15
+    assert measure_occlusion(cell, eye, arm) < 0.15
     assert eye[2] > middle[2]
