@@ -1423,7 +1423,7 @@ export interface components {
          * @description Where the second opinion finds a kind of pair closest to what it has to keep, for JSON.
          *
          *     Args:
-         *         kind: in words, as in `core.second_opinion.pairs.Kind`.
+         *         kind: in words, as in `core.second_opinion.pairs.PairKind`.
          *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
          */
         ClosestPair: {
@@ -1447,15 +1447,9 @@ export interface components {
          * @description A command; `sent` may be left out of stop and abort.
          */
         CommandBody: {
-            command: components["schemas"]["Commanded"];
+            command: components["schemas"]["RunCommand"];
             sent?: components["schemas"]["Sent"] | null;
         };
-        /**
-         * Commanded
-         * @description What may be asked of a run.
-         * @enum {string}
-         */
-        Commanded: "hold" | "resume" | "stop" | "abort" | "clear";
         /**
          * Comparison
          * @description Two runs side by side; what one of them does not determine is not compared.
@@ -2192,26 +2186,6 @@ export interface components {
             times_std: number;
         };
         /**
-         * LostLoad
-         * @description The flight of a load that comes off on the way which comes nearest to a protected zone, for JSON.
-         *
-         *     Args:
-         *         speed_m_s: of the fastest point as it comes off.
-         *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
-         */
-        LostLoad: {
-            /** Zone */
-            zone: string;
-            /** Distance M */
-            distance_m: number;
-            /** Speed M S */
-            speed_m_s: number;
-            /** Part */
-            part: string;
-            /** Time S */
-            time_s: number;
-        };
-        /**
          * Minor
          * @description An effect on the wrench that was detected, but is not material.
          */
@@ -2263,6 +2237,26 @@ export interface components {
             probability: number;
             /** Closure */
             closure: number;
+        };
+        /**
+         * NearestFlight
+         * @description The flight of a load that comes off on the way which comes nearest to a protected zone, for JSON.
+         *
+         *     Args:
+         *         speed_m_s: of the fastest point as it comes off.
+         *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
+         */
+        NearestFlight: {
+            /** Zone */
+            zone: string;
+            /** Distance M */
+            distance_m: number;
+            /** Speed M S */
+            speed_m_s: number;
+            /** Part */
+            part: string;
+            /** Time S */
+            time_s: number;
         };
         /**
          * NearestPart
@@ -3026,6 +3020,12 @@ export interface components {
             safety_rated?: false;
         };
         /**
+         * RunCommand
+         * @description What may be asked of a run.
+         * @enum {string}
+         */
+        RunCommand: "hold" | "resume" | "stop" | "abort" | "clear";
+        /**
          * RunOrder
          * @description What is to be identified.
          *
@@ -3181,7 +3181,7 @@ export interface components {
             fastest: components["schemas"]["FastestCorner"];
             /** Samples */
             samples: number;
-            lost_load?: components["schemas"]["LostLoad"] | null;
+            lost_load?: components["schemas"]["NearestFlight"] | null;
         };
         /**
          * SecondsPart
@@ -3911,7 +3911,7 @@ export interface components {
             pose: components["schemas"]["Pose"];
         };
         /**
-         * Problem
+         * ProblemDetails
          * @description What went wrong; `type` names the kind, `detail` is a sentence for a person.
          * @example {
          *       "detail": "cell.toml: limits.clearance_m: found -0.1, expected greater than 0",
@@ -3987,7 +3987,6 @@ export type Change = components['schemas']['Change'];
 export type ChannelOverlay = components['schemas']['ChannelOverlay'];
 export type ClosestPair = components['schemas']['ClosestPair'];
 export type CommandBody = components['schemas']['CommandBody'];
-export type Commanded = components['schemas']['Commanded'];
 export type Comparison = components['schemas']['Comparison'];
 export type ComparisonAnswer = components['schemas']['ComparisonAnswer'];
 export type Control = components['schemas']['Control'];
@@ -4023,10 +4022,10 @@ export type Limits = components['schemas']['Limits'];
 export type LinkAnswer = components['schemas']['LinkAnswer'];
 export type LiveBatch = components['schemas']['LiveBatch'];
 export type Lost = components['schemas']['Lost'];
-export type LostLoad = components['schemas']['LostLoad'];
 export type Minor = components['schemas']['Minor'];
 export type MotionBody = components['schemas']['MotionBody'];
 export type NamedEffect = components['schemas']['NamedEffect'];
+export type NearestFlight = components['schemas']['NearestFlight'];
 export type NearestPart = components['schemas']['NearestPart'];
 export type NewAccount = components['schemas']['NewAccount'];
 export type NewKey = components['schemas']['NewKey'];
@@ -4061,6 +4060,7 @@ export type Robot = components['schemas']['Robot'];
 export type RobotStopped = components['schemas']['RobotStopped'];
 export type Role = components['schemas']['Role'];
 export type RunAnswer = components['schemas']['RunAnswer'];
+export type RunCommand = components['schemas']['RunCommand'];
 export type RunOrder = components['schemas']['RunOrder'];
 export type RunPlan = components['schemas']['RunPlan'];
 export type SafetyPart = components['schemas']['SafetyPart'];

@@ -1,5 +1,5 @@
 import { computed, effect, signal } from '@preact/signals';
-import type { Commanded, RunAnswer, RunOrder } from '../api';
+import type { RunAnswer, RunCommand, RunOrder } from '../api';
 import { chosenCell } from '../cells/cells';
 import { session } from '../session/session';
 import { ask } from '../ui/client';
@@ -53,7 +53,7 @@ export async function continueRun(run: string): Promise<RunAnswer> {
 }
 
 /** A command of whoever is in control. Stops need no control: see `stopRobot`. */
-export async function commandRun(run: string, command: Commanded): Promise<void> {
+export async function commandRun(run: string, command: RunCommand): Promise<void> {
   await ask('POST /api/runs/{run}/commands', { path: { run }, body: { command, sent: sent() } });
   void readRuns();
 }
