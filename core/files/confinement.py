@@ -15,6 +15,7 @@ import resource
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
+from math import ceil
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -24,9 +25,9 @@ from numpy.typing import NDArray
 from core.errors import BadRobot
 
 SECONDS = 60
-"""Of computing time, for all orders of one process."""
+"""Of computing time, for each order."""
 WAITED_S = 600.0
-"""However busy the machine is."""
+"""For all orders of one process, however busy the machine is."""
 MEMORY = 1_500_000_000  # bytes of private data
 
 Order = dict[str, Any]
@@ -133,9 +134,10 @@ def _arrays(said: io.BytesIO, where: str) -> Arrays:
 def answer_orders(answer: Reader) -> None:
     """Answers the orders on standard input, one a line, on standard output; the process has limits from here on."""
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     for line in sys.stdin:
+        used = resource.getrusage(resource.RUSAGE_SELF)
+        resource.setrlimit(resource.RLIMIT_CPU, (ceil(used.ru_utime + used.ru_stime) + SECONDS, resource.RLIM_INFINITY))
         whole = io.BytesIO()
         try:
             arrays = answer(json.loads(line))
