@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import cache
 from hashlib import sha256
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 ENGINE = Path(__file__).parent
@@ -21,10 +20,14 @@ def code_version() -> str:
     for file in sorted(ENGINE.rglob("*.py")):
         digest.update(f"{file.relative_to(ENGINE).as_posix()}\n".encode())
         digest.update(file.read_bytes())
-    return f"{_release()}+{digest.hexdigest()[:DIGITS]}"
+    return f"{release_version()}+{digest.hexdigest()[:DIGITS]}"
 
 
-def _release() -> str:
+@cache
+def release_version() -> str:
+    """Such as `0.1.0`."""
+    from importlib.metadata import PackageNotFoundError, version  # noqa: PLC0415  slow to import, and hardly ever asked for
+
     try:
         return version("heft")
     except PackageNotFoundError:  # a checkout that was never installed

@@ -1,5 +1,1 @@
 """The service round the engine: people and machines told apart, the procedure as a job, everything that happened on record."""
-
-from importlib.metadata import version
-
-__version__ = version("heft")

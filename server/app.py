@@ -13,7 +13,7 @@ from anyio import to_thread
 from fastapi import Depends, FastAPI
 from fastapi.routing import APIRoute
 
-from server import __version__
+from core.version import release_version
 from server.cells import routes as cells_routes
 from server.cells.folder import CellFolder
 from server.cells.uploads import CellChecker
@@ -111,7 +111,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
 
     app = FastAPI(
         title="Heft",
-        version=__version__,
+        version=release_version(),
         description=DESCRIPTION,
         lifespan=running,
         dependencies=[Depends(let_in)],

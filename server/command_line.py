@@ -2,36 +2,16 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
-from typer.core import TyperGroup
-from typer.main import get_group
 
-from core.cli.terminal import HELP, answers, enter
+from core.cli.commands import EngineCommands
+from core.cli.terminal import HELP, answers, enter, start
 
-
-class WithEngine(TyperGroup):
-    """Our commands and the engine's; the engine is imported when one of its own is asked for, so that the service starts without it."""
-
-    def list_commands(self, ctx: Any) -> list[str]:
-        """The engine's first."""
-        return [*self._engine.list_commands(ctx), *super().list_commands(ctx)]
-
-    def get_command(self, ctx: Any, cmd_name: str) -> Any:
-        """Ours, else the engine's."""
-        return super().get_command(ctx, cmd_name) or self._engine.get_command(ctx, cmd_name)
-
-    @cached_property
-    def _engine(self) -> TyperGroup:
-        from core.cli.main import app as engine  # noqa: PLC0415  its imports take a second, which the service need not wait for
-
-        return get_group(engine)
-
-
-app = typer.Typer(name="heft", cls=WithEngine, help=HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
+app = typer.Typer(name="heft", cls=EngineCommands, help=HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
+app.callback()(start)
 audit = typer.Typer(help="The log of what was done, by whom.", no_args_is_help=True)
 app.add_typer(audit, name="audit")
 

@@ -18,7 +18,7 @@ from sqlalchemy import func, select
 from core.errors import BadInput
 from core.files.schema_flaw import schema_flaw
 from core.files.whole_file import write_whole
-from server import __version__
+from core.version import release_version
 from server.app import create_app
 from server.people import accounts, audit
 from server.people.accounts import Account
@@ -104,7 +104,7 @@ def greet(settings: Settings) -> None:
     password = first_account(store)
     with store.write() as db:
         audit.record(
-            db, "service", "service.start", {"version": __version__, "settings": settings.model_dump_json(exclude={"database_url"})}
+            db, "service", "service.start", {"version": release_version(), "settings": settings.model_dump_json(exclude={"database_url"})}
         )
     store.close()
     lines = [f"Heft on http://{settings.host}:{settings.port}  (data: {settings.data.absolute()})"]

@@ -17,7 +17,10 @@ from core.export.target import Lack, Target
 from core.files.schema_flaw import schema_flaw
 from core.payload.uncertain_parameters import UncertainParameters
 
+app = typer.Typer()
 
+
+@app.command()
 def export(
     result: Annotated[Path, typer.Argument(metavar="RESULT", help="The answer of `heft run` or `heft identify`, as --json wrote it.")],
     target: Annotated[str | None, typer.Option(metavar="NAME", help="For whom; the targets are listed where none is named.")] = None,

@@ -8,8 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.table import Table
 
-from core.cell.cell import Cell
-from core.errors import BadInput
 from core.estimation.result import Result
 from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
@@ -145,28 +143,6 @@ def torque_lines(torques: PlanTorques) -> list[str]:
         of_limit = f"{most.torque_n_m:.1f} N m of {most.limit_n_m:.1f} N m ({100 * most.ratio:.0f} %)"
         line = f"Joint torques with {carried}: at most {of_limit}, {most.joint!r} in {most.part!r} after {most.time_s:.3f} s."
     return [line, *(f"  not judged: {why}" for why in torques.not_judged)]
-
-
-def cells_table(cells: list[Cell]) -> Table:
-    """The cells at hand."""
-    table = Table()
-    for heading in ("cell", "title", "axes", "obstacles", "protected zones", "payloads"):
-        table.add_column(heading)
-    for cell in cells:
-        table.add_row(
-            cell.name,
-            cell.title,
-            str(len(cell.robot.home_rad)),
-            ", ".join(item.name for item in cell.obstacles),
-            ", ".join(zone.name for zone in cell.zones),
-            ", ".join(cell.payloads),
-        )
-    return table
-
-
-def broken_lines(broken: dict[str, BadInput]) -> list[str]:
-    """What keeps cells at hand from being used, a sentence each, by their names."""
-    return [f"{name} cannot be used: {flaw}" for name, error in broken.items() for flaw in (error, *error.others)]
 
 
 def diagnosis_table(diagnosis: Diagnosis) -> Table:

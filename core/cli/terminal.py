@@ -4,11 +4,10 @@ Answers go to standard output, progress and errors to standard error; in a pipe 
 3 refused by planning, 4 stopped by the guard, 130 interrupted.
 """
 
-from __future__ import annotations
-
 import signal
 import sys
 from types import FrameType
+from typing import Annotated
 
 import typer
 from rich.console import Console
@@ -19,6 +18,22 @@ HELP = "Finds out what a robot carries, safely, with people around. Not a safety
 
 answers = Console()
 messages = Console(stderr=True)
+
+
+def show_version(wanted: bool) -> None:
+    """Prints the version of the code and ends."""
+    if wanted:
+        from core.version import code_version  # noqa: PLC0415  reads all sources, for this option alone
+
+        answers.print(code_version(), highlight=False)
+        raise typer.Exit
+
+
+VersionOption = Annotated[bool, typer.Option("--version", callback=show_version, is_eager=True, help="Show which code this is and exit.")]
+
+
+def start(version: VersionOption = False) -> None:
+    """What every command begins with."""
 
 
 def enter(program: typer.Typer) -> None:

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
 
+from core.cli.terminal import answers, messages
 from core.errors import BadInput
 from core.trial.batch import cores, on_cluster, on_cores, outcomes
 from core.trial.draw import Drawn, draw
@@ -20,10 +20,10 @@ from core.trial.judgement import mark
 from core.trial.outcome import TrialOutcome
 from core.trial.sheet import score_sheet, write_sheet
 
-answers = Console()
-messages = Console(stderr=True)
+app = typer.Typer()
 
 
+@app.command()
 def trial(
     count: Annotated[int, typer.Option(min=1, help="How many trials, from the first seed on.")] = 1,
     seed: Annotated[int, typer.Option(min=0, help="The first seed.")] = 0,

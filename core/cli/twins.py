@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 from rich.table import Table
 
 from core.cell.cell import find_cell, load_cell
+from core.cli.options import CellArgument
+from core.cli.terminal import answers, messages
 from core.errors import BadInput, BadTwin
 from core.files.whole_file import write_whole
 from core.gap.twin_addition import find_effects, with_effect
@@ -19,10 +20,6 @@ from core.twin.file import close_name, read_twin, write_twin
 from core.twin.twin import Entry, Twin
 
 app = typer.Typer(help="What has been added to a cell's simulation.", no_args_is_help=True)
-answers = Console()
-messages = Console(stderr=True)
-
-CellArgument = Annotated[str, typer.Argument(metavar="CELL", help="A cell's name (see `heft cells`) or the path of its folder.")]
 
 
 @app.command()

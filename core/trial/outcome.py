@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-from functools import cache
-from importlib.metadata import version
-from pathlib import Path
-
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
@@ -15,6 +10,7 @@ from core.gap.answer import Diagnosis, Explanation, PayloadPart, Value
 from core.trial.bound import Bound
 from core.trial.draw import Sealed
 from core.trial.truth import Parameters
+from core.version import code_version
 
 Array = NDArray[np.float64]
 
@@ -124,13 +120,13 @@ def make_outcome(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Paramete
         payload=None if diagnosis.payload is None else _payload(diagnosis.payload, payload),
         bound=bound,
         seconds=diagnosis.seconds,
-        version=release(),
+        version=code_version(),
     )
 
 
 def make_stopped_outcome(sealed: Sealed, reason: str) -> TrialOutcome:
     """The outcome of a trial that the guard stopped, or that failed."""
-    return TrialOutcome(sealed=sealed, stopped=reason, verdict="stopped", version=release())
+    return TrialOutcome(sealed=sealed, stopped=reason, verdict="stopped", version=code_version())
 
 
 def _summarise_effect(effect: Explanation, kept: set[str]) -> Named:
@@ -151,14 +147,3 @@ def _payload(found: PayloadPart, true: Array) -> PayloadTruth:
         after=tuple(after.phi),
         after_std=tuple(after.std),
     )
-
-
-@cache
-def release() -> str:
-    """The program's version, with the commit where it runs from a checkout."""
-    folder = Path(__file__).parents[2]
-    if not (folder / ".git").exists():
-        return version("heft")
-    command = ["git", "-C", str(folder), "describe", "--always", "--dirty"]
-    said = subprocess.run(command, capture_output=True, text=True, check=False)
-    return f"{version('heft')} {said.stdout.strip()}".strip()

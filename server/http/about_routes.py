@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from fastapi import APIRouter, Request, Response
 
-from server import __version__
+from core.version import release_version
 from server.http.dependencies import MetricsDep, StoreDep
 from server.http.errors import NotFound
 from server.http.problems import kinds_by_name
@@ -37,7 +37,7 @@ class ProblemKind(Answer):
 def read_health(store: StoreDep) -> Health:
     """200 where the service and its store answer, 503 where the store does not."""
     store.check()
-    return Health(status="ok", version=__version__)
+    return Health(status="ok", version=release_version())
 
 
 @router.get("/metrics", response_class=Response, responses={200: {"content": {"text/plain": {}}}})

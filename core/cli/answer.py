@@ -1,0 +1,44 @@
+"""The answer of an identification on a terminal or as JSON."""
+
+import sys
+from pathlib import Path
+
+from core.cli.tables import (
+    parameters_table,
+    reason_lines,
+    verification_lines,
+)
+from core.cli.terminal import answers
+from core.cli.workpiece_table import workpiece_lines, workpiece_table
+from core.estimation.result import Result
+from core.files.whole_file import write_whole
+
+
+def print_answer(result: Result, json: str | None) -> None:
+    """The answer for a person, or as JSON."""
+    if json is not None:
+        write_json(result.model_dump_json(indent=2), json)
+    if json == "-":
+        return
+    answers.print(parameters_table(result))
+    if result.workpiece is not None:
+        answers.print(workpiece_table(result.workpiece))
+        for line in workpiece_lines(result.workpiece):
+            answers.print(line, highlight=False)
+    for line in reason_lines(result):
+        answers.print(line, highlight=False)
+    if result.accounted:
+        answers.print(f"Accounted for, as the cell's twin has it: {', '.join(result.accounted)}", highlight=False)
+    for line in verification_lines(result):
+        answers.print(line, highlight=False)
+    for warning in result.warnings:
+        answers.print(f"Warning: {warning.sentence}", highlight=False)
+    answers.print(result.verdict, highlight=False)
+
+
+def write_json(text: str, target: str) -> None:
+    """To standard output, or to a file that appears only when it is whole."""
+    if target == "-":
+        sys.stdout.write(text + "\n")
+        return
+    write_whole(Path(target), text + "\n")

@@ -1,0 +1,62 @@
+"""The engine's commands: name, what it does in a sentence, and the module that is imported when it is asked for."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any, NamedTuple
+
+from typer.core import TyperCommand, TyperGroup
+from typer.main import get_command
+
+
+class Command(NamedTuple):
+    """A command or a group of them.
+
+    Args:
+        module: has the command as `app`.
+    """
+
+    module: str
+    summary: str
+
+
+COMMANDS = {
+    "run": Command(
+        "core.cli.run", "Plan and run the procedure on the simulated robot, identify the payload, write recording, answer and report."
+    ),
+    "identify": Command(
+        "core.cli.identify", "Identify the payload from a recording, of this program or from elsewhere. The recording is only read."
+    ),
+    "diagnose": Command(
+        "core.cli.diagnose",
+        "Where simulation and recording part, which unmodelled effect causes it, and how far adding it closes the gap.",
+    ),
+    "trial": Command(
+        "core.cli.trials", "The blind check: plant faults in the virtual robot, seal the answer, diagnose, open the seal, score."
+    ),
+    "export": Command(
+        "core.cli.exports",
+        "Write the payload as a robot's controller or a simulator takes it, on standard output; say what that cannot hold.",
+    ),
+    "plan": Command("core.cli.plan", "Plan the procedure and show start configurations, distances and times. Nothing moves."),
+    "cells": Command("core.cli.list_cells", "List the cells at hand, and what keeps any of them from being used."),
+    "twin": Command("core.cli.twins", "What has been added to a cell's simulation."),
+    "cell": Command("core.cli.cells", "Make a cell from a robot's description, and look for what is wrong in one."),
+}
+
+
+class EngineCommands(TyperGroup):
+    """The engine's commands, and those of the program that has them; a list of commands imports none."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(**options)
+        listed = {name: TyperCommand(name, help=command.summary) for name, command in COMMANDS.items()}
+        self.commands = {**listed, **self.commands}
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """The command that is asked for, imported."""
+        name, command, rest = super().resolve_command(ctx, args)
+        if name in COMMANDS:
+            command = get_command(import_module(COMMANDS[name].module).app)
+            command.name = name
+        return name, command, rest

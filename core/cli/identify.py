@@ -1,0 +1,41 @@
+"""`heft identify`: the payload from a recording."""
+
+import time
+from contextlib import nullcontext
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from core.cell.cell import find_cell, load_cell
+from core.cli.answer import print_answer
+from core.cli.options import JsonOption, check_new
+from core.cli.terminal import messages
+from core.estimation.identification import identify_recording
+from core.estimation.result import SecondsPart, result_of
+from core.recording.folder import read_recording
+from core.report.page import write_report
+from core.twin.file import read_twin
+from core.twin.twin import NOMINAL
+
+app = typer.Typer()
+
+
+@app.command("identify")
+def identify_command(
+    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
+    json: JsonOption = None,
+    report: Annotated[Path | None, typer.Option(metavar="FILE", help="Also write the HTML report.")] = None,
+    cell: Annotated[str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin is accounted for.")] = None,
+) -> None:
+    """Identify the payload from a recording, of this program or from elsewhere. The recording is only read."""
+    check_new(report, json)
+    twin = NOMINAL if cell is None else read_twin(load_cell(find_cell(cell)))
+    loaded = read_recording(recording)
+    began = time.perf_counter()
+    with messages.status("estimating") if messages.is_terminal else nullcontext():
+        identification = identify_recording(loaded, twin)
+    seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
+    if report is not None:
+        write_report(report, recording=loaded, identification=identification)
+    print_answer(result_of(identification, loaded, seconds=seconds, folder=recording), json)

@@ -1,0 +1,46 @@
+"""`heft cells`: the cells at hand."""
+
+import typer
+from rich.table import Table
+
+from core.cell.cell import Cell, list_cell_folders, load_cell
+from core.cli.terminal import answers
+from core.errors import BadInput
+
+app = typer.Typer()
+
+
+@app.command()
+def cells() -> None:
+    """List the cells at hand, and what keeps any of them from being used."""
+    loaded, broken = [], {}
+    for folder in list_cell_folders():
+        try:
+            loaded.append(load_cell(folder))
+        except BadInput as error:
+            broken[folder.name] = error
+    answers.print(cells_table(loaded))
+    for line in broken_lines(broken):
+        answers.print(line, highlight=False, markup=False, soft_wrap=True)
+
+
+def cells_table(cells: list[Cell]) -> Table:
+    """The cells at hand."""
+    table = Table()
+    for heading in ("cell", "title", "axes", "obstacles", "protected zones", "payloads"):
+        table.add_column(heading)
+    for cell in cells:
+        table.add_row(
+            cell.name,
+            cell.title,
+            str(len(cell.robot.home_rad)),
+            ", ".join(item.name for item in cell.obstacles),
+            ", ".join(zone.name for zone in cell.zones),
+            ", ".join(cell.payloads),
+        )
+    return table
+
+
+def broken_lines(broken: dict[str, BadInput]) -> list[str]:
+    """What keeps cells at hand from being used, a sentence each, by their names."""
+    return [f"{name} cannot be used: {flaw}" for name, error in broken.items() for flaw in (error, *error.others)]

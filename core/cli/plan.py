@@ -1,0 +1,72 @@
+"""`heft plan`: what the procedure would do."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from core.cell.cell import find_cell, load_cell
+from core.cli.answer import write_json
+from core.cli.options import CellArgument, JsonOption, PayloadOption, PlannerName, PlannerOption, SeedOption, check_new, choose_payload
+from core.cli.tables import (
+    not_excited_lines,
+    opinion_lines,
+    plan_table,
+    torque_lines,
+)
+from core.cli.terminal import answers, messages
+from core.planning.joint_torques import find_known_load
+from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
+from core.planning.plan import plan_summary
+from core.planning.sequence import PlanRequest, Procedure
+from core.planning.set_points import check_set_points, set_points_of, write_set_points
+from core.planning.settings import Timing
+from core.planning.slow_run import limit_speed
+from core.planning.starting_point import starting_point
+from core.plant.mechanics import PERIOD
+from core.procedure.progress import watch
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+
+app = typer.Typer()
+
+
+@app.command()
+def plan(
+    cell: CellArgument,
+    payload: PayloadOption = None,
+    seed: SeedOption = 0,
+    planner: PlannerOption = PlannerName.rrt_connect,
+    start: FromOption = None,
+    axes: AxesOption = "xyz",
+    holds_only: HoldsOnlyOption = False,
+    speed: SpeedOption = None,
+    effort: EffortOption = 1,
+    json: JsonOption = None,
+    trajectory: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write every set point, for one's own controller: .csv or .json.")
+    ] = None,
+    period: Annotated[
+        float | None, typer.Option(metavar="S", help="From one set point in that file to the next, s; whole milliseconds. [default: 0.001]")
+    ] = None,
+) -> None:
+    """Plan the procedure and show start configurations, distances and times. Nothing moves."""
+    loaded = limit_speed(load_cell(find_cell(cell)), speed, "--speed")
+    scope = scope_of(axes, holds_only=holds_only)
+    box = loaded.payload_box if payload is None else choose_payload(loaded, payload)[1].box
+    check_new(None, json)
+    check_set_points(trajectory, period, PERIOD)
+    robot = RobotModel.of_cell(loaded)
+    collision = CollisionModel(loaded, robot, box)
+    load = find_known_load(loaded, payload)
+    asked = PlanRequest(loaded, box, starting_point(start, loaded, robot), 0, PERIOD, planner.value, seed, load, effort)
+    found = watch(Procedure(Timing(), scope=scope).plan_legs(asked, robot, collision), messages)
+    if trajectory is not None:
+        write_set_points(trajectory, set_points_of(loaded, robot, collision, found, period_s=period))
+    if json is not None:
+        write_json(plan_summary(loaded, found).model_dump_json(indent=2), json)
+    if json != "-":
+        answers.print(plan_table(found))
+        answers.print(f"Robot time {found.robot_s:.0f} s, planned in {found.plan_s:.1f} s.", highlight=False)
+        for line in (*not_excited_lines(scope), *torque_lines(found.torques), *opinion_lines(found.opinion)):
+            answers.print(line, highlight=False)

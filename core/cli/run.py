@@ -1,0 +1,93 @@
+"""`heft run`: the procedure on the simulated robot."""
+
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from core.cell.cell import find_cell, load_cell
+from core.cli.answer import print_answer, write_json
+from core.cli.experiments import read_request
+from core.cli.options import CellArgument, JsonOption, PayloadOption, PlannerName, PlannerOption, SeedOption, check_new, choose_payload
+from core.cli.terminal import answers, messages
+from core.errors import BadInput
+from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
+from core.planning.settings import WHOLE
+from core.planning.slow_run import limit_speed
+from core.planning.starting_point import starting_point
+from core.procedure.experiment import measure_more
+from core.procedure.identify import identify
+from core.procedure.progress import watch
+from core.report.page import write_report
+from core.robot.model import RobotModel
+from core.sessions.pace import AsFastAsPossible, RealTime
+from core.sessions.simulated import SimulatedSession
+from core.twin.file import read_twin
+
+app = typer.Typer()
+
+
+@app.command()
+def run(
+    cell: CellArgument,
+    payload: PayloadOption = None,
+    seed: SeedOption = 0,
+    planner: PlannerOption = PlannerName.rrt_connect,
+    start: FromOption = None,
+    axes: AxesOption = "xyz",
+    holds_only: HoldsOnlyOption = False,
+    speed: SpeedOption = None,
+    effort: EffortOption = 1,
+    out: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Folder to make, or an empty one, for recording, result.json and report.")
+    ] = None,
+    json: JsonOption = None,
+    real_time: Annotated[bool, typer.Option("--real-time", help="Move at the speed of a real robot, to watch it.")] = False,
+    experiment: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Instead of the procedure, the motion that `heft diagnose --experiment` proposed.")
+    ] = None,
+    recording: Annotated[Path | None, typer.Option(metavar="DIR", help="The recording that the experiment continues, if moved.")] = None,
+) -> None:
+    """Plan and run the procedure on the simulated robot, identify the payload, write recording, answer and report."""
+    loaded = limit_speed(load_cell(find_cell(cell)), speed, "--speed")
+    scope = scope_of(axes, holds_only=holds_only)
+    if experiment is not None and (start is not None or scope != WHOLE):
+        raise BadInput(
+            "--experiment", "--from, --axes or --holds-only beside it", "none of these: the experiment has its own motion, from home"
+        )
+    asked, before = (None, None) if experiment is None else read_request(experiment, recording, loaded)
+    name, carried = choose_payload(loaded, payload or (asked.payload if asked else None))
+    folder = out or Path("recordings") / f"{loaded.name}-{name}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
+    check_new(folder, json)
+    pace = RealTime() if real_time else AsFastAsPossible()
+    twin = read_twin(loaded)
+    stands = starting_point(start, loaded, RobotModel.of_cell(loaded))
+    session = SimulatedSession(loaded, carried.parameters, seed=seed + (before is not None), pace=pace, twin=twin, start=stands)
+    if asked is None or before is None:
+        steps = identify(
+            loaded,
+            session,
+            carried.box,
+            payload=name,
+            reference=carried,
+            scope=scope,
+            start=stands,
+            planner=planner.value,
+            seed=seed,
+            effort=effort,
+            out=folder,
+            twin=twin,
+        )
+    else:
+        steps = measure_more(
+            before, asked.stops, loaded, session, carried.box, planner=planner.value, seed=seed, effort=effort, out=folder, twin=twin
+        )
+    outcome = watch(steps, messages)
+    result = outcome.result(folder)
+    write_json(result.model_dump_json(indent=2), str(folder / "result.json"))
+    print_answer(result, json)
+    page = folder / "report.html"
+    write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
+    if json != "-":
+        answers.print(f"Report: {page}", soft_wrap=True, highlight=False)
