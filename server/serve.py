@@ -27,7 +27,7 @@ from server.runner.priority import Priority, take
 from server.service import utc_now
 from server.settings import Settings
 from server.store.store import Store
-from server.telemetry.logs import log_as_json
+from server.telemetry.logs import start_logging
 
 FIRST = "operator"
 FIRST_ROLES = frozenset({Role.operator, Role.engineer, Role.admin})
@@ -40,7 +40,7 @@ def run_service(*, host: str | None = None, port: int | None = None, cells: Path
         BadInput: a setting cannot be used, or another service runs on the same folder.
     """
     settings = read_settings(host=host, port=port, cells=cells, data=data)
-    log_as_json(settings.log_level)
+    start_logging(settings.log_level, settings.log_format)
     take(Priority.SERVICE)
     with only_one(settings.data):
         app = create_app(settings)

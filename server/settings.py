@@ -9,6 +9,8 @@ from pydantic import Field
 from pydantic.functional_validators import BeforeValidator
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
+from server.telemetry.logs import LogForm
+
 
 def _split(value: object) -> object:
     """`a, b` of the environment as ("a", "b")."""
@@ -43,6 +45,7 @@ class Settings(BaseSettings):
     body_max_bytes: int = Field(1_000_000, gt=0, description="Largest body of any other request.")
     shutdown_seconds: int = Field(10, gt=0, description="How long open requests may take to end when the service stops.")
     log_level: Literal["debug", "info", "warning", "error"] = Field("info", description="Least level that is logged.")
+    log_format: LogForm = Field("auto", description="`text` for people, `json` for programs; `auto` is text on a terminal, else JSON.")
 
     @property
     def cells_folder(self) -> Path:

@@ -39,7 +39,7 @@ def test_no_coroutine_opens_a_transaction() -> None:
 
 
 def test_a_transaction_in_a_coroutine_would_be_seen_and_one_in_a_function_for_a_thread_would_not() -> None:
-    text = "async def f():\n    with self._store.write() as db:\n        pass\n    def g():\n        with store.read() as db:\n            pass\n"
+    text = "async def f():\n    with self._store.write():\n        pass\n    def g():\n        with store.read():\n            pass\n"
     coroutine = ast.parse(text).body[0]
     assert isinstance(coroutine, ast.AsyncFunctionDef)
     assert sum(map(transactions, on_the_loop(coroutine))) == 1
