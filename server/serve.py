@@ -29,6 +29,7 @@ from server.settings import Settings
 from server.store.store import Store
 from server.telemetry.logs import start_logging
 
+ANYWHERE = {"0.0.0.0": "localhost", "::": "localhost"}
 FIRST = "operator"
 FIRST_ROLES = frozenset({Role.operator, Role.engineer, Role.admin})
 
@@ -107,11 +108,20 @@ def greet(settings: Settings) -> None:
             db, "service", "service.start", {"version": release_version(), "settings": settings.model_dump_json(exclude={"database_url"})}
         )
     store.close()
-    lines = [f"Heft on http://{settings.host}:{settings.port}  (data: {settings.data.absolute()})"]
-    if password is not None:
-        lines.append(f"First account: {FIRST}, password {password}  (shown this once; change it after signing in)")
-    sys.stdout.write("\n".join(lines) + "\n")
+    sys.stdout.write("\n".join(_greeting(settings, password)) + "\n")
     sys.stdout.flush()
+
+
+def _greeting(settings: Settings, password: str | None) -> list[str]:
+    """What a person reads who starts the service; the address stands last and alone."""
+    address = f"http://{ANYWHERE.get(settings.host, settings.host)}:{settings.port}"
+    lines = [f"Heft {release_version()}, data in {settings.data.absolute()}"]
+    if password is None:
+        return [*lines, "", f"  {address}"]
+    # behind the `#`, which no browser sends: neither a server nor a proxy gets to log it
+    link = f"{address}/#/first/{FIRST}/{password}"
+    first = f"First account: {FIRST}, password {password}"
+    return [*lines, first, "Open this address once; there you choose your own password:", "", f"  {link}"]
 
 
 def first_account(store: Store) -> str | None:

@@ -81,9 +81,11 @@ def test_a_start_on_an_empty_folder_lets_the_first_operator_in_and_ends_in_order
     address = f"http://127.0.0.1:{unused_port}"
     with served(tmp_path / "data", unused_port) as process:
         assert process.stdout is not None
-        assert address in process.stdout.readline()
-        told = re.search(r"account: (\w+), password (\S+)", process.stdout.readline())
+        lines = [process.stdout.readline().rstrip() for _ in range(5)]
+        assert str(tmp_path / "data") in lines[0]
+        told = re.search(r"account: (\w+), password (\S+)", lines[1])
         assert told is not None
+        assert lines[3:] == ["", f"  {address}/#/first/{told[1]}/{told[2]}"]
         wait_for(address, process)
         body = json.dumps({"name": told[1], "password": told[2]}).encode()
         request = urllib.request.Request(f"{address}/api/session", body, {"Content-Type": "application/json"})

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from playwright.sync_api import Browser, expect
 
-from tests.server.real_service import Console, RealService
+from tests.server.real_service import Console, RealService, real_service
 from tests.web.judgement import check_looks
 from tests.web.looks import look
 from tests.web.tablet import tablet
@@ -55,3 +57,19 @@ def test_where_no_run_is_active_nothing_is_said_about_robots_or_control(service:
 def audited(person: Console) -> list[dict]:
     """The end of the log."""
     return list(person.http.get("/api/audit", params={"limit": 200}).json())
+
+
+def test_the_address_of_the_first_start_asks_for_a_password_of_ones_own_and_signs_in_with_nothing_else(
+    browser: Browser, tmp_path: Path
+) -> None:
+    with real_service(tmp_path) as fresh, tablet(browser, fresh) as at:
+        given = fresh.password
+        at.page.goto(f"http://{fresh.address}/#/first/operator/{given}")
+        expect(at.page.get_by_role("heading", name="Welcome to Heft")).to_be_visible()
+        check_looks(look(at.page, "first sign-in"))
+        at.page.get_by_label("New password for operator").fill("a password of my own")
+        at.press("Save and sign in")
+        expect(at.page.get_by_role("heading", name="Cell and tool")).to_be_visible()
+        sign_in = {"name": "operator", "password": given}
+        assert at.page.request.post(f"http://{fresh.address}/api/session", data=sign_in).status == 401
+        assert at.complaints == []

@@ -4,13 +4,15 @@ import { attempt } from '../ui/notice';
 import type { Screen } from '../ui/screen';
 import { words } from '../words';
 import { ActiveRobots } from './active-robots';
+import { FirstSignIn, firstAccount } from './first-sign-in';
 import { signIn } from './signing-in';
 
 function Entrance() {
+  const first = firstAccount();
   return (
     <div class="page entrance">
       <ActiveRobots />
-      <SignIn />
+      {first === null ? <SignIn /> : <FirstSignIn {...first} />}
     </div>
   );
 }
@@ -61,4 +63,7 @@ function SignIn() {
   );
 }
 
-export const signingIn: Screen = { Page: Entrance, next: () => words.value.signIn.next };
+export const signingIn: Screen = {
+  Page: Entrance,
+  next: () => (firstAccount() === null ? words.value.signIn.next : words.value.signIn.chooseNext),
+};

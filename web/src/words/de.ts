@@ -98,6 +98,11 @@ export const de: Words = {
     out: 'Abmelden',
     next: 'Melden Sie sich mit Name und Passwort an.',
     first: 'Das erste Konto und sein Passwort wurden dort ausgegeben, wo der Dienst gestartet wurde.',
+    welcome: 'Willkommen bei Heft',
+    choose: (name) => `Neues Passwort für ${name}`,
+    chooseWhat: 'Mindestens 12 Zeichen. Von da an meldet nur noch dieses an.',
+    chooseAct: 'Speichern und anmelden',
+    chooseNext: 'Wählen Sie ein eigenes Passwort.',
   },
   setup: {
     title: 'Zelle und Werkzeug',

@@ -97,6 +97,11 @@ export const en = {
     out: 'Sign out',
     next: 'Sign in with your name and password.',
     first: 'The first account and its password were printed where the service was started.',
+    welcome: 'Welcome to Heft',
+    choose: (name: string) => `New password for ${name}`,
+    chooseWhat: 'At least 12 characters. From then on it is the only one that signs in.',
+    chooseAct: 'Save and sign in',
+    chooseNext: 'Choose a password of your own.',
   },
   setup: {
     title: 'Cell and tool',
