@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from bench.stops import LIMIT_S, PHASES, STANDING, Found, recover, say
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
 from tests.server.breaking_robot import DISK_FULL, FROZEN, NAN, STALE, Told, seed_of, told

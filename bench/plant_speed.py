@@ -12,7 +12,7 @@ from statistics import median
 import mujoco
 import numpy as np
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.plant.arm import arm_of_cell
 from core.plant.mechanics import PERIOD, Drives, build_model
 from core.sessions.simulated import SimulatedSession

@@ -13,9 +13,11 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell.cell import Cell, find_cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import find_cell, load_cell
 from core.payload.inertia import PHI_NAMES
-from core.planning.plan import Plan, plan_procedure
+from core.planning.plan import Plan
+from core.planning.search import plan_procedure
 from core.plant.imperfections import ExponentialOffsetDrift, Imperfections, LinearOffsetDrift
 from core.procedure.identify import carry_out
 from core.robot.collision import CollisionModel

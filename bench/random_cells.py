@@ -23,7 +23,8 @@ from core.cell.cell import Cell
 from core.errors import NoStartConfiguration, Refused
 from core.events import RobotStopped, StartConfigurationFound
 from core.payload.inertia import InertialParameters
-from core.planning.plan import POSES, Plan, plan_procedure
+from core.planning.plan import POSES, Plan
+from core.planning.search import plan_procedure
 from core.procedure.identify import carry_out
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel

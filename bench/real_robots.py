@@ -22,11 +22,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bench.independent_search import CANDIDATES, IndependentSearch
-from core.cell.cell import Cell, check_robot
+from core.cell.cell import Cell
+from core.cell.folder import check_robot
 from core.cell.urdf import check_urdf
 from core.errors import BadInput, Refused
 from core.planning.commanded_path import PlanPart, compute_joint_paths
-from core.planning.plan import Plan, plan_procedure
+from core.planning.plan import Plan
+from core.planning.search import plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from tests.independent_checker import IndependentChecker

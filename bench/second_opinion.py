@@ -7,9 +7,9 @@ from time import perf_counter
 
 import numpy as np
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.planning.joint_torques import JointTorques, guess_load
-from core.planning.plan import confirm_plan, plan_procedure
+from core.planning.search import confirm_plan, plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.trial.draw import run_to_end

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.control.bounds import JointLimits, velocity_bounds
 from core.control.sns import sns_reference
 from core.control.sns_kernel import sns_step

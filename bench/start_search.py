@@ -16,7 +16,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.planning.candidates import CandidateSearch, Weights
 from core.planning.grid import draw_postures, first_grid
 from core.planning.start_configuration import LIMIT_MARGIN_RAD

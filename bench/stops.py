@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 from websockets.exceptions import ConnectionClosed
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
 from core.robot.model import RobotModel

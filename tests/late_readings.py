@@ -11,8 +11,10 @@ from functools import cache
 
 import numpy as np
 
-from core.cell.cell import Cell, find_cell, load_cell
-from core.planning.plan import Plan, plan_procedure
+from core.cell.cell import Cell
+from core.cell.folder import find_cell, load_cell
+from core.planning.plan import Plan
+from core.planning.search import plan_procedure
 from core.planning.settings import Timing
 from core.plant.faults.timing import Delay
 from core.plant.mechanics import Drives

@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell.cell import Box, Cell, Obstacle, Payload, Pose, Zone, contradictions_of, load_cell
+from core.cell.cell import Box, Cell, Obstacle, Payload, Pose, Zone
+from core.cell.folder import contradictions_of, load_cell
 from core.errors import BadCell, refuse
 from core.payload.inertia import InertialParameters
 from core.robot.collision import CollisionModel

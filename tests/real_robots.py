@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell.cell import Box, Cell, Obstacle, Payload, Pose, Robot, Sensor, Zone, contradictions_of
+from core.cell.cell import Box, Cell, Obstacle, Payload, Pose, Robot, Sensor, Zone
+from core.cell.folder import contradictions_of
 from tests.independent_arm import Arm, pose
 from tests.independent_checker import IndependentChecker
 

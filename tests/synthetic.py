@@ -16,7 +16,7 @@ import pinocchio as pin
 from scipy.interpolate import CubicSpline
 from scipy.signal import cont2discrete, lfilter
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.payload.inertia import InertialParameters, pseudo_inertia
 from core.recording.recording import Recording, SensorDescription
 from core.robot.model import RobotModel

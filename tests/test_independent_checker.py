@@ -10,7 +10,8 @@ import pytest
 from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import Box, Cell, Obstacle, Pose, Zone, load_cell
+from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
+from core.cell.folder import load_cell
 from tests.convex_distance import Convex, ball, bounds, box, capsule, cylinder, distance, packed
 from tests.independent_arm import Arm, Inertia, pose
 from tests.independent_checker import IndependentChecker

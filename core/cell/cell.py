@@ -5,25 +5,18 @@ Everything that stands in the cell is given in the world frame; the robot's base
 
 from __future__ import annotations
 
-import difflib
-import tomllib
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, NamedTuple
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, ValidationError
-from pydantic_core import ErrorDetails
+from pydantic import Field
 
-from core.cell.contradictions import contradictions
 from core.cell.tool import Tool
-from core.cell.tool_checks import tool_flaws
-from core.cell.urdf import Urdf, check_urdf
 from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
-from core.errors import BadCell, BadInput, BadRobot, refuse, together
+from core.errors import BadRobot
 from core.files.jail import read_inside
-from core.files.schema_flaw import SchemaFlaw, schema_flaw
 from core.payload.inertia import InertialParameters
 from core.payload.shapes import (
     Angle,
@@ -43,9 +36,9 @@ from core.payload.shapes import (
 )
 
 __all__ = [
-    "Box", "Capsule", "Cell", "CellRead", "Control", "Cylinder", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor",
-    "Shape", "Sphere", "Tool", "Zone", "check_robot", "contradictions_of", "find_cell", "list_cell_folders", "load_cell",
-    "read_cell_folder",
+    "Box", "Capsule", "Cell", "Control", "Cylinder", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor",
+    "Shape", "Sphere", "Tool", "Zone",
+
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -211,161 +204,3 @@ class Cell(Model):
             for field in ("obstacles", "zones")
         }
         return self.model_copy(update=moved)
-
-
-class CellRead(NamedTuple):
-    """A cell whose `cell.toml` could be read, whether or not it can be used.
-
-    Args:
-        robot_flaws: what of the robot's model cannot be used, or does not go with the cell.
-    """
-
-    cell: Cell
-    robot_flaws: tuple[BadInput, ...] = ()
-
-    @property
-    def flaws(self) -> tuple[BadInput, ...]:
-        """Why nothing can be planned in it; empty where nothing speaks against it."""
-        return (*contradictions_of(self.cell), *self.robot_flaws)
-
-
-def contradictions_of(cell: Cell) -> list[BadCell]:
-    """What in a cell does not go together, wherever its zones have been moved to."""
-    where = cell.folder / CELL_FILE
-    return [BadCell(f"{where}: {key}", found, expected, name) for key, found, expected, name in contradictions(cell)]
-
-
-def load_cell(folder: Path) -> Cell:
-    """Reads and validates `cell.toml` and the URDF beside it.
-
-    Raises:
-        BadCell: cell.toml is malformed or contradicts itself or the URDF.
-        BadRobot: the URDF is malformed or hostile.
-    """
-    found = read_cell_folder(folder)
-    refuse(found.flaws)
-    return found.cell
-
-
-def read_cell_folder(folder: Path) -> CellRead:
-    """Reads `cell.toml` and looks at the URDF beside it; what does not go together is told beside the cell.
-
-    Raises:
-        BadCell: cell.toml cannot be read as a cell.
-    """
-    cell = _parse(folder)
-    try:
-        _check_urdf(cell)
-    except BadInput as flaw:
-        return CellRead(cell, (flaw, *flaw.others))
-    return CellRead(cell)
-
-
-def _parse(folder: Path) -> Cell:
-    where = str(folder / CELL_FILE)
-    text = read_inside(folder, CELL_FILE, BadCell, max_bytes=MAX_CELL_BYTES)
-    try:
-        content = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise BadCell(where, f"TOML that does not parse ({str(error)[:120]})", "TOML") from error
-    try:
-        return Cell.model_validate({**content, "folder": folder})
-    except ValidationError as error:
-        raise together([_sentence(flaw, where) for flaw in error.errors()]) from error
-
-
-def _check_urdf(cell: Cell) -> None:
-    urdf = check_urdf(cell.urdf, str(cell.folder / cell.robot.urdf))
-    check_robot(cell, urdf)
-    urdf.check_bodies(cell.robot.base_frame, cell.robot.sensor_frame)
-    _check_visual_shapes(cell, urdf)
-    urdf.check_shapes(cell.robot.base_frame, cell.robot.sensor_frame, cell.robot.visual_shapes)
-    urdf.check_meshes(cell.folder)
-    where = cell.folder / CELL_FILE
-    refuse([BadCell(f"{where}: {key}", found, expected) for key, found, expected, _ in tool_flaws(cell, urdf)])
-
-
-def _check_visual_shapes(cell: Cell, urdf: Urdf) -> None:
-    """Those that the cell names have looks, and nothing else that could count."""
-    usable = [body.name for body in urdf.bodies if body.visual and not body.collision]
-    for name in cell.robot.visual_shapes:
-        if name not in usable:
-            where = f"{cell.folder / CELL_FILE}: robot.visual_shapes"
-            raise BadCell(where, repr(name), f"a link of {cell.robot.urdf} with a <visual> and without a <collision>, one of {usable}")
-
-
-def check_robot(cell: Cell, urdf: Urdf) -> None:
-    """The cell's robot fits its URDF: frames, a value for each joint, home and velocities within the URDF's limits.
-
-    Raises:
-        BadCell: it does not.
-        BadRobot: the joints between the two frames are no chain of hinges with limits.
-    """
-    where = f"{cell.folder / CELL_FILE}: robot"
-    robot = cell.robot
-    for key in ("base_frame", "sensor_frame"):
-        if getattr(robot, key) not in urdf.links:
-            raise BadCell(f"{where}.{key}", repr(getattr(robot, key)), f"a link of {robot.urdf}, {list(urdf.links)}")
-    for link in (link for pair in robot.adjacent for link in pair):
-        if link not in urdf.links:
-            raise BadCell(f"{where}.adjacent", repr(link), f"a link of {robot.urdf}, {list(urdf.links)}")
-    joints = urdf.hinges(robot.base_frame, robot.sensor_frame)
-    for key in ("home_rad", "acceleration_rad_s2", "velocity_rad_s"):
-        values = getattr(robot, key)
-        if values is not None and len(values) != len(joints):
-            raise BadCell(f"{where}.{key}", f"{len(values)} values", f"{len(joints)}, for {[joint.name for joint in joints]}")
-    for key, values in robot.friction or ():
-        if len(values) != len(joints):
-            raise BadCell(f"{where}.friction.{key}", f"{len(values)} values", f"{len(joints)}, for {[joint.name for joint in joints]}")
-    for home, joint in zip(robot.home_rad, joints, strict=True):
-        if not joint.lower < home < joint.upper:
-            raise BadCell(f"{where}.home_rad", f"{home} for {joint.name!r}", f"a position in ({joint.lower}, {joint.upper})")
-    for velocity, joint in zip(robot.velocity_rad_s or (), joints, strict=robot.velocity_rad_s is not None):
-        if velocity > joint.velocity:
-            raise BadCell(f"{where}.velocity_rad_s", f"{velocity} for {joint.name!r}", f"at most the URDF's {joint.velocity}")
-
-
-def _sentence(error: ErrorDetails, where: str) -> BadCell:
-    """One of pydantic's errors as one of ours."""
-    flaw = schema_flaw(error)
-    if error["type"] == "extra_forbidden":
-        for close in difflib.get_close_matches(str(error["loc"][-1]), _keys(), n=1):
-            flaw = flaw._replace(expected=f"{close!r}, if that is what was meant")
-    elif error["type"] in ("union_tag_not_found", "union_tag_invalid"):
-        found = repr(error["input"].get("kind")) if isinstance(error["input"], dict) else flaw.found
-        flaw = SchemaFlaw(f"{flaw.key}.kind", found, "box, sphere, capsule or cylinder")
-    return BadCell(*flaw.at(where))
-
-
-def _keys() -> list[str]:
-    """Every key of the format."""
-    models = (Cell, Robot, Friction, Sensor, Limits, Control, Payload, Tool, Obstacle, Zone, Box, Sphere, Capsule, Cylinder, Pose)
-    return sorted({key for model in models for key in model.model_fields} - {"folder"})
-
-
-def list_cell_folders() -> list[Path]:
-    """Folders of the known cells: those in `./cells`, then those that come with the program; a name counts once."""
-    known: dict[str, Path] = {}
-    for place in (Path("cells"), Path(__file__).parents[2] / "cells"):
-        for file in sorted(place.glob(f"*/{CELL_FILE}")):
-            known.setdefault(file.parent.name, file.parent)
-    return sorted(known.values(), key=lambda folder: folder.name)
-
-
-def find_cell(name: str | Path) -> Path:
-    """Folder of a cell, given by its name (see `list_cells`) or by its path.
-
-    Raises:
-        BadCell: there is no such cell.
-    """
-    path = Path(name)
-    if path.name == CELL_FILE and path.is_file():
-        return path.parent
-    if (path / CELL_FILE).is_file():
-        return path
-    known = {folder.name: folder for folder in list_cell_folders()}
-    if str(name) in known:
-        return known[str(name)]
-    close = difflib.get_close_matches(str(name), known, n=1)
-    hint = f"{close[0]!r}, if that is what was meant" if close else f"one of {list(known)}, or a folder with {CELL_FILE}"
-    raise BadCell("cell", repr(str(name)), hint)

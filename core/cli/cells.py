@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from core.cell.cell import find_cell
+from core.cell.folder import find_cell
 from core.cli.terminal import answers, messages
 from core.errors import BadInput
 from core.files.whole_file import write_whole

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
 from core.cli.experiments import check_experiment_file, plan_next
 from core.cli.options import JsonOption, check_new

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 from pydantic import ValidationError
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.cli.terminal import answers, messages
 from core.errors import BadInput
 from core.estimation.result import Result

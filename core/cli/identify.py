@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.cli.answer import print_answer
 from core.cli.options import JsonOption, check_new
 from core.cli.terminal import messages

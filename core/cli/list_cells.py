@@ -3,7 +3,8 @@
 import typer
 from rich.table import Table
 
-from core.cell.cell import Cell, list_cell_folders, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import list_cell_folders, load_cell
 from core.cli.terminal import answers
 from core.errors import BadInput
 

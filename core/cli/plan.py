@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
 from core.cli.options import CellArgument, JsonOption, PayloadOption, PlannerName, PlannerOption, SeedOption, check_new, choose_payload
 from core.cli.tables import (

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.cli.answer import print_answer, write_json
 from core.cli.experiments import read_request
 from core.cli.options import CellArgument, JsonOption, PayloadOption, PlannerName, PlannerOption, SeedOption, check_new, choose_payload

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 from rich.table import Table
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.cli.options import CellArgument
 from core.cli.terminal import answers, messages
 from core.errors import BadInput, BadTwin

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from core.cell.cell import Cell
 from core.control.checks import GuardStop, Numbers
 from core.errors import BadState, OutOfLimits, OverLoad, RobotStateLate, SensorFrozen, Stopped, TooClose, TooFast
-from core.robot.collision import Nearest
 from core.robot.model import RobotModel
+from core.robot.pair_group import Nearest
 from core.sessions.session import RobotState
 
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")

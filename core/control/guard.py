@@ -28,8 +28,9 @@ from core.cell.cell import Cell
 from core.control.bounds import JointLimits
 from core.control.checks import Findings, GuardStop, Numbers, _check
 from core.control.faults import make_distance_error, make_frozen_error, make_stop_error
-from core.robot.collision import CollisionModel, Nearest
+from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
+from core.robot.pair_group import Nearest
 from core.sessions.session import RobotState
 
 Array = NDArray[np.float64]

@@ -13,7 +13,8 @@ import coal
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell.cell import CELL_FILE, Box, Cell, read_cell_folder
+from core.cell.cell import CELL_FILE, Box, Cell
+from core.cell.folder import read_cell_folder
 from core.cell.tools import add_cell_tools
 from core.errors import BadInput
 from core.new_cell.cell_text import NOT_STATED

@@ -15,7 +15,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell.cell import CELL_FILE, Box, Cell, Robot, Sensor, load_cell
+from core.cell.cell import CELL_FILE, Box, Cell, Robot, Sensor
+from core.cell.folder import load_cell
 from core.errors import BadInput, BadRobot
 from core.new_cell.cell_text import RANGE, CellParts, cell_text
 from core.new_cell.expansion import description_text

@@ -19,7 +19,8 @@ from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.planning.effort import grid_rounds, path_iterations
 from core.planning.joint_torques import JointTorques, Load, guess_load
 from core.planning.path import one_turn_away
-from core.planning.plan import Leg, Plan, check_standing, confirm_plan, way_home
+from core.planning.plan import Leg, Plan
+from core.planning.search import check_standing, confirm_plan, way_home
 from core.planning.settings import Planner, Timing
 from core.planning.start_configuration import Attitude, Grid, StartConfiguration, find_attitude
 from core.planning.stop import HOLD_S, Stop, Swings, wave_shape

@@ -14,7 +14,8 @@ from core.errors import Refused
 from core.events import Event
 from core.planning.fewer_axes import axes_with_room
 from core.planning.joint_torques import Load
-from core.planning.plan import Plan, plan_procedure
+from core.planning.plan import Plan
+from core.planning.search import plan_procedure
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel

@@ -15,7 +15,7 @@ from core.estimation.result import Result, SafetyPart, SecondsPart, result_of
 from core.planning.plan import Plan
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
-from core.robot.collision import Nearest
+from core.robot.pair_group import Nearest
 
 Array = NDArray[np.float64]
 

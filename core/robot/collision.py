@@ -6,11 +6,9 @@ distance minus what is required; margins are signed, negative where a pair is to
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from math import inf
+from dataclasses import replace
 from typing import Any
 
-import coal
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
@@ -32,39 +30,15 @@ from core.robot.bodies import (
     tool_bodies,
 )  # fmt: skip
 from core.robot.model import RobotModel
+from core.robot.pair_group import Nearest, PairGroup, measure_distance
 from core.robot.watched_pairs import CONTACT_M, LeftOut, OwnPairs, Rule, Watch, may_be_near, rule_of_standing
 
 MOUNT_M = 0.002
 """A base this near to something is mounted on it."""
 
-__all__ = ["Body", "CollisionModel", "Nearest", "SpeedPoints"]
+__all__ = ["Body", "CollisionModel", "SpeedPoints"]
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Nearest:
-    """The nearest pair of bodies.
-
-    Args:
-        distance_m: signed distance, negative when they penetrate; infinite when there is no pair.
-        required_m: what the cell requires between them.
-        first: link name, or "payload".
-        second: name of the obstacle, the protected zone or the other link.
-        point_first, point_second: (3,), the nearest points, world frame, m.
-    """
-
-    distance_m: float
-    required_m: float
-    first: str
-    second: str
-    point_first: Array
-    point_second: Array
-
-    @property
-    def margin_m(self) -> float:
-        """Distance minus what is required."""
-        return self.distance_m - self.required_m
 
 
 class CollisionModel:
@@ -100,12 +74,12 @@ class CollisionModel:
         near = [pair for pair in first_links if not self._is_zone(pair[1])]
         asked = {Watch.CLEARANCE: cell.limits.clearance_m, Watch.TIGHT: cell.limits.clearance_m, Watch.CONTACT: CONTACT_M}
         self._standing = {
-            watch: _Pairs(robot, required_m, standing if watch is Watch.CLEARANCE else near) for watch, required_m in asked.items()
+            watch: PairGroup(robot, required_m, standing if watch is Watch.CLEARANCE else near) for watch, required_m in asked.items()
         }
-        self._clear = _Pairs(robot, 0.0, first_links)
+        self._clear = PairGroup(robot, 0.0, first_links)
         own, keep = self._own_pairs(bodies), cell.limits.self_clearance_m
         asked = {Watch.CLEARANCE: keep, Watch.TIGHT: keep, Watch.CONTACT: CONTACT_M}
-        self._own = {watch: _Pairs(robot, required_m, own[watch]) for watch, required_m in asked.items()}
+        self._own = {watch: PairGroup(robot, required_m, own[watch]) for watch, required_m in asked.items()}
         for thing in things:
             self._watch_standing(thing, thing.placement)
         _check_base(cell, bodies, things)
@@ -140,7 +114,7 @@ class CollisionModel:
         return [LeftOut(*names, why) for names, why in self._why.items() if names not in watched and names[0] != names[1]]
 
     @property
-    def _groups(self) -> list[_Pairs]:
+    def _groups(self) -> list[PairGroup]:
         return [*self._standing.values(), *self._own.values()]
 
     def nearest(self, q: Array) -> Nearest:
@@ -222,7 +196,7 @@ class CollisionModel:
         for i, first in enumerate(bodies):
             for k, second in enumerate(bodies):
                 if (first.joint, i) > (second.joint, k):
-                    rule = rules.rule(first, second, _Pairs(self.robot, 0.0, [(first, second)]).margin)
+                    rule = rules.rule(first, second, PairGroup(self.robot, 0.0, [(first, second)]).margin)
                     found[rule.watch].append((first, second))
                     self._note((first, second), rule)
         return found
@@ -233,7 +207,7 @@ class CollisionModel:
         is_mount = not self._is_zone(thing) and self._is_mount(there)
         for pair in self._standing[Watch.CLEARANCE].bodies:
             if pair[1] is thing:
-                distance = _Pairs(self.robot, 0.0, [(pair[0], there)]).margin
+                distance = PairGroup(self.robot, 0.0, [(pair[0], there)]).margin
                 rule = rule_of_standing(self.robot, (pair[0], there), distance, self.cell.limits.clearance_m, is_mount=is_mount)
                 for watch, group in self._standing.items():
                     group.use(pair, rule.watch is watch)
@@ -245,7 +219,7 @@ class CollisionModel:
 
     def _is_mount(self, thing: Body) -> bool:
         """Whether the robot's base stands on a thing, hangs from it or is bolted to it."""
-        return any(_distance(base.geometry, base.placement, thing.geometry, thing.placement) <= MOUNT_M for base in self._base)
+        return any(measure_distance(base.geometry, base.placement, thing.geometry, thing.placement) <= MOUNT_M for base in self._base)
 
     def _note(self, pair: tuple[Body, Body], rule: Rule) -> None:
         """Why nobody watches a pair."""
@@ -253,107 +227,15 @@ class CollisionModel:
             self._why[pair[0].name, pair[1].name] = rule.why
 
 
-class _Pairs:
-    """Pairs that share one required distance, so that a single call returns the one that matters; all of them are watched at first."""
-
-    def __init__(self, robot: RobotModel, required_m: float, bodies: list[tuple[Body, Body]]) -> None:
-        self.required_m = required_m
-        self.bodies = bodies
-        self._index = {_key(pair): k for k, pair in enumerate(bodies)}
-        self._model, self._data = robot.model, robot.model.createData()
-        self._geometry = pin.GeometryModel()
-        self._ids: dict[str, int] = {}
-        for pair in bodies:
-            self._geometry.addCollisionPair(pin.CollisionPair(*[self._add(body) for body in pair]))
-        self._results = self._geometry.createData()
-        self.watched = np.ones(len(bodies), dtype=bool)
-        """(n_pairs,), which of `bodies` are taken into the computation."""
-        self._extra_m = -inf
-
-    def _add(self, body: Body) -> int:
-        """Index of the geometry object of a body, which is added when it is new."""
-        key = _id(body)
-        if key not in self._ids:
-            shape = pin.GeometryObject(key, body.joint, body.placement, body.geometry)
-            self._ids[key] = self._geometry.addGeometryObject(shape)
-        return self._ids[key]
-
-    def _nearest_pair(self, q: Array) -> int:
-        return int(pin.computeDistances(self._model, self._data, self._geometry, self._results, q))
-
-    def margin(self, q: Array) -> float:
-        if not self.watched.any():
-            return inf
-        return float(self._results.distanceResults[self._nearest_pair(q)].min_distance) - self.required_m
-
-    def margins(self, q: Array) -> Array:
-        """Of all `bodies`, infinite where a pair is left out."""
-        if not self.watched.any():
-            return np.full(len(self.bodies), inf)
-        pin.computeDistances(self._model, self._data, self._geometry, self._results, q)
-        distances = np.array([result.min_distance for result in self._results.distanceResults])
-        return np.where(self.watched, distances - self.required_m, inf)
-
-    def nearest(self, q: Array) -> Nearest:
-        if not self.watched.any():
-            return Nearest(inf, self.required_m, "robot", "nothing", np.full(3, np.nan), np.full(3, np.nan))
-        k = self._nearest_pair(q)
-        result = self._results.distanceResults[k]
-        first, second = self.bodies[k]
-        points = np.array(result.getNearestPoint1()), np.array(result.getNearestPoint2())
-        return Nearest(float(result.min_distance), self.required_m, first.name, second.name, *points)
-
-    def is_free(self, q: Array, extra_m: float) -> bool:
-        if not self.watched.any():
-            return True
-        if extra_m != self._extra_m:
-            for request in self._results.collisionRequests:
-                request.security_margin = self.required_m + extra_m
-            self._extra_m = extra_m
-        return not pin.computeCollisions(self._model, self._data, self._geometry, self._results, q, True)
-
-    def use(self, pair: tuple[Body, Body], wanted: bool) -> None:
-        """Takes a pair into the computation or leaves it out; nothing where this group does not have it."""
-        k = self._index.get(_key(pair))
-        if k is None:
-            return
-        (self._results.activateCollisionPair if wanted else self._results.deactivateCollisionPair)(k)
-        self.watched[k] = wanted
-
-    @property
-    def active(self) -> list[tuple[Body, Body]]:
-        """The pairs that are taken into the computation."""
-        return [pair for pair, watched in zip(self.bodies, self.watched, strict=True) if watched]
-
-    def move(self, thing: Body, placement: Any) -> None:
-        """Moves a fixed body; nothing where no pair has it."""
-        if _id(thing) in self._ids:
-            self._geometry.geometryObjects[self._ids[_id(thing)]].placement = placement
-
-
-def _id(body: Body) -> str:
-    return f"{body.joint} {body.name} {id(body)}"
-
-
-def _key(pair: tuple[Body, Body]) -> tuple[int, int]:
-    return id(pair[0]), id(pair[1])
-
-
 def _list_obstacles_and_zones(cell: Cell) -> list[Obstacle | Zone]:
     """Everything that the robot must keep away from."""
     return [*cell.obstacles, *cell.zones]
 
 
-def _distance(first: Any, first_placement: Any, second: Any, second_placement: Any) -> float:
-    """Signed distance of two shapes, m."""
-    transforms = [coal.Transform3s(T.rotation, T.translation) for T in (first_placement, second_placement)]
-    return float(coal.distance(first, transforms[0], second, transforms[1], coal.DistanceRequest(), coal.DistanceResult()))
-
-
 def _check_base(cell: Cell, bodies: list[Body], things: list[Body]) -> None:
     for base in (body for body in bodies if body.joint == 0):
         for thing in things:
-            distance = _distance(base.geometry, base.placement, thing.geometry, thing.placement)
+            distance = measure_distance(base.geometry, base.placement, thing.geometry, thing.placement)
             if distance < -BASE_IN_OBSTACLE:
                 raise BadCell(
                     f"{cell.folder.name}/cell.toml: {thing.name}",

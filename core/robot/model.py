@@ -12,7 +12,8 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from core.cell.cell import Cell, check_robot
+from core.cell.cell import Cell
+from core.cell.folder import check_robot
 from core.cell.urdf import check_urdf
 from core.cell.urdf_tree import UrdfTree, without_inertia
 from core.errors import BadRobot

@@ -12,9 +12,11 @@ from typing import Any, TypeVar
 import numpy as np
 from pydantic import BaseModel, ConfigDict
 
-from core.cell.cell import Cell, find_cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import find_cell, load_cell
 from core.events import Event
-from core.planning.plan import Plan, plan_procedure
+from core.planning.plan import Plan
+from core.planning.search import plan_procedure
 from core.plant.faults import FAULTS, Background, Fault, Setting, variants
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel

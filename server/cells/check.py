@@ -16,7 +16,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.effects.library import library
 from core.errors import BadInput, BadRobot
 from core.files.confinement import stay_here

@@ -9,7 +9,8 @@ from pathlib import Path
 from threading import Lock
 from typing import Annotated
 
-from core.cell.cell import CELL_FILE, TWIN_FILE, Cell, CellRead, list_cell_folders, read_cell_folder
+from core.cell.cell import CELL_FILE, TWIN_FILE, Cell
+from core.cell.folder import CellRead, list_cell_folders, read_cell_folder
 from core.errors import BadCell, BadInput, BadTwin, refuse, together
 from core.files.whole_file import write_whole
 from server.http.dependencies import depend_on

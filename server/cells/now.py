@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sqlalchemy.orm import Session
 
-from core.cell.cell import CellRead
+from core.cell.folder import CellRead
 from server.cells.folder import CellFolder
 from server.cells.zones import positions, with_zones_where_they_are
 

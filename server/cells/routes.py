@@ -10,7 +10,8 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, Request, Response
 from sqlalchemy.orm import Session
 
-from core.cell.cell import Cell, CellRead
+from core.cell.cell import Cell
+from core.cell.folder import CellRead
 from core.errors import BadInput, BadTwin, HeftError
 from core.payload.shapes import Pose
 from server.cells import zones

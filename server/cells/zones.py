@@ -106,7 +106,7 @@ def _put(row: ZonePosition, pose: Pose, who: str, now: datetime) -> None:
 
 
 def with_zones_where_they_are(cell: Cell, rows: dict[str, ZonePosition]) -> Cell:
-    """The cell with each zone at its latest place; what the place contradicts says `core.cell.cell.contradictions_of`."""
+    """The cell with each zone at its latest place; what the place contradicts says `core.cell.folder.contradictions_of`."""
     places = {zone: Pose.model_validate_json(row.pose) for zone, row in rows.items()}
     return with_zones_at(cell, places)
 

@@ -17,7 +17,8 @@ import pytest
 from hypothesis import settings
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import Box, Cell, load_cell
+from core.cell.cell import Box, Cell
+from core.cell.folder import load_cell
 from tests.convex_distance import Convex
 from tests.convex_distance import box as box_of_size
 from tests.convex_distance import distance as certified_distance

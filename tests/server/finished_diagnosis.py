@@ -7,7 +7,8 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.recording.folder import write_recording
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from tests.server.real_service import ROOT, Console
 
 AT_THE_ROBOT = (0.95, 0.0, 0.625)

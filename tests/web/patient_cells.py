@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from core.cell.cell import CELL_FILE, list_cell_folders
+from core.cell.cell import CELL_FILE
+from core.cell.folder import list_cell_folders
 from tests.server.real_service import ROOT, RealService, real_service
 
 LEASE_S = 3.0

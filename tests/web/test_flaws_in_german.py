@@ -16,7 +16,8 @@ import pytest
 from playwright.sync_api import Browser, FilePayload, expect
 from pydantic import BaseModel, ValidationError
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.errors import BadInput
 from core.files.schema_flaw import schema_flaw
 from core.recording.manifest import Manifest, manifest_of

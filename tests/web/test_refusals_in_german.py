@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, expect
 
-from core.cell.cell import Box, Pose, list_cell_folders, load_cell
+from core.cell.cell import Box, Pose
+from core.cell.folder import list_cell_folders, load_cell
 from core.control.checks import GuardStop, Numbers
 from core.control.faults import make_distance_error, make_frozen_error, make_stop_error
 from core.errors import BadCell, Lateness, NoStartConfiguration, PlanDisputed
 from core.planning.rotation_room import Obstruction
-from core.robot.collision import Nearest
 from core.robot.model import RobotModel
+from core.robot.pair_group import Nearest
 from core.second_opinion.arm import build_solid_arm
 from core.second_opinion.opinion import Approach, Opinion, PeakSpeed
 from core.second_opinion.pairs import OVERLAP, PairKind, classify_pairs

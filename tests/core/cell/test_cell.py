@@ -12,19 +12,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.cell.cell import (
-    Box,
-    Capsule,
-    Cylinder,
-    Pose,
-    Shape,
-    Sphere,
-    contradictions_of,
-    find_cell,
-    list_cell_folders,
-    load_cell,
-    read_cell_folder,
-)
+from core.cell.cell import Box, Capsule, Cylinder, Pose, Shape, Sphere
+from core.cell.folder import contradictions_of, find_cell, list_cell_folders, load_cell, read_cell_folder
 from core.errors import BadCell, BadInput, BadRobot
 
 CELLS = Path(__file__).parents[3] / "cells"

@@ -10,7 +10,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.cell.tool_checks import home_torques
 from core.cell.tools import find_tools
 from core.cell.urdf import check_urdf

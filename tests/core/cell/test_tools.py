@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Box, Cell, Pose, load_cell
+from core.cell.cell import Box, Cell, Pose
+from core.cell.folder import load_cell
 from core.cell.tools import find_tools, tool_boxes, widest_box
-from core.planning.plan import plan_procedure
+from core.planning.search import plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.second_opinion.opinion import JointPath, second_opinion

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.cli.exports import read_result_file
 from core.cli.main import app
 from core.errors import BadInput

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.payload.inertia import PHI_NAMES
 from core.recording.folder import read_recording
 

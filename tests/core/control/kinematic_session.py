@@ -11,7 +11,8 @@ from typing import Self
 
 import numpy as np
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.control.guard import Guard
 from core.control.speed import fastest_point
 from core.robot.collision import CollisionModel

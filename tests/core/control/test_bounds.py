@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.control.bounds import JointLimits, velocity_bounds
 from core.robot.model import RobotModel
 from tests.core.control.kinematic_session import ROOT

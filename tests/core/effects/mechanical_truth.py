@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.effects.effect import Effect
 from core.effects.scene import Scene
 from core.payload.inertia import InertialParameters, Motion, regressor

@@ -9,7 +9,7 @@ import pinocchio as pin
 import pytest
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.effects.effect import Finding, View
 from core.effects.joint_friction import JointFriction
 from core.recording.recording import FrictionDescription, Recording, RobotDescription

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.estimation.identification import identify_recording
 from core.recording.recording import Recording
 from core.twin.twin import NOMINAL, Twin

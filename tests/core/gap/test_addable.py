@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from core.cell.cell import TWIN_FILE, Cell, load_cell
+from core.cell.cell import TWIN_FILE, Cell
+from core.cell.folder import load_cell
 from core.effects.library import library
 from core.errors import BadTwin
 from core.gap.diagnosis import diagnose

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.cli.experiments import check_experiment_file, read_request
 from core.errors import BadInput, BadRecording
 from core.gap.experiment_file import ExperimentFile, read_continued_recording, read_experiment, write_experiment

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from core.cell.cell import TWIN_FILE, Cell, load_cell
+from core.cell.cell import TWIN_FILE, Cell
+from core.cell.folder import load_cell
 from core.cli.main import app
 from core.effects.library import library
 from core.errors import BadTwin

@@ -11,7 +11,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from core.cell.cell import Robot, load_cell
+from core.cell.cell import Robot
+from core.cell.folder import load_cell
 from core.errors import BadInput
 from core.new_cell import making
 from core.new_cell.making import make_cell

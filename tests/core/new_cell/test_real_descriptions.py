@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Cell, Robot, load_cell
+from core.cell.cell import Cell, Robot
+from core.cell.folder import load_cell
 from core.errors import BadRobot
 from core.new_cell import home
 from core.new_cell.making import make_cell

@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.payload.uncertain_parameters import UncertainParameters
 from tests.core.export.cloud import cloud, covariance
 

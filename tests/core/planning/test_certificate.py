@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from core.cell.cell import Pose, load_cell
+from core.cell.cell import Pose
+from core.cell.folder import load_cell
 from core.planning.certificate import is_clear, least_margin
 from core.planning.pair_margins import PairMargins
 from core.planning.path import dense

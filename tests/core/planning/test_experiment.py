@@ -7,7 +7,8 @@ from collections.abc import Generator
 import numpy as np
 import pytest
 
-from core.cell.cell import Cell, find_cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import find_cell, load_cell
 from core.errors import NoPath
 from core.events import Event, Planned
 from core.planning.experiment import plan_experiment

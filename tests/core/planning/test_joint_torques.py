@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from core.cell.cell import Box, Cell, Friction, Pose, load_cell
+from core.cell.cell import Box, Cell, Friction, Pose
+from core.cell.folder import load_cell
 from core.errors import TooHeavy
 from core.planning.joint_torques import HOLDING_SHARE, JointTorques, Load, even_load, find_known_load, guess_load, refuse_too_heavy
-from core.planning.plan import plan_procedure
+from core.planning.search import plan_procedure
 from core.planning.start_configuration import Grid, find_start_configuration
 from core.plant.arm import arm_of_cell
 from core.plant.mechanics import Drives, build_model

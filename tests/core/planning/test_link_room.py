@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.planning.link_room import LinkRoom
 from core.planning.start_configuration import Grid, find_start_configuration
 from core.robot.collision import CollisionModel

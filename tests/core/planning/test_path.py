@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Box, Cell, Obstacle, Pose, Zone, load_cell
+from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
+from core.cell.folder import load_cell
 from core.errors import NoPath
 from core.planning.path import Path as JointPath
 from core.planning.path import dense, one_turn_away, plan_path

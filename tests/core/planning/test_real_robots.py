@@ -10,7 +10,8 @@ import pytest
 
 from bench.independent_search import IndependentSearch
 from bench.real_robots import Judgement, judge, summary
-from core.cell.cell import Box, Obstacle, Pose, Zone, load_cell
+from core.cell.cell import Box, Obstacle, Pose, Zone
+from core.cell.folder import load_cell
 from core.cell.urdf import check_urdf
 from tests.independent_checker import IndependentChecker
 from tests.real_robots import ROBOTS, SENSOR, random_real_cell, robot_folder

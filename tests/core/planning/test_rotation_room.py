@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.planning.rotation_room import SHARE, Obstruction, RotationCheck, Turn, rotation_path
 from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile

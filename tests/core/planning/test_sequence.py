@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import core.planning.plan
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.errors import NoStartConfiguration
 from core.planning.sequence import PlanRequest, Procedure
 from core.planning.settings import Scope, Timing

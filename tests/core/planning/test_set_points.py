@@ -13,10 +13,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.errors import BadInput
 from core.planning.commanded_path import compute_joint_paths
-from core.planning.plan import Plan, motions_of, plan_procedure
+from core.planning.plan import Plan, motions_of
+from core.planning.search import plan_procedure
 from core.planning.set_points import SetPoints, check_set_points, set_points_of, write_set_points
 from core.planning.settings import Timing
 from core.planning.slow_run import limit_speed

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.errors import BadInput
 from core.planning.slow_run import SLOWEST_M_S, limit_speed
 

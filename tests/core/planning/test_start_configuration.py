@@ -6,7 +6,8 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from core.cell.cell import Box, Cell, Obstacle, Pose, Zone, load_cell
+from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
+from core.cell.folder import load_cell
 from core.control.bounds import JointLimits
 from core.control.rotation import Rotation
 from core.errors import BadCell, NoStartConfiguration

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.errors import BadInput
 from core.planning.starting_point import starting_point
 from core.recording.folder import write_recording

@@ -9,7 +9,7 @@ import pytest
 from pydantic import ValidationError
 from scipy.interpolate import CubicSpline
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.effects.library import library
 from core.estimation.kinematics import Poses, axial, poses_of
 from core.estimation.segments import segments_of_phase

@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import Box, Capsule, Cell, Cylinder, Pose, Sphere, Zone, load_cell
+from core.cell.cell import Box, Capsule, Cell, Cylinder, Pose, Sphere, Zone
+from core.cell.folder import load_cell
 from core.planning.throw import PAD_M, ThrowCheck, loads_of
 from core.robot.decoupling import decoupling_profile
 from core.robot.trajectory import AngularProfile

@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Cell, Pose, load_cell
+from core.cell.cell import Cell, Pose
+from core.cell.folder import load_cell
 from core.errors import NoPath
 from core.planning.path import one_turn_away
 from core.planning.timing import MotionLimits, least_seconds

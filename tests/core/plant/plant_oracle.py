@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.payload.inertia import PINOCCHIO_ORDER, InertialParameters
 from core.plant.mechanics import Drives
 from core.robot.model import RobotModel

@@ -6,7 +6,8 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.payload.inertia import InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.virtual_robot import VirtualRobot

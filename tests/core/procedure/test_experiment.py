@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Cell, find_cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import find_cell, load_cell
 from core.effects.library import library
 from core.errors import BadInput
 from core.estimation.identification import identify_recording

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.errors import BadState, Interrupted, OverLoad
 from core.events import Event, Finished, PhaseStarted, Planned, Progress, RecordingWritten, RobotStopped, StepFinished
 from core.planning.settings import Timing

@@ -12,7 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.estimation.result import result_of
 from core.gap.diagnosis import examine
 from core.planning.settings import Timing

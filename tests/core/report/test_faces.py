@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import Capsule, Pose, load_cell
+from core.cell.cell import Capsule, Pose
+from core.cell.folder import load_cell
 from core.report.faces import (
     Faces,
     arm_faces,

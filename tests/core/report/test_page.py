@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.segments import segments_of_phase
 from core.payload.inertia import Motion

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.planning.start_configuration import StartConfiguration
 from core.planning.throw import Throw
 from core.report.scene import HEIGHT, WIDTH, Projection, scene

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.robot.chain import forward, forward_many, jacobian
 from core.robot.model import RobotModel
 

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.cell.cell import Box, Cell, Limits, Obstacle, Pose, Zone, load_cell
+from core.cell.cell import Box, Cell, Limits, Obstacle, Pose, Zone
+from core.cell.folder import load_cell
 from core.errors import BadCell
 from core.robot.bodies import link_bodies
 from core.robot.collision import CollisionModel

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.errors import BadCell, BadRobot
 from core.files import confinement
 from core.files.confinement import Arrays, Order

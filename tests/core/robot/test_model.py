@@ -10,7 +10,8 @@ import pinocchio as pin
 import pytest
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import Pose, load_cell
+from core.cell.cell import Pose
+from core.cell.folder import load_cell
 from core.errors import BadCell, BadRobot
 from core.recording.recording import RobotDescription
 from core.robot.model import RobotModel

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from core.cell.cell import Box, Cell, Limits, Obstacle, Pose, Zone, load_cell
+from core.cell.cell import Box, Cell, Limits, Obstacle, Pose, Zone
+from core.cell.folder import load_cell
 from core.errors import BadCell
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel

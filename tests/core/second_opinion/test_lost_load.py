@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from core.cell.cell import Box, Capsule, Cell, Pose, Shape, Sphere, Zone, load_cell
+from core.cell.cell import Box, Capsule, Cell, Pose, Shape, Sphere, Zone
+from core.cell.folder import load_cell
 from core.errors import NoPath, PlanDisputed
 from core.planning.throw import PAD_M, ThrowCheck
 from core.planning.transfer import plan_transfer

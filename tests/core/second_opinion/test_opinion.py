@@ -17,11 +17,13 @@ import trimesh
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from core.cell.cell import Box, Cell, Pose, load_cell
+from core.cell.cell import Box, Cell, Pose
+from core.cell.folder import load_cell
 from core.errors import BadRobot, PlanDisputed
 from core.planning.commanded_path import PlanPart, compute_joint_paths
 from core.planning.joint_torques import JointTorques, guess_load
-from core.planning.plan import Plan, confirm_plan, plan_procedure, plan_summary
+from core.planning.plan import Plan, plan_summary
+from core.planning.search import confirm_plan, plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.point_speed import point_speeds

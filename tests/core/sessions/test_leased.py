@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.errors import Cause, Commanded, ControlLost, Held, HoldExpired, Lateness
 from core.sessions.leased import FUTURE_S, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal, is_stopped
 from core.sessions.simulated import SimulatedSession

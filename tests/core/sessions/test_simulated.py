@@ -5,7 +5,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.errors import BadState, OutOfLimits, TooFast
 from core.plant.imperfections import Imperfections
 from core.sessions.simulated import SimulatedSession

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.effects.library import library
 from core.sessions.simulated import SimulatedSession
 from core.twin.twin import NOMINAL, Twin, make_home_scene

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.cell.cell import find_cell, load_cell
+from core.cell.folder import find_cell, load_cell
 from core.effects.library import library
 from core.effects.scene import Scene
 from core.gap.basis import basis_of

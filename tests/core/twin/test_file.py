@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from core.cell.cell import TWIN_FILE, Cell, load_cell
+from core.cell.cell import TWIN_FILE, Cell
+from core.cell.folder import load_cell
 from core.errors import BadTwin
 from core.twin.file import read_twin, write_twin
 from core.twin.twin import NOMINAL, Twin

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.effects.library import library
 from core.twin.twin import NOMINAL, Fitted, Twin, effect_of, make_home_scene
 from tests.twin_entries import entry

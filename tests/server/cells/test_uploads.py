@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.errors import BadCell, BadInput, BadRobot
 from core.twin.file import read_twin
 from core.twin.twin import Twin

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
-from core.cell.cell import CELL_FILE, load_cell
+from core.cell.cell import CELL_FILE
+from core.cell.folder import load_cell
 from core.payload.shapes import Box
 from server.jobs import jobs
 from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.recording.folder import read_recording
 from server.runs.schemas import RunAnswer
 from tests.server.finished_diagnosis import SWINGS, diagnosed_run, stopped_in_its_first_hold

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from fastapi.testclient import TestClient
 
-from core.cell.cell import TWIN_FILE, load_cell
+from core.cell.cell import TWIN_FILE
+from core.cell.folder import load_cell
 from core.twin.file import read_twin, write_twin
 from core.twin.twin import NOMINAL, Entry, Fitted, Twin
 from server.jobs import jobs

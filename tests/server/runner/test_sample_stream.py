@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.recording.folder import read_recording
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog

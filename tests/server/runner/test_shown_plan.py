@@ -8,9 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Cell, load_cell
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.payload.shapes import Pose
-from core.planning.plan import Plan, plan_procedure
+from core.planning.plan import Plan
+from core.planning.search import plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from server.runner.release_hash import release_sha256

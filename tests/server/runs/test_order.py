@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from pydantic import ValidationError
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.planning.settings import Scope
 from server.http.errors import Conflict
 from server.runs import ledger as run_ledger

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from fastapi.testclient import TestClient
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.estimation.result import Result
 from core.export.exports import TARGETS
 from server.people.roles import Role

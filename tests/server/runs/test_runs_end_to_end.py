@@ -16,7 +16,7 @@ import httpx2 as httpx
 import numpy as np
 import pytest
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.recording.folder import read_recording, recording_sha256
 from core.robot.model import RobotModel
 from tests.server.real_service import ROOT, Console, RealService, wait_for

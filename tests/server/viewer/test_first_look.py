@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.cell.cell import load_cell
+from core.cell.folder import load_cell
 from core.report.faces import arm_faces, box_faces
 from core.robot.model import RobotModel
 from server.viewer.first_look import find_occluded, first_look, measure_occlusion

@@ -17,7 +17,8 @@ from viser import _messages as messages
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from core.cell.cell import Pose, load_cell
+from core.cell.cell import Pose
+from core.cell.folder import load_cell
 from core.report.faces import box_faces
 from server.runner.live_schemas import LiveBatch
 from server.viewer import scene
