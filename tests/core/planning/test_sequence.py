@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import core.planning.plan
+import core.planning.search
 from core.cell.folder import load_cell
 from core.errors import NoStartConfiguration
 from core.planning.sequence import PlanRequest, Procedure
@@ -38,7 +38,7 @@ def no_room_for_z(monkeypatch: pytest.MonkeyPatch) -> list[str]:
             raise NoStartConfiguration(axis, {"unreachable": 10})
         return find_start_configuration(cell, robot, collision, axis, rotation, **options)  # type: ignore[arg-type]  # as it was called
 
-    monkeypatch.setattr(core.planning.plan, "find_start_configuration", found)
+    monkeypatch.setattr(core.planning.search, "find_start_configuration", found)
     return asked
 
 

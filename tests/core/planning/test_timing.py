@@ -89,11 +89,6 @@ def test_a_trajectory_runs_along_its_path_from_rest_to_rest_without_jumps() -> N
     assert max(off) < 1e-3
 
 
-def test_a_path_without_motion_is_one_sample() -> None:
-    q = np.tile(np.array(arm("lwr4_bench")[0].robot.home_rad), (3, 1))
-    assert len(timed("lwr4_bench", q)) == 1
-
-
 def test_limits_far_below_anything_are_refused_or_kept() -> None:
     _, robot, _, limits = arm("ur5e_line")
     slow = MotionLimits(limits.velocity, limits.acceleration, 0.01, limits.points)

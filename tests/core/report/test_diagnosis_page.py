@@ -95,7 +95,7 @@ def test_an_explained_gap_is_told_in_words_and_numbers(tmp_path: Path) -> None:
         "Do without noise above what is stated.",
         "Joint friction: Joint 1 rubs. joint 1 coulomb 3.00 ± 0.10 N m",
         "Sensor drift: no temperature was recorded.",
-        "Worked out in 6.1 s",
+        " in 6.1 s",
     ):
         assert said in text, said
     assert "Fix a lag of the motion" not in text

@@ -6,7 +6,7 @@ from core.events import Event, PhaseStarted, RobotStopped
 from server.runner.live_schemas import WaitingForZone
 from server.runs.steps import update_in_the_way
 
-WAITING = WaitingForZone(message="no way", update_in_the_way="operator")
+WAITING = WaitingForZone(message="no way", in_the_way="operator")
 GOING_ON = PhaseStarted(phase="transfer", toward="x+", step=2, steps=9)
 STOPPED = RobotStopped(error="TooClose", message="too close", restart=1, final=False)
 

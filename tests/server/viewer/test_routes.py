@@ -157,7 +157,7 @@ def test_a_zone_that_is_in_the_way_is_marked_where_it_is_now(drawn):
     zone, moved = cell.zones[0], Pose(xyz_m=(1.0, 2.0, 3.0))
     mark.show(zone.name)
     elsewhere = zone.model_copy(update={"shape": zone.shape.model_copy(update={"pose": moved})})
-    mark.moved(cell.model_copy(update={"zones": (elsewhere, *cell.zones[1:])}))
+    mark.update_zones(cell.model_copy(update={"zones": (elsewhere, *cell.zones[1:])}))
     np.testing.assert_allclose(shown()["/in_the_way/edges"].points.mean(axis=(0, 1)), moved.xyz_m, atol=1e-6)
 
 
