@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
 from core.effects.library import library
 from core.gap.closure import gap_of
@@ -13,7 +15,7 @@ from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
 from core.gap.limits import GAP
-from core.gap.materiality import find_moved_parameters
+from core.gap.materiality import find_moved_parameters, is_doubtful, is_material
 from core.payload.inertia import InertialParameters
 from core.plant.faults import Setting, variants
 from core.plant.mechanics import Drives
@@ -64,3 +66,62 @@ def test_a_reference_that_is_off_by_far_more_than_the_gap_is_doubted_all_the_sam
 def test_without_a_reference_nobody_can_know() -> None:
     verdict, *_ = examined(None)
     assert verdict == "no_gap"
+
+
+PHI = np.array([2.0, 0.03, -0.04, 0.12, 0.02, 0.001, -0.002, 0.015, 0.003, 0.01])
+"""2 kg, a first moment of 0.13 kg m, a largest moment of inertia of 0.02 kg m2."""
+SAMPLES = 25.0
+
+
+def windows_of(reference: np.ndarray | None = None, newtons_per_kg: float = 0.0) -> SimpleNamespace:
+    """Forty windows of 25 samples each; of the payload nothing but the mass moves the wrench."""
+    X = np.zeros((6, 40, 26))
+    X[:, :, 0] = newtons_per_kg
+    return SimpleNamespace(X=X, samples_per_row=SAMPLES, basis=SimpleNamespace(reference=reference))
+
+
+def fit_of(phi: np.ndarray, *, std: np.ndarray | None = None, held_out: float = 1.0) -> SimpleNamespace:
+    """A fit with one effect that leaves the same chi-square in every row."""
+    return SimpleNamespace(
+        phi=phi, phi_std=1e-9 * np.ones(10) if std is None else std, held_out=np.full((6, 40), held_out), effects=("one",)
+    )
+
+
+@pytest.mark.parametrize(
+    ("k", "limit"),
+    [(0, 0.020), (1, 0.0013), (3, 0.0013), (4, 0.0006), (5, 0.0006), (9, 0.0006)],
+    ids=["m", "mcx", "mcz", "Ixx", "Ixy", "Izz"],
+)
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_payload_has_moved_from_a_hundredth_of_mass_and_first_moment_and_three_of_the_inertia_on(
+    k: int, limit: float, sign: float
+) -> None:
+    """20 g of 2 kg, 1.3 g m of 0.13 kg m, 0.0006 of 0.02 kg m2."""
+    for share, moved in ((0.98, False), (1.02, True)):
+        change = sign * share * limit * np.eye(10)[k]
+        nominal, best = fit_of(PHI - change), fit_of(PHI)
+        assert find_moved_parameters(nominal, best).tolist() == [moved and i == k for i in range(10)]  # type: ignore[arg-type]  # all that is read
+        assert is_material(windows_of(), nominal, best) is moved  # type: ignore[arg-type]  # all that is read
+
+
+def test_a_payload_has_moved_only_beyond_twice_its_standard_uncertainty() -> None:
+    change = 0.2 * np.eye(10)[0]
+    for std, moved in ((0.102, False), (0.098, True)):
+        best = fit_of(PHI, std=np.full(10, std))
+        assert is_material(windows_of(), fit_of(PHI - change), best) is moved  # type: ignore[arg-type]  # all that is read
+
+
+def test_a_gap_matters_from_twice_the_noise_of_a_sample_on() -> None:
+    """The mean square over samples of what the twin is off by is 4 times that of the noise; the excess of a window is 25 times as large."""
+    for gap, material in ((1.97, False), (2.03, True)):
+        fit = fit_of(PHI, held_out=1.0 + SAMPLES * (gap**2 - 1.0))
+        assert is_material(windows_of(), fit, fit) is material  # type: ignore[arg-type]  # all that is read
+
+
+def test_a_reference_is_doubted_from_a_signature_of_twice_the_gap_on() -> None:
+    """0.1 kg at 50 per kg moves every row by 5; the gap leaves 2.45 or 2.55 of root mean square beyond the noise."""
+    windows = windows_of(PHI - 0.1 * np.eye(10)[0], newtons_per_kg=50.0)
+    for beyond, unsure in ((2.45, False), (2.55, True)):
+        fit = fit_of(PHI, held_out=1.0 + beyond**2)
+        assert is_doubtful(windows, fit) is unsure  # type: ignore[arg-type]  # all that is read
+        assert is_material(windows, fit, fit) is unsure  # type: ignore[arg-type]  # all that is read

@@ -5,15 +5,16 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
+from scipy.optimize import brentq
 
 from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
 from core.cell.folder import load_cell
 from core.control.bounds import JointLimits
 from core.control.rotation import Rotation
 from core.errors import BadCell, NoStartConfiguration
-from core.planning.candidates import Weights
+from core.planning.candidates import CandidateSearch, Weights
 from core.planning.link_room import LinkRoom
-from core.planning.start_configuration import LIMIT_MARGIN_RAD, ROOM_M, Grid, StartConfiguration, find_start_configuration
+from core.planning.start_configuration import LIMIT_MARGIN_RAD, ROOM_M, Checks, Grid, StartConfiguration, find_start_configuration
 from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile
 from core.robot.model import RobotModel
@@ -164,6 +165,37 @@ def test_in_narrow_cells_it_is_as_good_as_brute_force(seed):
     else:
         assert collision.margin(found.q) >= ROOM_M
         assert best is None or found.objective > best - 0.01
+
+
+@pytest.mark.parametrize(
+    ("joint", "least", "most", "pair", "required_m"),
+    [(0, 0.9, 1.3, ("payload", "pillar"), 0.03), (5, 1.05, 1.9, ("link7", "link5"), 0.01)],
+    ids=["to what stands", "within the arm"],
+)
+def test_a_start_keeps_a_hundredth_of_a_metre_beyond_every_required_distance(fcl_scene, joint, least, most, pair, required_m):
+    """Home with one joint turned until another library finds the required distance, and so much more, between two that come near."""
+    cell = load_cell(ROOT / "cells" / "lwr4_bench")
+    pillar = Obstacle(name="pillar", shape=Box(size_m=(0.1, 0.1, 3.0), pose=Pose(xyz_m=(0.0, 0.6, 0.75))))
+    cell = cell.model_copy(update={"obstacles": (pillar,), "zones": ()})
+    robot = RobotModel.of_cell(cell)
+    collision, scene = CollisionModel(cell, robot, cell.payload_box), fcl_scene(cell, cell.payload_box)
+    limits = (robot.lower, robot.upper)
+    search = CandidateSearch(cell, robot, collision, limits=limits, near=None, diameter=2.0 * float(collision.reach[0]), weights=Weights())
+
+    def turned(angle: float) -> np.ndarray:
+        return np.where(np.arange(robot.n) == joint, angle, cell.robot.home_rad)
+
+    def distance(angle: float) -> float:
+        return scene.between(turned(angle), *pair) if pair[1] != "pillar" else scene.to_environment(turned(angle))[pair]
+
+    def kept(beyond_m: float) -> bool:
+        angle = brentq(lambda at: distance(at) - required_m - beyond_m, least, most)
+        checks = Checks(cell, robot, collision, np.eye(3)[2], None, limits)
+        accepted = checks.check_candidate(search.of(turned(angle)[None]), 0) is not None
+        assert accepted or any(f"too close to {name!r}" in reason for reason in checks.rejected for name in pair)
+        return accepted
+
+    assert [kept(beyond) for beyond in (-0.005, 0.002, 0.009, 0.011, 0.015)] == [False, False, False, True, True]
 
 
 def test_a_rotation_that_the_arm_cannot_make_fast_enough_is_refused_with_that_reason():
