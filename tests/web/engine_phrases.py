@@ -17,18 +17,18 @@ from tests.server.real_service import ROOT
 ERRORS = {name: error for module in (core.errors, server.http.errors) for name, error in vars(module).items() if isinstance(error, type)}
 FLAWS = {name: slice(1, 3) for name, error in ERRORS.items() if issubclass(error, BadInput)}
 FLAWS |= {"Contradiction": slice(1, 3), "refusal": slice(1, 3), "kind": slice(1, 3), "_refusal": slice(0, 2), "SchemaFlaw": slice(1, 3)}
-FLAWS |= {"_replace": slice(1, 3), "opened_zip": slice(2, 3)}
+FLAWS |= {"_replace": slice(1, 3), "open_zip": slice(2, 3)}
 """Which arguments say what was found and what was expected."""
 SENTENCES = {name: slice(0, 1) for name, error in ERRORS.items() if issubclass(error, HeftError) and name not in FLAWS}
 SENTENCES |= {"kind": slice(0, 1), "Reason": slice(1, 2), "Failed": slice(1, 2), "__init__": slice(0, 1)}
-SENTENCES |= {"Hold": slice(1, 2), "_end": slice(0, 1), "problem": slice(2, 3), "zipped": slice(2, 3), "page": slice(2, 3)}
+SENTENCES |= {"Hold": slice(1, 2), "_end": slice(0, 1), "problem": slice(2, 3), "send_zip": slice(2, 3), "page": slice(2, 3)}
 """Which argument is the sentence of an error or a reason."""
 NOT_HEARD = (
     "core/cli/", "command_line.py", "trial/", "serve.py", "gap/experiment_file.py", "planning/stops.py", "cells/check.py",
     "planning/options.py", "starting_point.py", "set_points.py", "new_cell/",
 )  # fmt: skip
 """Speaks to a terminal or to a program alone; what checks cells says flaws, which are read."""
-METHODS = {"_replace", "__init__", "_end", "zipped", "page"}
+METHODS = {"_replace", "__init__", "_end", "send_zip", "page"}
 UNITS = {"kg", "m", "s", "ms", "rad", "N"}
 HOLE = "{}"
 FEW = 2
