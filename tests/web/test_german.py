@@ -151,7 +151,7 @@ def test_what_stands_beside_a_verdict_is_german_with_its_figures(german: Tablet,
 def test_whatever_can_go_wrong_has_german_words() -> None:
     said = set(re.findall(r"^  '?([\w-]+)'?:", (WORDS / "de-problems.ts").read_text(), re.MULTILINE))
     assert said == set(kinds_by_name()) | OWN | OF_THE_SCREEN
-    assert set(re.findall(r"new Flaw\('([\w-]+)'\)", (WORDS.parent / "stores" / "control.ts").read_text())) <= OF_THE_SCREEN
+    assert set(re.findall(r"new Flaw\('([\w-]+)'\)", (WORDS.parent / "run" / "control.ts").read_text())) <= OF_THE_SCREEN
 
 
 def test_remarks_of_the_engine_and_its_exports_have_german_words() -> None:
