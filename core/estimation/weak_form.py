@@ -30,8 +30,8 @@ STEP_S = 0.025
 """Knot spacing of the windows: features up to 20 Hz are kept."""
 MARGIN_S = 0.06
 """Largest delay that the windows can be shifted by."""
-BAND = 4
-"""Cubic B-splines overlap with three neighbours on each side."""
+BAND = 5
+"""Cubic B-splines overlap with three neighbours on each side, and second differences of what was seen reach one window further."""
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,11 @@ from scipy.signal import lfilter
 from scipy.spatial.transform import Rotation
 
 from core.estimation.generalised_least_squares import fit
+from core.estimation.identification import identify_recording
 from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
 from core.estimation.weak_form import WeakForm
+from core.recording.recording import Recording
 
 GRAVITY = np.array([0.0, 0.0, -9.81])
 MASSES = np.array([0.5, 0.3, 0.4, 0.6])
@@ -93,3 +95,14 @@ def test_noise_of_the_poses_in_the_regressor_does_not_shrink_the_moments_of_iner
     shrunk = 1.0 - np.mean(moments, axis=0) / true_phi()[MOMENTS]
     assert (shrunk < [0.05, 0.05, 0.2]).all()
     assert np.sqrt(np.mean(np.square(z))) < 2.5
+
+
+@pytest.mark.parametrize(("step_s", "std_rad", "pace"), [(0.002, 1e-3, 1.0), (0.004, 3e-4, 0.5)])
+def test_noisy_orientations_of_a_slow_motion_have_a_covariance_that_can_be_factored(step_s: float, std_rad: float, pace: float) -> None:
+    t, R, w = swinging(step_s, 12.0, pace)
+    rng = np.random.default_rng(0)
+    seen = R @ Rotation.from_rotvec(std_rad * rng.normal(size=(len(t), 3))).as_matrix()
+    wrench, position = w + STD * rng.normal(size=w.shape), 1e-4 * rng.normal(size=(len(t), 3))
+    found = identify_recording(Recording(t, GRAVITY, wrench=wrench, orientation=seen, position=position)).estimate
+    assert found is not None
+    assert abs(found.phi[0] - 1.8) < 4.0 * found.std[0]
