@@ -35,6 +35,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from pydantic import BaseModel, ConfigDict
 
+from core.words.message import Message, Parameter
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -70,11 +72,26 @@ class Lateness(BaseModel):
 
 
 class HeftError(Exception):
-    """Root of all errors that a user can meet; `str(error)` is one sentence meant for them."""
+    """Root of all errors that a user can meet; `str(error)` is one sentence meant for them.
+
+    Args:
+        code: which message of the catalogue.
+        parameters: what it names.
+
+    Attributes:
+        message: it as a code with parameters, for people of any language.
+    """
 
     exit_code: ClassVar[int] = 1
     in_the_way: str | None = None
     """Name of the obstacle, zone or link that is in the way, where that is what it is about."""
+
+    def __init__(self, code: str, /, **parameters: Parameter) -> None:
+        super().__init__(code)
+        self.message = Message.of("text", text=code) if " " in code else Message.of(code, **parameters)
+
+    def __str__(self) -> str:
+        return self.message.text
 
 
 class BadInput(HeftError):
@@ -82,8 +99,8 @@ class BadInput(HeftError):
 
     Args:
         where: the file, with the key, column or row in it.
-        found: the value that was found.
-        expected: what would have been right.
+        code: the message of the catalogue whose `found` and `expected` say what is there and what would have been right.
+        parameters: what they name.
 
     Attributes:
         others: what else is wrong there, each as an error of its own.
@@ -92,11 +109,25 @@ class BadInput(HeftError):
     exit_code = 2
     others: tuple[BadInput, ...] = ()
 
-    def __init__(self, where: str, found: str, expected: str) -> None:
-        super().__init__(f"{where}: found {found}, expected {expected}")
-        self.where = where
-        self.found = found
-        self.expected = expected
+    def __init__(self, where: str | Message, code: str, /, *rest: str, **parameters: Parameter) -> None:
+        if rest:
+            code, parameters = "flaw", {"found": code, "expected": rest[0]}
+        super().__init__(code, where=where, **parameters)
+
+    @property
+    def where(self) -> str:
+        """The file, with the key, column or row in it."""
+        return str(self.message.parameters["where"])
+
+    @property
+    def found(self) -> str:
+        """The value that was found."""
+        return self.message.say_part("found")
+
+    @property
+    def expected(self) -> str:
+        """What would have been right."""
+        return self.message.say_part("expected")
 
 
 class BadCell(BadInput):
@@ -106,8 +137,8 @@ class BadCell(BadInput):
         in_the_way: name of what stands where the robot is.
     """
 
-    def __init__(self, where: str, found: str, expected: str, in_the_way: str | None = None) -> None:
-        super().__init__(where, found, expected)
+    def __init__(self, where: str | Message, code: str, /, *rest: str, in_the_way: str | None = None, **parameters: Parameter) -> None:
+        super().__init__(where, code, *rest, **parameters)
         self.in_the_way = in_the_way
 
 
@@ -156,11 +187,10 @@ class Refused(HeftError):
     axis: str | None = None
     axes_with_room: str = ""
 
-    def __str__(self) -> str:
-        """The sentence, and what can be done instead."""
-        said = super().__str__()
-        axes = ",".join(self.axes_with_room)
-        return f"{said} There is a plan for the other sensor axes: --axes {axes}." if axes else said
+    def offer_axes(self, axes_with_room: str) -> None:
+        """Say too that there is a plan for these sensor axes."""
+        self.axes_with_room = axes_with_room
+        self.message = Message.of("planning-other-axes", refusal=self.message, axes=",".join(axes_with_room))
 
 
 class NoStartConfiguration(Refused):
@@ -184,14 +214,15 @@ class NoStartConfiguration(Refused):
         nearest: str | None = None,
         in_the_way: str | None = None,
     ) -> None:
-        counts = ", ".join(f"{name} {count}" for name, count in sorted(reasons.items(), key=lambda item: -item[1]))
-        met = "" if best_clearance_m is None else f"; the best clearance met was {best_clearance_m:.3f} m to {nearest!r}"
-        super().__init__(
-            f"no start configuration with sensor axis {axis} along gravity: rejected {counts or 'nothing, no candidate'}"
-            + met
-            + ". Move what is in the way, reduce the payload box, limits.clearance_m or limits.self_clearance_m, "
-            "or search more (--effort), and plan again."
-        )
+        rejected = sorted(reasons.items(), key=lambda item: -item[1])
+        counts = [Message.of("planning-rejected", reason=name, count=count) for name, count in rejected]
+        if best_clearance_m is None:
+            super().__init__("planning-no-start-configuration", axis=axis, rejected=counts, kinds=len(counts))
+        else:
+            super().__init__(
+                "planning-no-start-configuration-near",
+                axis=axis, rejected=counts, kinds=len(counts), best_clearance_m=best_clearance_m, nearest=nearest or "",
+            )  # fmt: skip
         self.axis = axis
         self.reasons = reasons
         self.best_clearance_m = best_clearance_m
@@ -205,8 +236,8 @@ class NoPath(Refused):
         in_the_way: name of the obstacle, zone or link that was nearest, where distances were what kept it from being found.
     """
 
-    def __init__(self, message: str, in_the_way: str | None = None) -> None:
-        super().__init__(message)
+    def __init__(self, code: str, /, in_the_way: str | None = None, **parameters: Parameter) -> None:
+        super().__init__(code, **parameters)
         self.in_the_way = in_the_way
 
 
@@ -221,8 +252,8 @@ class PlanDisputed(Refused):
         in_the_way: name of the obstacle, zone or link that is too close, where that is what it is about.
     """
 
-    def __init__(self, message: str, in_the_way: str | None = None) -> None:
-        super().__init__(message)
+    def __init__(self, code: str, /, in_the_way: str | None = None, **parameters: Parameter) -> None:
+        super().__init__(code, **parameters)
         self.in_the_way = in_the_way
 
 
@@ -230,10 +261,11 @@ class Stopped(HeftError):
     """The guard stopped the robot.
 
     Args:
-        message: what, where, value against limit, and the next step.
+        code: the message that says what, where, value against limit, and the next step.
         value: the measured value, SI.
         limit: what it was compared with, SI.
         samples: the last robot states before the stop, oldest first.
+        parameters: what the message names besides `value` and `limit`, which it may name too.
     """
 
     exit_code = 4
@@ -242,8 +274,8 @@ class Stopped(HeftError):
     lateness: Lateness | None = None
     """What was late, where the robot was stopped because something was."""
 
-    def __init__(self, message: str, *, value: float, limit: float, samples: Sequence[object] = ()) -> None:
-        super().__init__(message)
+    def __init__(self, code: str, /, *, value: float, limit: float, samples: Sequence[object] = (), **parameters: Parameter) -> None:
+        super().__init__(code, value=value, limit=limit, **parameters)
         self.value = value
         self.limit = limit
         self.samples = tuple(samples)
@@ -274,16 +306,16 @@ class BadState(Stopped):
 class SensorFrozen(BadState):
     """The wrench has not changed for longer than a live sensor's noise allows."""
 
-    def __init__(self, message: str, *, value: float, limit: float, samples: Sequence[object] = ()) -> None:
-        super().__init__(message, value=value, limit=limit, samples=samples)
+    def __init__(self, code: str, /, *, value: float, limit: float, samples: Sequence[object] = (), **parameters: Parameter) -> None:
+        super().__init__(code, value=value, limit=limit, samples=samples, **parameters)
         self.lateness = Lateness(cause=Cause.SENSOR, late_s=value, limit_s=limit)
 
 
 class RobotStateLate(BadState):
     """The robot's state came later than the control loop may wait for it."""
 
-    def __init__(self, message: str, *, value: float, limit: float, samples: Sequence[object] = ()) -> None:
-        super().__init__(message, value=value, limit=limit, samples=samples)
+    def __init__(self, code: str, /, *, value: float, limit: float, samples: Sequence[object] = (), **parameters: Parameter) -> None:
+        super().__init__(code, value=value, limit=limit, samples=samples, **parameters)
         self.lateness = Lateness(cause=Cause.ROBOT, late_s=value, limit_s=limit)
 
 
@@ -298,8 +330,8 @@ class ControlLost(Held):
         lateness: which of them, by how much.
     """
 
-    def __init__(self, message: str, lateness: Lateness) -> None:
-        super().__init__(message, value=lateness.late_s, limit=lateness.limit_s)
+    def __init__(self, code: str, /, lateness: Lateness, **parameters: Parameter) -> None:
+        super().__init__(code, value=lateness.late_s, limit=lateness.limit_s, samples=(), **parameters)
         self.lateness = lateness
 
 

@@ -13,7 +13,7 @@ PARTS = ("core", "server", "web/src")
 def folders_on_disk() -> set[str]:
     listed = subprocess.run(["git", "ls-files", *PARTS], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
     inner = {str(folder) for file in listed for folder in Path(file).parents if len(folder.parts) > 1} - {"web/src"}
-    return {folder for folder in inner if not re.search(r"templates|versions", folder)}
+    return {folder for folder in inner if not re.search(r"templates|versions|words/(en|de)", folder)}
 
 
 def folders_in_the_tree() -> set[str]:

@@ -50,7 +50,7 @@ class CellRead(NamedTuple):
 def contradictions_of(cell: Cell) -> list[BadCell]:
     """What in a cell does not go together, wherever its zones have been moved to."""
     where = cell.folder / CELL_FILE
-    return [BadCell(f"{where}: {key}", found, expected, name) for key, found, expected, name in contradictions(cell)]
+    return [BadCell(f"{where}: {key}", found, expected, in_the_way=name) for key, found, expected, name in contradictions(cell)]
 
 
 def load_cell(folder: Path) -> Cell:

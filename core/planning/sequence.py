@@ -90,7 +90,9 @@ class Procedure:
             return (yield from self._part(self.scope, asked, robot, collision))
         except Refused as refusal:
             if not asked.done:
-                refusal.axes_with_room = axes_with_room(self.scope, refusal, lambda part: self._part(part, asked, robot, collision))
+                axes = axes_with_room(self.scope, refusal, lambda part: self._part(part, asked, robot, collision))
+                if axes:
+                    refusal.offer_axes(axes)
             raise
 
     def _part(self, scope: Scope, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> Generator[Event, None, Plan]:

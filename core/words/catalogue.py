@@ -1,0 +1,115 @@
+"""The words of every message, one folder of Fluent files (projectfluent.org) for each language.
+
+The console reads the same files. What numbers look like in them is said by five functions that both have: `FIXED($x, digits: 2)`,
+`SIGNIFICANT($x, digits: 3)`, `MILLI($x_s, digits: 0)` (thousandths: m as mm, s as ms), `DEGREES($x_rad, digits: 1)` and
+`PERCENT($x, digits: 0)`.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Mapping
+from functools import cache, partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, get_args
+
+if TYPE_CHECKING:
+    from fluent.runtime import FluentBundle
+
+Language = Literal["en", "de"]
+LANGUAGES: tuple[Language, ...] = get_args(Language)
+FLAW = "flaw"
+FOLDER = Path(__file__).parent
+DECIMAL_MARK: dict[Language, str] = {"en": ".", "de": ","}
+
+
+def format_message(code: str, parameters: Mapping[str, bool | float | str], language: Language) -> str:
+    """A message's words. One without words of its own, only `found` and `expected`, is a flaw and says where it is.
+
+    A code that no catalogue has is said as it is: a message that cannot be worded must not hide what happened.
+    """
+    bundle = read_catalogue(language)
+    if not bundle.has_message(code):
+        return f"{code} {dict(parameters)}" if parameters else code
+    if bundle.get_message(code).value is not None:
+        return _format(bundle, code, None, parameters)
+    parts = {part: _format(bundle, code, part, parameters) for part in ("found", "expected")}
+    return _format(bundle, FLAW, None, {"where": parameters.get("where", ""), **parts})
+
+
+def format_part(code: str, part: str, parameters: Mapping[str, bool | float | str], language: Language) -> str:
+    """The words of one part of a message; all of them where it has no such part."""
+    bundle = read_catalogue(language)
+    if bundle.has_message(code) and part in bundle.get_message(code).attributes:
+        return _format(bundle, code, part, parameters)
+    return format_message(code, parameters, language)
+
+
+@cache
+def read_catalogue(language: Language) -> FluentBundle:
+    """All messages of a language. The library is loaded when the first message is worded: most processes never word one."""
+    from fluent.runtime import FluentBundle, FluentResource  # noqa: PLC0415
+
+    functions: dict[str, Callable[..., Any]] = {name: partial(format_number, language) for name, format_number in NUMBERS.items()}
+    bundle = FluentBundle([language], use_isolating=False, functions=functions)
+    for file in sorted((FOLDER / language).glob("*.ftl")):
+        bundle.add_resource(FluentResource(file.read_text(encoding="utf-8")))
+    return bundle
+
+
+def find_language() -> Language:
+    """The language of the terminal: `HEFT_LANGUAGE`, else the system's (`LC_ALL`, `LC_MESSAGES`, `LANG`), else English."""
+    for name in ("HEFT_LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"):
+        wanted = os.environ.get(name, "")
+        if wanted:
+            return next((each for each in LANGUAGES if wanted.lower().startswith(each)), "en")
+    return "en"
+
+
+def _format(bundle: FluentBundle, code: str, part: str | None, parameters: Mapping[str, bool | float | str]) -> str:
+    from fluent.runtime.types import fluent_number  # noqa: PLC0415
+
+    entry = bundle.get_message(code)
+    pattern = entry.value if part is None else entry.attributes[part]
+    if pattern is None:
+        return ""
+    said: dict[str, Any] = {}
+    for name, value in parameters.items():
+        if isinstance(value, bool):
+            said[name] = str(value).lower()
+        elif isinstance(value, str) or not math.isfinite(value):
+            said[name] = str(value)
+        else:
+            said[name] = fluent_number(value, useGrouping=False)
+    text, _ = bundle.format_pattern(pattern, said)
+    return str(text)
+
+
+def _fixed(language: Language, value: Any, digits: Any = 2, *, factor: float = 1.0) -> str:
+    try:
+        shown = f"{factor * float(value):.{int(digits)}f}"
+    except (TypeError, ValueError):
+        return str(value)
+    return _mark(shown[1:] if shown.startswith("-") and not shown.strip("-0.") else shown, language)
+
+
+def _significant(language: Language, value: Any, digits: Any = 3) -> str:
+    try:
+        mantissa, e, exponent = f"{float(value):.{int(digits)}g}".partition("e")
+    except (TypeError, ValueError):
+        return str(value)
+    return _mark(mantissa + (f"e{int(exponent)}" if e else ""), language)
+
+
+def _mark(shown: str, language: Language) -> str:
+    return shown.replace(".", DECIMAL_MARK[language])
+
+
+NUMBERS: dict[str, Callable[..., str]] = {
+    "FIXED": _fixed,
+    "SIGNIFICANT": _significant,
+    "MILLI": partial(_fixed, digits=0, factor=1e3),
+    "DEGREES": partial(_fixed, digits=1, factor=180.0 / math.pi),
+    "PERCENT": partial(_fixed, digits=0, factor=100.0),
+}

@@ -1,0 +1,4 @@
+flaw = { $where }: gefunden: { $found }, erwartet: { $expected }
+    .found = { $found }
+    .expected = { $expected }
+text = { $text }
