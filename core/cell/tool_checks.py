@@ -13,7 +13,7 @@ from core.cell.tool import STATED
 from core.cell.urdf import Urdf
 from core.cell.urdf_tree import UrdfTree, axis_of, end_of, origin_of
 from core.payload.inertia import InertialParameters, pseudo_inertia
-from core.payload.shapes import rotation_about
+from core.payload.rotations import rotation_of
 
 if TYPE_CHECKING:
     from core.cell.cell import Cell, Tool
@@ -144,7 +144,7 @@ def home_torques(cell: Cell, urdf: Urdf, carried: InertialParameters) -> dict[st
     for hinge, angle in zip(hinges, cell.robot.home_rad, strict=True):
         joint = tree.joints[hinge.name]
         axis = axis_of(joint)
-        turn = _matrix(rotation_about(axis, angle), np.zeros(3))
+        turn = _matrix(rotation_of(angle * axis), np.zeros(3))
         pose = pose @ tree.find_rigid_parent(end_of(joint, "parent"))[1] @ origin_of(joint) @ turn
         axes.append(pose[:3, :3] @ axis)
         origins.append(pose[:3, 3])

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from core.errors import BadPayload
+from core.payload.rotations import skew
 
 Array = NDArray[np.float64]
 
@@ -37,15 +38,6 @@ def symmetric(six: ArrayLike) -> Array:
 def six_of(matrix: Array) -> Array:
     """`[xx, xy, xz, yy, yz, zz]` of a symmetric 3x3 matrix; leading dimensions are kept."""
     return np.asarray(matrix[..., _ROW, _COLUMN])
-
-
-def skew(v: ArrayLike) -> Array:
-    """Matrix of the cross product `v x`, shape (..., 3, 3)."""
-    v = np.asarray(v, dtype=float)
-    matrix = np.zeros((*v.shape[:-1], 3, 3))
-    matrix[..., 0, 1], matrix[..., 0, 2], matrix[..., 1, 2] = -v[..., 2], v[..., 1], -v[..., 0]
-    matrix[..., 1, 0], matrix[..., 2, 0], matrix[..., 2, 1] = v[..., 2], -v[..., 1], v[..., 0]
-    return matrix
 
 
 @dataclass(frozen=True)
