@@ -19,7 +19,7 @@ from core.cell.tool_checks import tool_flaws
 from core.cell.urdf import Urdf, check_urdf
 from core.errors import BadCell, BadInput, refuse, together
 from core.files.jail import read_inside
-from core.files.schema_flaw import SchemaFlaw, schema_flaw
+from core.files.schema_flaw import schema_flaw
 from core.payload.shapes import (
     Box,
     Capsule,
@@ -148,11 +148,13 @@ def _sentence(error: ErrorDetails, where: str) -> BadCell:
     flaw = schema_flaw(error)
     if error["type"] == "extra_forbidden":
         for close in difflib.get_close_matches(str(error["loc"][-1]), _keys(), n=1):
-            flaw = flaw._replace(expected=f"{close!r}, if that is what was meant")
+            flaw = flaw._replace(code="schema-misspelt-key", parameters={"close": close})
     elif error["type"] in ("union_tag_not_found", "union_tag_invalid"):
-        found = repr(error["input"].get("kind")) if isinstance(error["input"], dict) else flaw.found
-        flaw = SchemaFlaw(f"{flaw.key}.kind", found, "box, sphere, capsule or cylinder")
-    return BadCell(*flaw.at(where))
+        shape, choice = error["input"], {"expected": "box, sphere, capsule, cylinder"}
+        found = shape.get("kind") if isinstance(shape, dict) else shape
+        flaw = schema_flaw({"loc": (*error["loc"], "kind"), "type": "literal_error", "ctx": choice, "input": found})
+        flaw = flaw if found is not None else flaw._replace(code="schema-missing-choice")
+    return flaw.refusal(BadCell, where)
 
 
 def _keys() -> list[str]:

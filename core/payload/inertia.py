@@ -53,7 +53,7 @@ class InertialParameters:
     def __post_init__(self) -> None:
         phi = np.array(self.phi, dtype=float)
         if phi.shape != (10,) or not np.isfinite(phi).all():
-            raise BadPayload("phi", f"{self.phi}", "ten finite numbers [m, mc_x, mc_y, mc_z, Ixx, Ixy, Ixz, Iyy, Iyz, Izz]")
+            raise BadPayload("phi", "payload-not-ten-numbers", values=[f"{value:g}" for value in phi.ravel()[:12]], names=PHI_NAMES)
         phi.flags.writeable = False
         object.__setattr__(self, "phi", phi)
 

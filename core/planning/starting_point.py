@@ -83,4 +83,4 @@ def _read(file: Path) -> Array:
     except (json.JSONDecodeError, RecursionError) as error:
         raise BadInput(f"{OPTION} {file}", "no JSON", EXPECTED) from error
     except ValidationError as error:
-        raise BadInput(*schema_flaw(error.errors()[0]).at(f"{OPTION} {file}")) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadInput, f"{OPTION} {file}") from error

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pydantic import BaseModel, ConfigDict
 
+from core.words.message import Message
+
 
 class PlannedPose(BaseModel):
     """One pose of a plan, for JSON."""
@@ -126,7 +128,7 @@ class LeftOutPair(BaseModel):
 
     first: str
     second: str
-    why: str
+    why: Message
 
 
 class PlanSummary(BaseModel):

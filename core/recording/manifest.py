@@ -148,7 +148,7 @@ def read_manifest(folder: Path) -> Manifest:
     try:
         manifest = Manifest.model_validate(content)
     except ValidationError as error:
-        raise BadRecording(*schema_flaw(error.errors()[0]).at(where)) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadRecording, where) from error
     if not 9.0 < float(np.linalg.norm(manifest.gravity)) < 10.5:
         raise BadRecording(f"{where}: gravity", f"{list(manifest.gravity)}", "about 9.81 m/s2, in the base frame")
     if manifest.robot and manifest.robot.friction:
@@ -193,7 +193,7 @@ def manifest_of(recording: Recording) -> Manifest:
     try:
         return Manifest.model_validate(content)
     except ValidationError as error:
-        raise BadRecording(*schema_flaw(error.errors()[0]).at("recording")) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadRecording, "recording") from error
 
 
 def _tool_content(tool: KnownTool) -> dict[str, Any]:

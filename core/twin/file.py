@@ -34,7 +34,7 @@ def read_twin(cell: Cell) -> Twin:
     try:
         twin = Twin.model_validate_json(text)
     except ValidationError as error:
-        raise BadTwin(*schema_flaw(error.errors()[0]).at(str(file))) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadTwin, str(file)) from error
     _check(twin, cell, str(file))
     return twin
 

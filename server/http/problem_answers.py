@@ -17,6 +17,7 @@ from starlette.requests import HTTPConnection
 
 from core.errors import HeftError
 from core.files.schema_flaw import schema_flaw
+from core.words.message import Message
 from server.http.errors import StoreUnavailable
 from server.http.problems import HTTP_KINDS, MEDIA_TYPE, Flaw, ProblemDetails, headers_of, kinds_by_name, problem, problem_of
 
@@ -89,7 +90,5 @@ async def _send(connection: HTTPConnection, found: ProblemDetails, headers: dict
 def list_request_flaws(found: Sequence[Any]) -> list[Flaw]:
     """Pydantic's errors as ours; secrets are not repeated."""
     flaws = [schema_flaw(each) for each in found]
-    return [
-        Flaw(where=key, found="a value that is not shown" if "password" in key else told, expected=expected)
-        for key, told, expected in flaws
-    ]
+    told = [(flaw.key, Message.of(flaw.code, **(flaw.hide() if "password" in flaw.key else flaw).parameters)) for flaw in flaws]
+    return [Flaw(where=key, found=message.say_part("found"), expected=message.say_part("expected")) for key, message in told]
