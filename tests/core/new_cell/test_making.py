@@ -86,9 +86,10 @@ def test_every_figure_that_was_not_given_is_told(tmp_path):
         "'slide' (prismatic) is not the arm's: fixed at 0.01 m",
         "Link 'link3' has no mass: 1.28 kg from its shape",  # 0.08 x 0.08 x 0.2 m of water
         "felt by the sensor as a tool: hand, finger",
-        "Accelerations of 10, 10, 10, 10, 10, 5 rad/s2",
+        "Accelerations of 10.0, 10.0, 10.0, 10.0, 10.0, 5.0 rad/s2 taken: each joint's greatest speed in 0.2 s, between 1 and 10 rad/s2.",
     ):
         assert words in notes
+    assert "Das Gelenk „slide“ (prismatic) gehört nicht zum Arm: festgehalten bei 0,01 m." in [each.say("de") for each in found.remarks]
     text = (found.folder / "cell.toml").read_text()
     assert tomllib.loads(text)["tools"]["hand_tool"]["links"] == ["hand", "finger"]
 
