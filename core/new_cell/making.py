@@ -53,17 +53,12 @@ class Made:
     """A new cell.
 
     Args:
-        remarks: what was chosen, taken or left out.
+        notes: what was chosen, taken or left out.
     """
 
     folder: Path
     home: Home
-    remarks: tuple[Message, ...]
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """The remarks in English."""
-        return tuple(map(str, self.remarks))
+    notes: tuple[Message, ...]
 
 
 def make_cell(order: CellOrder, ask: Ask | None = None) -> Made:
