@@ -89,7 +89,8 @@ class Samples:
 
     def _column(self, name: str) -> Column:
         if name not in self:
-            raise BadRecording(name_column(self.where, name), "recording-no-column", columns=[cut_text(each) for each in self.table.column_names])
+            columns = [cut_text(each) for each in self.table.column_names]
+            raise BadRecording(name_column(self.where, name), "recording-no-column", columns=columns)
         return self.table.column(name)
 
     def _number_column(self, name: str) -> Array:
