@@ -67,9 +67,6 @@ class Lateness(BaseModel):
     late_s: float
     limit_s: float
 
-    def __str__(self) -> str:
-        return f"{1e3 * self.late_s:.0f} ms (limit {1e3 * self.limit_s:.0f} ms)"
-
 
 class HeftError(Exception):
     """Root of all errors that a user can meet; `str(error)` is one sentence meant for them.

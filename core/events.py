@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict
 
 from core.errors import Lateness
+from core.words.message import Message
 
 
 class Event(BaseModel):
@@ -102,4 +103,4 @@ class Finished(Event):
     """The end of a run that came through."""
 
     kind: Literal["finished"] = "finished"
-    verdict: str
+    verdict: Message

@@ -33,11 +33,11 @@ def export(
     payload = payload_of(found, made_in)
     if target is None:
         for each in TARGETS:
-            answers.print(f"{each.name:<13} {each.title}: {each.says}", highlight=False, soft_wrap=True)
+            answers.print(f"{each.name:<13} {each.title}: {each.says.text}", highlight=False, soft_wrap=True)
         return
     chosen = target_of(target)
     answers.print(chosen.render_file(payload), end="", markup=False, highlight=False, soft_wrap=True)
-    messages.print(f"In {frame_of(made_in)}; {chosen.says}.", highlight=False, soft_wrap=True)
+    messages.print(f"In {frame_of(made_in).text}; {chosen.says.text}.", highlight=False, soft_wrap=True)
     for sentence in lack_sentences(chosen, payload):
         messages.print(sentence, highlight=False, soft_wrap=True)
 

@@ -102,7 +102,7 @@ def _parameter_row(identification: Identification, reference: InertialParameters
         error=error_of(value, truth) if known else "",
         known=known,
         outside=known and bool(abs(value - truth) > half),
-        reason="" if known or estimate is None else estimate.reasons.get(PHI_NAMES[k], ""),
+        reason="" if known or estimate is None else str(estimate.reasons.get(PHI_NAMES[k], "")),
     )
 
 

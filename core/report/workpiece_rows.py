@@ -53,7 +53,7 @@ def workpiece_block(identification: Identification, recording: Recording) -> Wor
         rows=[_row(found, float(reference[k]), k) for k in range(10)],
         has_reference=recording.reference is not None,
         reference_source=recording.reference_source,
-        remarks=[sentence(remark.sentence) for remark in found.remarks],
+        remarks=[sentence(remark.text) for remark in found.remarks],
     )
 
 

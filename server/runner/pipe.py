@@ -12,6 +12,7 @@ from multiprocessing.connection import Connection
 from typing import Generic, TypeVar
 
 from core.sessions.leased import Lease, Renewal
+from core.words.message import Message as Said
 from server.runner.messages import Beat, End, Hold, PageLate, Release, Resume, ToChild, ZoneMoved
 
 Message = TypeVar("Message")
@@ -51,7 +52,7 @@ class Listener:
             case Release(plan_sha256=released):
                 self.released = released
             case Hold():
-                self._lease.hold(message.lateness, message.message)
+                self._lease.hold(message.lateness)
             case Resume():
                 self._lease.resume()
             case End(reason=reason):
@@ -60,7 +61,7 @@ class Listener:
                 self.zones.append(message)
 
     def _end(self, reason: str) -> None:
-        self._lease.end(reason)
+        self._lease.end(Said.of("text", text=reason))
         self.ended.set()
 
 

@@ -16,6 +16,7 @@ from core.cell.folder import load_cell
 from core.errors import Cause, Commanded, ControlLost, Held, HoldExpired, Lateness
 from core.sessions.leased import FUTURE_S, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal, is_stopped
 from core.sessions.simulated import SimulatedSession
+from core.words.message import Message
 from tests.hand_clock import HandClock
 
 
@@ -82,7 +83,7 @@ def test_a_hold_pauses_and_an_end_is_for_good(lease, clock):
     assert isinstance(lease.refusal(), Held)
     lease.resume()
     assert lease.refusal() is None
-    lease.end("the operator asked for it.")
+    lease.end(Message.of("text", text="the operator asked for it."))
     lease.resume()
     assert isinstance(lease.refusal(), Commanded)
 
