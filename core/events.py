@@ -76,7 +76,7 @@ class RobotStopped(Event):
 
     kind: Literal["robot_stopped"] = "robot_stopped"
     error: str
-    message: str
+    message: Message
     restart: int
     final: bool
     held: bool = False

@@ -53,8 +53,8 @@ def read_result_file(file: Path) -> Result:
     except OSError as error:
         raise BadInput(str(file), f"nothing that can be read ({error.strerror})", "a file that --json wrote") from error
     except ValidationError as error:
-        where, found, _ = schema_flaw(error.errors()[0]).at(str(file))
-        raise BadInput(where, found, "the answer of `heft run` or `heft identify`") from error
+        flaw = schema_flaw(error.errors()[0]).refusal(BadInput, str(file))
+        raise BadInput(flaw.where, flaw.found, "the answer of `heft run` or `heft identify`") from error
 
 
 def lack_sentences(target: Target, payload: UncertainParameters) -> list[str]:

@@ -7,7 +7,7 @@ what SNS (Algorithm 7) follows as long as no joint is at a limit, which is what 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
+from enum import Enum, auto
 
 import numpy as np
 from numba import njit
@@ -32,13 +32,13 @@ _STEP_RAD = 0.025
 _DAMPING = 1e-10
 
 
-class Obstruction(StrEnum):
+class Obstruction(Enum):
     """Why a rotation cannot be done from a configuration."""
 
-    JOINT_LIMIT = "joint limits during the rotation"
-    JOINT_SPEED = "joint velocity during the rotation"
-    JOINT_ACCELERATION = "joint acceleration during the rotation"
-    CARTESIAN_SPEED = "Cartesian speed during the rotation"
+    JOINT_LIMIT = auto()
+    JOINT_SPEED = auto()
+    JOINT_ACCELERATION = auto()
+    CARTESIAN_SPEED = auto()
 
 
 @dataclass(frozen=True)

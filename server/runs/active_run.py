@@ -263,7 +263,7 @@ class ActiveRun:
                 case StepFinished(step=step):
                     row.finished_steps = step
                 case RobotStopped(held=True, lateness=Lateness() as lateness):
-                    set_reason(row, Reason(find_reason_kind(event.error, lateness), event.message))
+                    set_reason(row, Reason(find_reason_kind(event.error, lateness), event.message.text))
                     row.lateness = lateness.model_dump_json()
 
         await self._step(lambda state: after(event, state), [event], change)

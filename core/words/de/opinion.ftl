@@ -1,6 +1,3 @@
-opinion-too-close = ein zweiter Blick auf den fertigen Plan findet „{ $first }“ { FIXED($distance_m, digits: 4) } m von „{ $second }“ (Grenze { FIXED($required_m, digits: 3) } m), { FIXED($time_s, digits: 3) } s nach dem Beginn von { $part }. Planen Sie neu mit einem anderen Startwert, oder geben Sie dem Roboter mehr Platz.
-opinion-load-into-zone = ein zweiter Blick auf den fertigen Plan findet, dass eine Last, die sich bei { FIXED($speed_m_s, digits: 3) } m/s löst, { FIXED($time_s, digits: 3) } s nach dem Beginn von { $part }, { FIXED($depth_m, digits: 4) } m in die Zone „{ $zone }“ flöge. Planen Sie neu mit einem anderen Startwert, oder geben Sie dem Roboter mehr Platz.
-opinion-too-fast = ein zweiter Blick auf den fertigen Plan findet eine Ecke von „{ $body }“ bei { FIXED($speed_m_s, digits: 4) } m/s (Grenze { FIXED($limit_m_s, digits: 3) } m/s), { FIXED($time_s, digits: 3) } s nach dem Beginn von { $part }. Planen Sie neu mit einem anderen Startwert.
 opinion-kind-environment = Hindernisse, Zonen und Boden
 opinion-kind-first-link = erstes Glied gegen Hindernisse, Zonen und Boden
 opinion-kind-mount = erste Glieder gegen das, worauf der Roboter steht

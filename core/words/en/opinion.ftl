@@ -1,7 +1,3 @@
-# A finished plan that the second opinion does not confirm
-opinion-too-close = a second look at the finished plan finds '{ $first }' { FIXED($distance_m, digits: 4) } m from '{ $second }' (limit { FIXED($required_m, digits: 3) } m), { FIXED($time_s, digits: 3) } s after the beginning of { $part }. Plan again with another seed, or give the robot more room.
-opinion-load-into-zone = a second look at the finished plan finds that a load that comes off at { FIXED($speed_m_s, digits: 3) } m/s, { FIXED($time_s, digits: 3) } s after the beginning of { $part }, would fly { FIXED($depth_m, digits: 4) } m into zone '{ $zone }'. Plan again with another seed, or give the robot more room.
-opinion-too-fast = a second look at the finished plan finds a corner of '{ $body }' at { FIXED($speed_m_s, digits: 4) } m/s (limit { FIXED($limit_m_s, digits: 3) } m/s), { FIXED($time_s, digits: 3) } s after the beginning of { $part }. Plan again with another seed.
 # What two solids are to each other
 opinion-kind-environment = obstacles, zones and floor
 opinion-kind-first-link = first link against obstacles, zones and floor
