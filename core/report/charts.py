@@ -14,12 +14,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
-from matplotlib.ticker import ScalarFormatter
 from numpy.typing import NDArray
 
 from core.estimation.segments import Segment
 from core.gap.limits import GAP
 from core.payload.inertia import Motion
+from core.words.ticks import mark_ticks
 from core.words.wording import Wording
 
 Array = NDArray[np.float64]
@@ -229,17 +229,6 @@ def _mark(axes: Axes, t: Array, rotating: Sequence[Segment], *, labels: bool) ->
                           textcoords="offset points", ha="center", fontsize=8)  # fmt: skip
 
 
-class _Ticks(ScalarFormatter):
-    """Numbers along an axis with the decimal mark of a language."""
-
-    def __init__(self, words: Wording) -> None:
-        super().__init__()
-        self.words = words
-
-    def __call__(self, x: float, pos: int | None = None) -> str:
-        return self.words.mark(super().__call__(x, pos))
-
-
 def _svg(figure: Figure, name: str, label: str, words: Wording) -> str:
     """The figure as an SVG element of an HTML page.
 
@@ -247,9 +236,7 @@ def _svg(figure: Figure, name: str, label: str, words: Wording) -> str:
         name: keeps its identifiers apart from those of other figures.
         label: what it shows, for those who cannot see it.
     """
-    for axis in [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]:
-        if type(axis.get_major_formatter()) is ScalarFormatter:
-            axis.set_major_formatter(_Ticks(words))
+    mark_ticks(figure, words)
     FigureCanvasSVG(figure)
     stream = io.StringIO()
     with mpl.rc_context({"svg.hashsalt": name}):
