@@ -148,12 +148,10 @@ def _sentence(error: ErrorDetails, where: str) -> BadCell:
     flaw = schema_flaw(error)
     if error["type"] == "extra_forbidden":
         for close in difflib.get_close_matches(str(error["loc"][-1]), _keys(), n=1):
-            flaw = flaw._replace(code="schema-misspelt-key", parameters={"close": close})
+            return BadCell(f"{where}: {flaw.key}", "an unknown key", f"{close!r}, if that is what was meant")
     elif error["type"] in ("union_tag_not_found", "union_tag_invalid"):
-        shape, choice = error["input"], {"expected": "box, sphere, capsule, cylinder"}
-        found = shape.get("kind") if isinstance(shape, dict) else shape
-        flaw = schema_flaw({"loc": (*error["loc"], "kind"), "type": "literal_error", "ctx": choice, "input": found})
-        flaw = flaw if found is not None else flaw._replace(code="schema-missing-choice")
+        found = repr(error["input"].get("kind")) if isinstance(error["input"], dict) else str(flaw.parameters["input"])
+        return BadCell(f"{where}: {flaw.key}.kind", found, "box, sphere, capsule or cylinder")
     return flaw.refusal(BadCell, where)
 
 

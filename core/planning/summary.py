@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from pydantic import BaseModel, ConfigDict
 
-from core.words.message import Message
-
 
 class PlannedPose(BaseModel):
     """One pose of a plan, for JSON."""
@@ -128,7 +126,7 @@ class LeftOutPair(BaseModel):
 
     first: str
     second: str
-    why: Message
+    why: str
 
 
 class PlanSummary(BaseModel):

@@ -51,4 +51,4 @@ def opinion_table(opinion: Opinion) -> OpinionTable:
     if lost is not None:
         where = f"{lost.part}, {lost.time_s:.1f} s"
         rows.append(OpinionRow("a load that comes off", f"{lost.distance_m:.3f} m", f"its flight - zone {lost.zone}", "0.000 m", where))
-    return OpinionTable(opinion.samples, rows, [str(each) for each in describe_left_out(opinion.left_out)])
+    return OpinionTable(opinion.samples, rows, describe_left_out(opinion.left_out))

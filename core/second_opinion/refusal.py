@@ -15,30 +15,20 @@ def refuse_disputed(opinion: Opinion) -> None:
     for found in opinion.violations[:1]:
         if isinstance(found, Approach):
             raise PlanDisputed(
-                "opinion-too-close",
-                in_the_way=found.second,
-                first=found.first,
-                second=found.second,
-                distance_m=found.distance_m,
-                required_m=found.required_m,
-                time_s=found.time_s,
-                part=found.part,
+                f"a second look at the finished plan finds {found.first!r} {found.distance_m:.4f} m from {found.second!r} "
+                f"(limit {found.required_m:.3f} m), {found.time_s:.3f} s after the beginning of {found.part}. "
+                "Plan again with another seed, or give the robot more room.",
+                found.second,
             )
         if isinstance(found, LostLoad):
             raise PlanDisputed(
-                "opinion-load-into-zone",
-                in_the_way=found.zone,
-                zone=found.zone,
-                depth_m=-found.distance_m,
-                speed_m_s=found.speed_m_s,
-                time_s=found.time_s,
-                part=found.part,
+                f"a second look at the finished plan finds that a load that comes off at {found.speed_m_s:.3f} m/s, {found.time_s:.3f} s "
+                f"after the beginning of {found.part}, would fly {-found.distance_m:.4f} m into zone {found.zone!r}. "
+                "Plan again with another seed, or give the robot more room.",
+                found.zone,
             )
         raise PlanDisputed(
-            "opinion-too-fast",
-            body=found.body,
-            speed_m_s=found.speed_m_s,
-            limit_m_s=found.limit_m_s,
-            time_s=found.time_s,
-            part=found.part,
+            f"a second look at the finished plan finds a corner of {found.body!r} at {found.speed_m_s:.4f} m/s "
+            f"(limit {found.limit_m_s:.3f} m/s), {found.time_s:.3f} s after the beginning of {found.part}. "
+            "Plan again with another seed."
         )
