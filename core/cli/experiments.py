@@ -7,6 +7,7 @@ from pathlib import Path
 from rich.console import Console
 
 from core.cell.cell import Cell
+from core.cli.terminal import find_wording
 from core.errors import BadInput, Refused, slug
 from core.gap.answer import Diagnosis
 from core.gap.choice import choose_experiment
@@ -25,9 +26,9 @@ def check_experiment_file(file: Path | None, cell: str | None) -> None:
     if file is None:
         return
     if cell is None:
-        raise BadInput("--experiment", "no cell to plan it in", "--cell CELL beside it")
+        raise BadInput("--experiment", "cli-experiment-without-cell")
     if not file.absolute().parent.is_dir():
-        raise BadInput(str(file), "a folder that does not exist", "a file in an existing folder")
+        raise BadInput(str(file), "cli-folder-missing")
 
 
 def plan_next(
@@ -36,7 +37,7 @@ def plan_next(
     """The diagnosis with its next motion planned in a cell, and that motion in a file where one is named."""
     if evidence is None or diagnosis.next_experiment is None:
         if file is not None:
-            messages.print(f"There is nothing to settle: {file} is not written.", highlight=False, soft_wrap=True)
+            messages.print(find_wording().say("cli-nothing-to-settle", file=str(file)), highlight=False, soft_wrap=True)
         return diagnosis
     known = cell.payloads.get(recording.payload or "")
     box = cell.payload_box if known is None else known.box
@@ -60,7 +61,7 @@ def read_request(file: Path, folder: Path | None, cell: Cell) -> tuple[Experimen
     """
     asked = read_experiment(file)
     if asked.cell != cell.name:
-        raise BadInput(f"{file}: cell", repr(asked.cell), f"{cell.name!r}, the cell that is to carry it out")
+        raise BadInput(f"{file}: cell", "cli-experiment-of-another-cell", found=asked.cell, cell=cell.name)
     if not asked.stops:
-        raise BadInput(f"{file}: stops", "none", f"a motion; what it asks for is {asked.motion}")
+        raise BadInput(f"{file}: stops", "cli-experiment-without-motion", motion=asked.motion)
     return asked, read_continued_recording(asked, folder)
