@@ -9,6 +9,7 @@ from core.effects.effect import Effect, Parameter
 from core.effects.rigid_body import rotation, wrench_change
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -20,7 +21,7 @@ class SensorRotation(Effect):
     """
 
     id = "sensor_rotation"
-    title = "a sensor that is mounted turned"
+    title = Message.of("effect-sensor-rotation-title")
     stage = "mounting"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -32,10 +33,7 @@ class SensorRotation(Effect):
         R, m = rotation(theta), scene.motion
         return w + wrench_change(scene, Motion(m.g @ R, m.a @ R, m.omega @ R, m.alpha @ R))
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises turning the sensor frame in the URDF, deg, or remounting the sensor."""
-        x, y, z = np.degrees(theta)
-        return (
-            f"Correct the sensor frame in the URDF: turn it by {x:+.2f}, {y:+.2f} and {z:+.2f} deg about its x, y and z axes, "
-            "or remount the sensor."
-        )
+        x, y, z = theta
+        return Message.of("advice-sensor-rotation", x_rad=x, y_rad=y, z_rad=z)
