@@ -166,12 +166,12 @@ def diagnosis_table(diagnosis: Diagnosis) -> Table:
 
 def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
     """Everything else that a person should read."""
-    lines = [diagnosis.where.sentence] if diagnosis.where and diagnosis.verdict != "no_gap" else []
+    lines = [diagnosis.where.message.text] if diagnosis.where and diagnosis.verdict != "no_gap" else []
     lines += [f"{' or '.join(tie.ids)}: {tie.why}. What would settle it: {tie.splits}." for tie in diagnosis.indistinguishable]
     lines += [_experiment_line(diagnosis.next_experiment)] if diagnosis.next_experiment else []
     lines += [_also_line(also) for also in diagnosis.also]
-    lines += [f"Minor: {minor.id}: {minor.sentence}" for minor in diagnosis.minor]
-    lines += [diagnosis.consequence] if diagnosis.consequence else []
+    lines += [f"Minor: {minor.id}: {minor.message}" for minor in diagnosis.minor]
+    lines += [diagnosis.consequence.text] if diagnosis.consequence else []
     lines += [f"To do: {diagnosis.effects[0].advice}"] if diagnosis.effects and diagnosis.verdict in ("explained", "ambiguous") else []
     return lines + [f"Not looked at: {limit}" for limit in diagnosis.limits]
 
@@ -179,7 +179,7 @@ def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
 def _also_line(also: Also) -> str:
     """What is seen elsewhere than in the wrench, and what to do about it where it matters."""
     advice = f" To do: {also.advice}" if also.material else " It does not matter."
-    return f"Also, {SIDES[also.side]}: {also.id}: {also.sentence}{advice}"
+    return f"Also, {SIDES[also.side]}: {also.id}: {also.message}{advice}"
 
 
 def _experiment_line(experiment: Experiment) -> str:

@@ -74,14 +74,14 @@ def write_diagnosis(file: Path, *, diagnosis: Diagnosis, overlay: Overlay | None
 
 
 def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
-    titles = {effect.id: effect.title for effect in diagnosis.effects}
+    titles = {effect.id: effect.title.text for effect in diagnosis.effects}
     return {
         "headline": HEADLINES[diagnosis.verdict],
         "verdict": diagnosis.verdict,
-        "summary": sentence(diagnosis.summary),
+        "summary": sentence(diagnosis.summary.text),
         "facts": _facts(diagnosis),
         "to_do": _to_do(diagnosis),
-        "consequence": sentence(diagnosis.consequence),
+        "consequence": "" if diagnosis.consequence is None else sentence(diagnosis.consequence.text),
         "where": None if diagnosis.where is None else _where(diagnosis.where),
         "has_closures": bool(diagnosis.effects or diagnosis.pairs),
         "explanations": [] if diagnosis.verdict == "not_enough" else explanation_rows(diagnosis, titles),
@@ -95,7 +95,7 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
         "payload_moved": diagnosis.payload is not None and diagnosis.payload.before != diagnosis.payload.after,
         "experiment": _experiment(diagnosis, titles),
         "twin": ", ".join(title_of(name, titles) for name in diagnosis.twin),
-        "limits": [_limit(limit, titles) for limit in diagnosis.limits if limit not in diagnosis.summary],
+        "limits": [sentence(limit.text) for limit in diagnosis.limits if limit.text not in diagnosis.summary.text],
         "seconds": f"{diagnosis.seconds:.1f}",
         "version": code_version(),
     }
@@ -124,7 +124,7 @@ def _facts(diagnosis: Diagnosis) -> list[Fact]:
 
 def _to_do(diagnosis: Diagnosis) -> list[str]:
     """What a person should do, most urgent first; about the wrench, then about what is seen elsewhere and matters."""
-    return [*_to_do_about_the_wrench(diagnosis), *(sentence(also.advice) for also in diagnosis.also if also.material)]
+    return [*_to_do_about_the_wrench(diagnosis), *(sentence(also.advice.text) for also in diagnosis.also if also.material)]
 
 
 def _to_do_about_the_wrench(diagnosis: Diagnosis) -> list[str]:
@@ -138,10 +138,10 @@ def _to_do_about_the_wrench(diagnosis: Diagnosis) -> list[str]:
     first = find_leading_explanation(diagnosis)
     ids = () if first is None else first.ids
     if diagnosis.verdict == "explained":
-        return [sentence(effect.advice) for effect in diagnosis.effects if effect.id in ids]
+        return [sentence(effect.advice.text) for effect in diagnosis.effects if effect.id in ids]
     tied = {name for tie in diagnosis.indistinguishable for joined in tie.ids for name in joined.split("+")}
     likely = [effect for effect in diagnosis.effects if effect.id in tied or effect.id in ids or effect.probability > LIKELY]
-    return [_settle(diagnosis), *(f"If it is {effect.title}: {sentence(effect.advice)}" for effect in likely[:NAMED])]
+    return [_settle(diagnosis), *(f"If it is {effect.title}: {sentence(effect.advice.text)}" for effect in likely[:NAMED])]
 
 
 def _settle(diagnosis: Diagnosis) -> str:
@@ -159,7 +159,7 @@ def _where(where: Where) -> dict[str, Any]:
     loud = {DIRECTIONS.get(name, _pose(name)): float(np.sqrt(max(0.0, square))) for name, square in squares.items()}
     loudest = max(loud.values(), default=0.0) or 1.0
     return {
-        "sentence": sentence(where.sentence),
+        "sentence": sentence(where.message.text),
         "phases": phases,
         "blocks": blocks,
         "listed": len(where.cells),
@@ -186,32 +186,26 @@ def _tie(tie: Tied, titles: dict[str, str]) -> dict[str, str]:
     return {
         "names": sentence(" or ".join(title_of(name, titles) for name in tie.ids)),
         "distance": f"{tie.distance_sigma:.1f} σ apart",
-        "why": sentence(tie.why),
-        "splits": sentence(tie.splits),
+        "why": sentence(tie.why.text),
+        "splits": sentence(tie.splits.text),
     }
-
-
-def _limit(limit: str, titles: dict[str, str]) -> str:
-    """`effect: reason` with the effect in words; any other text as it is."""
-    name, colon, reason = limit.partition(": ")
-    return sentence(f"{title_of(name, titles)}: {reason}" if colon and name.isidentifier() else limit)
 
 
 def _minor(minor: Minor, titles: dict[str, str]) -> dict[str, Any]:
     return {
         "title": sentence(title_of(minor.id, titles)).rstrip("."),
-        "sentence": sentence(minor.sentence),
+        "sentence": sentence(minor.message.text),
         "parameters": parameter_texts(minor.parameters),
     }
 
 
 def _also(also: Also) -> dict[str, Any]:
     return {
-        "title": sentence(also.title).rstrip("."),
-        "where": SIDES[also.side],
+        "title": sentence(also.title.text).rstrip("."),
+        "where": SIDES[also.side].text,
         "material": also.material,
         "times": "" if also.times_expected is None else f"{also.times_expected:.1f} times what is stated or tolerated",
-        "sentence": sentence(also.sentence),
+        "sentence": sentence(also.message.text),
         "parameters": parameter_texts(also.parameters),
     }
 
@@ -254,7 +248,7 @@ def _experiment(diagnosis: Diagnosis, titles: dict[str, str]) -> dict[str, Any] 
         return None
     splits = [" from ".join(title_of(name, titles) for name in pair) for pair in experiment.splits]
     return {
-        "motion": sentence(experiment.motion),
+        "motion": sentence(experiment.motion.text),
         "seconds": f"{experiment.seconds:.0f} s" if experiment.seconds > 0.0 else "",
         "splits": "; ".join(splits),
         "sigma": f"{experiment.sigma_before:.1f} σ now, {experiment.sigma_after:.0f} σ expected with both recordings",

@@ -91,8 +91,8 @@ class Leading:
 
 def find_leading_explanation(diagnosis: Diagnosis) -> Leading | None:
     """The most probable explanation; None where there is none."""
-    titles = {effect.id: effect.title for effect in diagnosis.effects}
-    singles = [Leading((e.id,), e.title, e.probability, e.closure, e.closure_interval) for e in diagnosis.effects]
+    titles = {effect.id: effect.title.text for effect in diagnosis.effects}
+    singles = [Leading((e.id,), e.title.text, e.probability, e.closure, e.closure_interval) for e in diagnosis.effects]
     pairs = [Leading(p.ids, title_of("+".join(p.ids), titles), p.probability, p.closure, None) for p in diagnosis.pairs]
     return max([*singles, *pairs], key=lambda one: one.probability, default=None)
 
@@ -188,7 +188,7 @@ def explanation_rows(diagnosis: Diagnosis, titles: Mapping[str, str]) -> list[Ex
             low, high = effect.closure_interval
             interval = f"{100 * low:.0f} to {100 * high:.0f} %"
             texts = parameter_texts(effect.parameters)
-            rows.append(_row(effect.title, effect.id, effect.probability, effect.closure, interval, effect.gap_after, texts))
+            rows.append(_row(effect.title.text, effect.id, effect.probability, effect.closure, interval, effect.gap_after, texts))
     for pair in diagnosis.pairs:
         if pair.probability >= SHOWN:
             title = title_of("+".join(pair.ids), titles)

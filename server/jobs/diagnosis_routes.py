@@ -12,6 +12,7 @@ from fastapi import APIRouter, Depends, Request, Response
 from starlette.status import HTTP_202_ACCEPTED
 
 from core.gap.answer import Diagnosis, Verdict
+from core.words.message import Message
 from server.cells.folder import CellsDep
 from server.http import downloads
 from server.http.dependencies import LimitQuery, NowDep, SettingsDep, StoreDep, set_accepted_headers
@@ -59,7 +60,7 @@ class DiagnosisAnswer(JobAnswer):
     verdict: Verdict | None
     named: str | None
     also: list[str]
-    summary: str | None
+    summary: Message | None
     result: Diagnosis | None
 
 
