@@ -102,7 +102,7 @@ class Effect(ABC):
 
     @abstractmethod
     def advice(self, scene: Scene, theta: Array) -> Message:
-        """What a person should do about it, one sentence in the imperative with the numbers in everyday units."""
+        """What a person should do about it, one sentence in the imperative with its figures."""
 
 
 @dataclass(frozen=True)

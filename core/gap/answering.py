@@ -84,7 +84,8 @@ def _gap(evidence: Evidence) -> GapPart:
 def _summarise(verdict: Verdict, evidence: Evidence) -> Message:
     match verdict:
         case "explained":
-            return Message.of("gap-explained", effects=_name(evidence.best), stages=_name_stages([evidence.best]))
+            best = evidence.attribution.explained[0][0]
+            return Message.of("gap-explained", effects=_name(best), stages=_name_stages([best]))
         case "ambiguous":
             fits = _find_open(evidence)
             effects = reduce(lambda first, second: Message.of("effect-or", first=first, second=second), map(_name, fits))

@@ -43,7 +43,7 @@ def with_effect(twin: Twin, cell: Cell, folder: Path, identifier: str, *, fit_al
         identifier: of the effect, or of two joined by a plus sign, which are fitted together.
 
     Raises:
-        BadTwin: no such effect, or the recording does not show it; the sentence says why.
+        BadTwin: no such effect, or the recording does not show it; its message says why.
         BadRecording: the recording cannot be read, or is of another cell.
     """
     chosen = find_effects(identifier)
