@@ -15,6 +15,7 @@ from core.gap.evidence import Evidence
 from core.gap.experiment_file import ExperimentFile, experiment_file, read_continued_recording, read_experiment, write_experiment
 from core.procedure.progress import watch
 from core.recording.recording import Recording
+from core.words.message import Message
 
 
 def check_experiment_file(file: Path | None, cell: str | None) -> None:
@@ -44,9 +45,9 @@ def plan_next(
     try:
         choice = watch(choose_experiment(cell, recording, evidence, box), messages)
     except Refused as reason:
-        answer = diagnosis.next_experiment.model_copy(update={"refused": str(reason), "refused_kind": slug(type(reason).__name__)})
+        answer = diagnosis.next_experiment.model_copy(update={"refused": reason.message, "refused_kind": slug(type(reason).__name__)})
     else:
-        refused = "" if choice.plan is not None else "it is not a motion"
+        refused = None if choice.plan is not None else Message.of("gap-no-motion-asked")
         answer = choice.proposal.answer.model_copy(update={"planned": choice.plan is not None, "refused": refused})
         if file is not None:
             write_experiment(experiment_file(choice, cell, recording, folder), file)

@@ -246,13 +246,13 @@ def diagnosis_table(diagnosis: Diagnosis) -> Table:
 def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
     """Everything else that a person should read."""
     words = find_wording()
-    lines = [words.quote(diagnosis.where.sentence)] if diagnosis.where and diagnosis.verdict != "no_gap" else []
+    lines = [words.quote(diagnosis.where.message)] if diagnosis.where and diagnosis.verdict != "no_gap" else []
     lines += [
         words.say("result-tie", effects=_either(tie.ids, words), reason=tie.why, splits=tie.splits) for tie in diagnosis.indistinguishable
     ]
     lines += [_experiment_line(diagnosis.next_experiment, words)] if diagnosis.next_experiment else []
     lines += [_also_line(also, words) for also in diagnosis.also]
-    lines += [words.say("result-minor", effect=minor.id, seen=minor.sentence) for minor in diagnosis.minor]
+    lines += [words.say("result-minor", effect=minor.id, seen=minor.message) for minor in diagnosis.minor]
     lines += [words.quote(diagnosis.consequence)] if diagnosis.consequence else []
     if diagnosis.effects and diagnosis.verdict in ("explained", "ambiguous"):
         lines.append(words.say("result-to-do", advice=diagnosis.effects[0].advice))
@@ -271,8 +271,8 @@ def _also_line(also: Also, words: Wording) -> str:
     """What is seen elsewhere than in the wrench, and what to do about it where it matters."""
     side = SIDES[also.side]
     if also.material:
-        return words.say("result-also-material", side=side, effect=also.id, seen=also.sentence, advice=also.advice)
-    return words.say("result-also-immaterial", side=side, effect=also.id, seen=also.sentence)
+        return words.say("result-also-material", side=side, effect=also.id, seen=also.message, advice=also.advice)
+    return words.say("result-also-immaterial", side=side, effect=also.id, seen=also.message)
 
 
 def _experiment_line(experiment: Experiment, words: Wording) -> str:
