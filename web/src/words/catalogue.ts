@@ -131,7 +131,7 @@ function fluentFunction(print: Print, language: Language) {
 }
 
 function printFixed(value: number, digits: number): string {
-  if (Math.abs(value) >= LARGEST_FIXED) return (BigInt(value) + `.${'0'.repeat(digits)}`).replace(/\.$/, '');
+  if (Math.abs(value) >= LARGEST_FIXED) return `${BigInt(value)}.${'0'.repeat(digits)}`.replace(/\.$/, '');
   const shown = roundToEven(value.toFixed(digits), value.toFixed(ALL_DECIMALS), digits);
   return /^-[0.]+$/.test(shown) ? shown.slice(1) : shown;
 }
