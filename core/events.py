@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict
 
 from core.errors import Lateness
+from core.words.message import Message
 
 
 class Event(BaseModel):
@@ -75,7 +76,7 @@ class RobotStopped(Event):
 
     kind: Literal["robot_stopped"] = "robot_stopped"
     error: str
-    message: str
+    message: Message
     restart: int
     final: bool
     held: bool = False

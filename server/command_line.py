@@ -9,6 +9,7 @@ import typer
 
 from core.cli.commands import EngineCommands
 from core.cli.terminal import HELP, answers, enter, start
+from core.words.catalogue import find_language
 
 app = typer.Typer(name="heft", cls=EngineCommands, help=HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
 app.callback()(start)
@@ -49,7 +50,7 @@ def verify(
     """Check that nothing in the audit log was changed, removed or put in between."""
     from server.serve import verify_audit  # noqa: PLC0415  the other commands need no store
 
-    answers.print(verify_audit(data, expect), highlight=False, soft_wrap=True)
+    answers.print(verify_audit(data, expect).say(find_language()), highlight=False, soft_wrap=True)
 
 
 def main() -> None:

@@ -19,13 +19,15 @@ from core.errors import BadInput
 from core.files.schema_flaw import schema_flaw
 from core.files.whole_file import write_whole
 from core.version import release_version
+from core.words.catalogue import find_language
+from core.words.message import Message
 from server.app import create_app
 from server.people import accounts, audit
 from server.people.accounts import Account
 from server.people.roles import Role
 from server.runner.priority import Priority, take
 from server.service import utc_now
-from server.settings import Settings
+from server.settings import STORE_FILE, Settings
 from server.store.store import Store
 from server.telemetry.logs import start_logging
 
@@ -94,7 +96,7 @@ def only_one(folder: Path) -> Iterator[None]:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as error:
-            raise BadInput(str(folder), "a service that runs on it already", "a folder of its own (--data DIR)") from error
+            raise BadInput(str(folder), "serve-data-in-use") from error
         yield
 
 
@@ -115,13 +117,17 @@ def greet(settings: Settings) -> None:
 def _greeting(settings: Settings, password: str | None) -> list[str]:
     """What a person reads who starts the service; the address stands last and alone."""
     address = f"http://{ANYWHERE.get(settings.host, settings.host)}:{settings.port}"
-    lines = [f"Heft {release_version()}, data in {settings.data.absolute()}"]
+    lines = [_say(Message.of("serve-started", version=release_version(), folder=str(settings.data.absolute())))]
     if password is None:
         return [*lines, "", f"  {address}"]
     # behind the `#`, which no browser sends: neither a server nor a proxy gets to log it
     link = f"{address}/#/first/{FIRST}/{password}"
-    first = f"First account: {FIRST}, password {password}"
-    return [*lines, first, "Open this address once; there you choose your own password:", "", f"  {link}"]
+    first = _say(Message.of("serve-first-account", account=FIRST, password=password))
+    return [*lines, first, _say(Message.of("serve-open-once")), "", f"  {link}"]
+
+
+def _say(message: Message) -> str:
+    return message.say(find_language())
 
 
 def first_account(store: Store) -> str | None:
@@ -136,15 +142,15 @@ def first_account(store: Store) -> str | None:
     return password
 
 
-def verify_audit(data: Path | None, expect: str | None = None) -> str:
+def verify_audit(data: Path | None, expect: str | None = None) -> Message:
     """Walks the audit log's chain.
 
     Raises:
         BadInput: the chain is broken, or does not contain the expected hash; or there is no store.
     """
     settings = read_settings(data=data)
-    if settings.database_url is None and not (settings.data / "heft.sqlite").is_file():
-        raise BadInput(str(settings.data), "no heft.sqlite", "the data folder of a service (--data DIR)")
+    if settings.database_url is None and not (settings.data / STORE_FILE).is_file():
+        raise BadInput(str(settings.data), "serve-no-store", file=STORE_FILE)
     store = Store(settings.store_url)
     seen = expect is None
     with store.read() as db:
@@ -153,7 +159,7 @@ def verify_audit(data: Path | None, expect: str | None = None) -> str:
     count, last, flaw = audit.verify_chain(chain)
     seen = seen or any(entry.hash == expect for entry in chain[:count])
     if flaw is not None:
-        raise BadInput("audit log", flaw, "an unbroken chain; restore the database from a backup and find out who had access to it")
+        raise flaw
     if not seen:
-        raise BadInput("audit log", f"{count} entries, none with the hash {expect}", "that entry; the log's end was cut off or replaced")
-    return f"audit log: {count} entries, unbroken; the last hash is {last}"
+        raise BadInput(audit.LOG, "people-audit-hash-missing", entries=count, hash=expect or "")
+    return Message.of("people-audit-unbroken", entries=count, hash=last)

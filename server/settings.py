@@ -17,6 +17,9 @@ def _split(value: object) -> object:
     return tuple(word.strip() for word in value.split(",") if word.strip()) if isinstance(value, str) else value
 
 
+STORE_FILE = "heft.sqlite"
+"""In the data folder, where no other database is set."""
+
 CommaSeparated = Annotated[tuple[str, ...], NoDecode, BeforeValidator(_split)]
 
 
@@ -70,5 +73,5 @@ class Settings(BaseSettings):
     @property
     def store_url(self) -> str:
         """SQLAlchemy's URL of the store, with the driver named."""
-        url = self.database_url or f"sqlite:///{(self.data / 'heft.sqlite').absolute()}"
+        url = self.database_url or f"sqlite:///{(self.data / STORE_FILE).absolute()}"
         return url.replace("postgresql://", "postgresql+pg8000://", 1).replace("postgres://", "postgresql+pg8000://", 1)

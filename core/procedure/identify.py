@@ -221,7 +221,7 @@ class Run:
     def _describe_stop(self, error: Stopped, *, final: bool, held: bool = False) -> RobotStopped:
         restart = self.restarts + (not held)  # a pause costs no attempt
         kind = type(error).__name__
-        return RobotStopped(error=kind, message=str(error), restart=restart, final=final, held=held, lateness=error.lateness)
+        return RobotStopped(error=kind, message=error.message, restart=restart, final=final, held=held, lateness=error.lateness)
 
     def _record_braking(self, log: SampleLog) -> Array:
         """Records the braking until the command stands still, and returns it."""

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from core.errors import Cause, Commanded, ControlLost, Held, HoldExpired, Lateness, Stopped
 from core.sessions.session import RobotSession, RobotState
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -103,10 +104,10 @@ class Lease:
         """An answer came, but the page behind it has not responded for so long."""
         self._page = (self._clock(), late_s)
 
-    def hold(self, lateness: Lateness | None = None, message: str = "") -> None:
-        """The robot is to pause: somebody asked for it, or something that only the service sees was late."""
-        if lateness is not None:
-            self._held = ControlLost(message, lateness)
+    def hold(self, lateness: Lateness | None = None, message: Message | None = None) -> None:
+        """The robot is to pause: somebody asked for it, or something that only the service sees was late, which the message tells."""
+        if lateness is not None and message is not None:
+            self._held = ControlLost(message.code, lateness, **message.parameters)
         else:
             self._held = Held("the robot was asked to pause; it keeps its place until it is told to go on.", value=1.0, limit=0.0)
 
@@ -114,9 +115,9 @@ class Lease:
         """It may go on, as far as the lease is valid."""
         self._held = None
 
-    def end(self, reason: str) -> None:
-        """The robot is to stop for good; `reason` is a sentence."""
-        self._ended = Commanded(reason, value=1.0, limit=0.0)
+    def end(self, reason: Message) -> None:
+        """The robot is to stop for good, and why."""
+        self._ended = Commanded(reason.code, value=1.0, limit=0.0, **reason.parameters)
 
     @property
     def held(self) -> bool:

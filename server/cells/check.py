@@ -19,12 +19,14 @@ from typing import Any
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.effects.library import library
-from core.errors import BadInput, BadRobot
+from core.errors import BadCell, BadInput, BadRobot
 from core.files.confinement import stay_here
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.twin.file import read_twin
 from server.cells.archive import CELL, UPLOAD, unpack_cell
+from server.http.flaws import dump_flaws
+from server.http.zip_file import UPLOADED
 
 SECONDS = 15.0
 MEMORY = 512_000_000  # bytes of private data
@@ -43,10 +45,9 @@ def check_upload(folder: Path) -> CheckAnswer:
         _build(cell)
         read_twin(cell)
     except BadInput as error:
-        flaws = [(each.where, each.found, each.expected) for each in (error, *error.others)]
-        return {"refused": type(error).__name__, "flaws": flaws[:MOST_FLAWS]}
+        return _refusal(error)
     except (MemoryError, RecursionError) as error:
-        return _refusal(f"more than can be checked ({type(error).__name__})")
+        return _refusal(BadCell(UPLOADED, "uploads-check-too-large", reason=type(error).__name__))
     return {"name": cell.name, "title": cell.title}
 
 
@@ -55,7 +56,7 @@ def _build(cell: Cell) -> None:
         robot = RobotModel.of_cell(cell)
         CollisionModel(cell, robot, cell.payload_box)
     except (ValueError, RuntimeError, IndexError, ArithmeticError) as error:  # Pinocchio's and Coal's own
-        raise BadRobot(cell.robot.urdf, f"a model that cannot be built ({str(error)[:200]})", "links and meshes that can") from error
+        raise BadRobot(cell.robot.urdf, "uploads-model-not-buildable", reason=str(error)[:200]) from error
 
 
 def confine(folder: Path) -> None:
@@ -71,9 +72,9 @@ def confine(folder: Path) -> None:
         if event == "open" and isinstance(arguments[0], str | bytes | os.PathLike):
             path = Path(os.fsdecode(arguments[0])).resolve()
             if not path.is_relative_to(inside) and not _belongs_to_program(path, arguments):
-                raise BadInput(str(path), "a file outside the upload's folder", "files inside it")
+                raise BadInput(str(path), "uploads-outside-file")
         elif event.startswith(FORBIDDEN):
-            raise BadInput("upload", f"an attempt at {event}", "a cell, which is data only")
+            raise BadInput(UPLOADED, "uploads-program", event=event)
 
     sys.addaudithook(watch)
 
@@ -122,12 +123,13 @@ def _read_outcome(child: int, read_fd: int) -> CheckAnswer:
         answer: CheckAnswer = json.loads(said)
         return answer
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGKILL, signal.SIGXCPU):
-        return _refusal(f"more than can be checked in {SECONDS:g} s")
-    return _refusal("something that ended the check (out of memory, or a mesh that cannot be read)")
+        return _refusal(BadCell(UPLOADED, "uploads-check-too-slow", limit_s=SECONDS))
+    return _refusal(BadCell(UPLOADED, "uploads-check-broken-off"))
 
 
-def _refusal(found: str) -> CheckAnswer:
-    return {"refused": "BadCell", "flaws": [("upload", found, "a cell of ordinary size")]}
+def _refusal(error: BadInput) -> CheckAnswer:
+    """In codes alone: nothing is worded where nothing may be read."""
+    return {"refused": type(error).__name__, "flaws": dump_flaws(error, MOST_FLAWS)}
 
 
 def main() -> None:

@@ -7,14 +7,16 @@ import json
 import shutil
 from pathlib import Path
 from threading import Lock
-from typing import Annotated
+from typing import Annotated, Any
 
 from core.cell.cell import CELL_FILE, TWIN_FILE, Cell
 from core.cell.folder import CellRead, list_cell_folders, read_cell_folder
 from core.errors import BadCell, BadInput, BadTwin, refuse, together
 from core.files.whole_file import write_whole
+from core.words.message import Message
 from server.http.dependencies import depend_on
 from server.http.errors import Conflict, NotFound
+from server.http.flaws import restore_flaw
 
 OLD, NEW = ".old-", ".new-"
 """What stands before the name of a folder while it is being replaced; no cell's name begins so."""
@@ -60,7 +62,7 @@ class CellFolder:
             NotFound: there is none of that name.
         """
         if name not in self.names():
-            raise NotFound("cell", name)
+            raise NotFound("request-cell-unknown", cell=name[:80])
 
     def load(self, name: str) -> Cell:
         """A cell, checked.
@@ -94,7 +96,7 @@ class CellFolder:
             raise together([self._shorten_paths(each) for each in (error, *error.others)]) from error
         if cell.name == name:
             return CellRead(cell, robot_flaws)
-        misnamed = BadCell(f"{name}/{CELL_FILE}: name", repr(cell.name), f"the name of its folder, {name!r}")
+        misnamed = BadCell(f"{name}/{CELL_FILE}: name", "uploads-cell-misnamed", name=cell.name, folder=name)
         return CellRead(cell.model_copy(update={"name": name}), (misnamed, *robot_flaws))
 
     def flaws(self, found: CellRead) -> list[BadInput]:
@@ -103,8 +105,7 @@ class CellFolder:
 
     def _shorten_paths(self, flaw: BadInput) -> BadInput:
         """A flaw whose files are named from the folder of the cells on: no screen needs to say where that is."""
-        where, found, expected = (text.replace(f"{self.folder}/", "") for text in (flaw.where, flaw.found, flaw.expected))
-        told = type(flaw)(where, found, expected)
+        told = restore_flaw(type(flaw), _replace_text(flaw.message, f"{self.folder}/", ""))
         told.in_the_way = flaw.in_the_way
         return told
 
@@ -132,7 +133,7 @@ class CellFolder:
                 file.unlink(missing_ok=True)
         except OSError as error:
             where = f"{name}/{TWIN_FILE}"
-            raise BadTwin(where, f"a folder that cannot be written ({error.strerror})", "one that the service may change") from error
+            raise BadTwin(where, "uploads-twin-not-writable", reason=error.strerror or "") from error
 
     def install(self, unpacked: Path, name: str, *, replace: bool) -> None:
         """Puts a checked folder into its place: all of it or nothing.
@@ -146,12 +147,24 @@ class CellFolder:
         place, old = self.folder / name, self.folder / f"{OLD}{name}"
         with self._replacing:
             if place.exists() and not replace:
-                raise Conflict(f"cell {name!r} exists already; PUT /api/cells/{name} replaces it")
+                raise Conflict("uploads-cell-exists", cell=name)
             if place.exists():
                 place.replace(old)
             unpacked.replace(place)
             if old.exists():
                 shutil.rmtree(old)
+
+
+def _replace_text(said: Any, old: str, new: str) -> Any:
+    """A message with other text in all that it names."""
+    match said:
+        case Message():
+            return Message(code=said.code, parameters={name: _replace_text(value, old, new) for name, value in said.parameters.items()})
+        case str():
+            return said.replace(old, new)
+        case [*values]:
+            return [_replace_text(each, old, new) for each in values]
+    return said
 
 
 def _stamp(folder: Path) -> Stamp:

@@ -14,6 +14,7 @@ from core.cell.cell import Cell
 from core.cell.folder import CellRead
 from core.errors import BadInput, BadTwin, HeftError
 from core.payload.shapes import Pose
+from core.words.message import Message
 from server.cells import zones
 from server.cells.archive import UPLOAD
 from server.cells.folder import CellFolder, CellsDep
@@ -22,7 +23,7 @@ from server.cells.twin_answer import twin_of
 from server.cells.uploads import CheckerDep, take_in, upload_folder
 from server.cells.zones import ZonePosition
 from server.http.dependencies import MetricsDep, NamePath, NowDep, StoreDep
-from server.http.problems import Flaw, list_flaws
+from server.http.flaws import Flaw, list_flaws
 from server.http.schemas import Answer
 from server.http.zip_body import ZIP, check_is_zip, write_body
 from server.people import audit
@@ -32,11 +33,11 @@ router = APIRouter(prefix="/api/cells", tags=["cells"])
 
 
 class CellListed(Answer):
-    """A cell; `flaw` says in a sentence why nothing can be planned in it now, `flaws` says all of it."""
+    """A cell; `flaw` says why nothing can be planned in it now, `flaws` says all of it."""
 
     name: str
     title: str | None
-    flaw: str | None
+    flaw: Message | None
     flaws: list[Flaw]
 
 
@@ -180,7 +181,7 @@ def _inspect(cells: CellFolder, db: Session, name: str) -> tuple[CellRead | None
 
 def _summarise(name: str, cell_read: CellRead | None, flaws: list[BadInput]) -> CellListed:
     title = None if cell_read is None else cell_read.cell.title
-    return CellListed(name=name, title=title, flaw=str(flaws[0]) if flaws else None, flaws=list_flaws(flaws))
+    return CellListed(name=name, title=title, flaw=flaws[0].message if flaws else None, flaws=list_flaws(flaws))
 
 
 def _place(row: ZonePosition, in_file: Pose) -> ZonePlace:

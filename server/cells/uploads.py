@@ -21,6 +21,7 @@ from server.cells.archive import CELL
 from server.cells.folder import NEW, CellFolder
 from server.http.dependencies import depend_on
 from server.http.errors import Unprocessable
+from server.http.flaws import load_flaws
 
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 
@@ -58,7 +59,7 @@ class CellChecker:
             answer = self._ask(folder)
         if "refused" in answer:
             kind: type[BadInput] = getattr(errors, answer["refused"])
-            raise errors.together([kind(*flaw) for flaw in answer["flaws"]])
+            raise errors.together(load_flaws(kind, answer["flaws"]))
         return str(answer["name"])
 
     def _begin(self) -> subprocess.Popen[str]:
@@ -82,7 +83,7 @@ class CellChecker:
         line = process.stdout.readline()
         if not line:
             process.wait(timeout=10)
-            raise Unprocessable("upload: the process that checks cells ended; nothing was changed, send it again")
+            raise Unprocessable("uploads-checker-ended")
         answer: dict[str, Any] = json.loads(line)
         return answer
 
@@ -111,7 +112,7 @@ def take_in(checker: CellChecker, cells: CellFolder, folder: Path, *, name: str 
     """
     found = checker.check(folder)
     if name is not None and found != name:
-        raise Unprocessable(f"upload: the cell calls itself {found!r}, not {name!r}; send it to /api/cells/{found}")
+        raise Unprocessable("uploads-other-cell", cell=found, name=name)
     cells.install(folder / CELL, found, replace=name is not None)
     return found
 

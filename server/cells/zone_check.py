@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import json
-
 from core.cell.cell import Cell
-from core.errors import BadCell
+from core.errors import BadCell, BadInput
 from server.http.errors import Unprocessable
+from server.http.flaws import load_flaws
 from server.runner.messages import Answered, Failed
 from server.runner.work import run_work
 
 
-def flaws_of_bodies(cell: Cell) -> list[BadCell]:
+def flaws_of_bodies(cell: Cell) -> list[BadInput]:
     """What stands in the way of the robot's base, or of its arm at home, with the payload box of the cell; takes some tenths of a second.
 
     Raises:
@@ -20,7 +19,7 @@ def flaws_of_bodies(cell: Cell) -> list[BadCell]:
     for word in run_work("server.runner.zone_checking", cell):
         match word:
             case Answered(text=text):
-                return [BadCell(*flaw) for flaw in json.loads(text)]
+                return load_flaws(BadCell, text)
             case Failed(message=message):
-                raise Unprocessable(message)
-    raise Unprocessable(f"zones of {cell.name}: nothing was looked at; send it again")
+                raise Unprocessable(message.code, **message.parameters)
+    raise Unprocessable("zone-not-looked-at", cell=cell.name)

@@ -48,7 +48,7 @@ def place_in_file(cell: Cell, zone: str) -> Pose:
     for each in cell.zones:
         if each.name == zone:
             return each.shape.pose
-    raise NotFound(f"zone of cell {cell.name!r}", zone)
+    raise NotFound("zone-unknown", cell=cell.name, zone=zone[:80])
 
 
 def move(db: Session, cell: Cell, zone: str, pose: Pose, measured_at: datetime, who: str, now: datetime) -> ZonePosition:
@@ -61,10 +61,7 @@ def move(db: Session, cell: Cell, zone: str, pose: Pose, measured_at: datetime, 
     place_in_file(cell, zone)
     row = db.get(ZonePosition, (cell.name, zone))
     if row is not None and measured_at <= row.measured_at:
-        raise Conflict(
-            f"zone {zone!r}: measured at {measured_at.isoformat()}, but its place at {row.measured_at.isoformat()} is known already; "
-            "send measurements in order"
-        )
+        raise Conflict("zone-measured-before", zone=zone, measured_at=measured_at.isoformat(), known_at=row.measured_at.isoformat())
     if row is None:
         row = ZonePosition(cell=cell.name, zone=zone, pose=place_in_file(cell, zone).model_dump_json(), moves=0)
         db.add(row)
@@ -86,9 +83,9 @@ def put_back(db: Session, cell: Cell, zone: str, to: Back, moves: int | None, wh
     in_file = place_in_file(cell, zone)
     row = db.get(ZonePosition, (cell.name, zone))
     if row is None:
-        raise Conflict(f"zone {zone!r}: is where the cell's file has it; there is nothing to undo")
-    if moves not in (None, row.moves):
-        raise Conflict(f"zone {zone!r}: has moved {row.moves} times, not {moves}; look where it is now and ask again")
+        raise Conflict("zone-not-moved", zone=zone)
+    if moves is not None and moves != row.moves:
+        raise Conflict("zone-moved-on", zone=zone, moves=row.moves, seen_moves=moves)
     _put(row, in_file if to == "file" else before(row, in_file), who, now)
     return row
 

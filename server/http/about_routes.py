@@ -1,7 +1,8 @@
-"""The service about itself: health, figures, its own description, its kinds of problems."""
+"""The service about itself: health, figures, its own description, its problems."""
 
 from __future__ import annotations
 
+from http import HTTPStatus
 from typing import Any, Literal
 
 from fastapi import APIRouter, Request, Response
@@ -9,8 +10,9 @@ from fastapi import APIRouter, Request, Response
 from core.version import release_version
 from server.http.dependencies import MetricsDep, StoreDep
 from server.http.errors import NotFound
-from server.http.problems import kinds_by_name
+from server.http.problems import ProblemType, kinds_by_name
 from server.http.schemas import Answer
+from server.http.situations import list_kinds, read_words
 from server.telemetry.metrics import CONTENT_TYPE
 
 router = APIRouter(tags=["service"])
@@ -24,13 +26,23 @@ class Health(Answer):
     safety_rated: Literal[False] = False
 
 
-class ProblemKind(Answer):
-    """A kind of problem."""
+class ProblemDescribed(Answer):
+    """A problem, or a kind of problems.
+
+    Args:
+        kinds: of which kind it may be; empty where the engine raises it, whose problems say so themselves.
+        status: of the answer; null where the kind decides.
+        words: in English, as the catalogue has them (projectfluent.org); null for a kind.
+        parameters: names of what the words name.
+    """
 
     type: str
+    kinds: list[str]
     title: str
-    status: int
+    status: int | None
     meaning: str
+    words: str | None
+    parameters: list[str]
 
 
 @router.get("/health")
@@ -53,10 +65,20 @@ def read_openapi(request: Request) -> dict[str, Any]:
     return found
 
 
-@router.get("/problems/{kind}")
-def read_problem_kind(kind: str) -> ProblemKind:
-    """What a problem's `type` means."""
-    known = kinds_by_name().get(kind)
-    if known is None:
-        raise NotFound("kind of problem", kind)
-    return ProblemKind(type=f"/problems/{kind}", title=known.title, status=known.status, meaning=known.meaning)
+@router.get("/problems/{code}")
+def read_problem(code: str) -> ProblemDescribed:
+    """What a problem's `type` means, and what its `kind` does."""
+    known, words = kinds_by_name(), read_words().get(code)
+    if words is None and code not in known:
+        raise NotFound("request-problem-unknown", problem=code[:80])
+    kinds = [code] if words is None else list_kinds(code)
+    kind = known[kinds[0]] if kinds else ProblemType(HTTPStatus.INTERNAL_SERVER_ERROR, "A message of the engine")
+    return ProblemDescribed(
+        type=f"/problems/{code}",
+        kinds=kinds,
+        title=kind.title,
+        status=kind.status if kinds else None,
+        meaning=kind.meaning,
+        words=None if words is None else words.source,
+        parameters=[] if words is None else list(words.names),
+    )

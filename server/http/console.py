@@ -71,7 +71,7 @@ class Console:
             file = (assets / path).resolve()
             if file.is_relative_to(assets) and file.is_file():
                 return FileResponse(file, headers=HEADERS | FOR_GOOD)
-        raise NotFound("file of the console", path)
+        raise NotFound("request-console-file-unknown", path=path[:80])
 
 
 ConsoleDep = Annotated[Console, depend_on("console")]

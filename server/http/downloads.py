@@ -10,6 +10,7 @@ from typing import Any
 
 from fastapi.responses import FileResponse, Response, StreamingResponse
 
+from core.words.message import Message
 from server.http.errors import Conflict
 
 CHUNK = 1 << 18
@@ -20,26 +21,26 @@ HARMLESS = {"Content-Security-Policy": "sandbox; default-src 'none'; style-src '
 """Names in a report come from cells and recordings that somebody sent in."""
 
 
-def send_zip(folder: Path, name: str, missing: str) -> StreamingResponse:
+def send_zip(folder: Path, name: str, missing: Message) -> StreamingResponse:
     """A folder of plain files as `name`.zip, which unpacks into a folder of that name.
 
     Raises:
         Conflict: there is no such folder; `missing` says why and what to do.
     """
     if not folder.is_dir():
-        raise Conflict(missing)
+        raise Conflict(missing.code, **missing.parameters)
     headers = {"Content-Disposition": f'attachment; filename="{name}.zip"'}
     return StreamingResponse(_chunks(folder, name), media_type="application/zip", headers=headers)
 
 
-def page(file: Path, name: str, missing: str) -> FileResponse:
+def page(file: Path, name: str, missing: Message) -> FileResponse:
     """A report as `name`.html.
 
     Raises:
         Conflict: there is no such file; `missing` says why and what to do.
     """
     if not file.is_file():
-        raise Conflict(missing)
+        raise Conflict(missing.code, **missing.parameters)
     return FileResponse(file, media_type="text/html", filename=f"{name}.html", headers=HARMLESS)
 
 

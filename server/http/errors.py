@@ -17,6 +17,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from core.errors import HeftError
+from core.words.message import Parameter
 
 
 class ServiceError(HeftError):
@@ -32,27 +33,20 @@ class NotAllowed(ServiceError):
 
 
 class NotFound(ServiceError):
-    """There is no such thing.
-
-    Args:
-        kind: what was looked for, for example "cell".
-        name: the name that was asked for.
-    """
-
-    def __init__(self, kind: str, name: str) -> None:
-        super().__init__(f"{kind}: there is none called {name[:80]!r}. List what there is and ask again.")
+    """There is no such thing."""
 
 
 class Conflict(ServiceError):
     """It does not go with the state that things are in.
 
     Args:
-        message: what, and which states or commands would do.
+        code: the message that says what, and which states or commands would do.
         allowed: the commands that would be accepted now.
+        parameters: what the message names.
     """
 
-    def __init__(self, message: str, allowed: Sequence[str] = ()) -> None:
-        super().__init__(message)
+    def __init__(self, code: str, /, allowed: Sequence[str] = (), **parameters: Parameter) -> None:
+        super().__init__(code, **parameters)
         self.allowed = tuple(allowed)
 
 
@@ -68,11 +62,13 @@ class TooMany(ServiceError):
     """Asked too often.
 
     Args:
+        code: the message, which may name `retry_after_s`.
         retry_after_s: when to ask again.
+        parameters: what else the message names.
     """
 
-    def __init__(self, message: str, retry_after_s: float) -> None:
-        super().__init__(message)
+    def __init__(self, code: str, /, retry_after_s: float, **parameters: Parameter) -> None:
+        super().__init__(code, retry_after_s=retry_after_s, **parameters)
         self.retry_after_s = retry_after_s
 
 

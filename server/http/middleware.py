@@ -69,6 +69,14 @@ class Requests:
         log.info("request", extra=fields | ({} if caller is None else {"who": caller.who}))
 
 
+class BodyTooLargeError(HTTPException):
+    """A body that is larger than it may be; in the middle of reading it the web framework lets no other error through."""
+
+    def __init__(self, limit_bytes: int) -> None:
+        super().__init__(HTTPStatus.REQUEST_ENTITY_TOO_LARGE)
+        self.limit_bytes = limit_bytes
+
+
 class BodyLimit:
     """Refuses bodies that are larger than they may be, also where no length was announced."""
 
@@ -90,7 +98,7 @@ class BodyLimit:
             message = await receive()
             taken += len(message.get("body", b""))
             if taken > limit:
-                raise HTTPException(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, f"the body exceeds {limit} bytes")
+                raise BodyTooLargeError(limit)
             return message
 
         await self.app(scope, receive_limited, send)

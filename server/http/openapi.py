@@ -9,6 +9,7 @@ from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
 from server.http.problems import MEDIA_TYPE, ProblemDetails
+from server.http.situations import NESTED, SITUATIONS, describe_parameter, read_words
 
 Json = dict[str, Any]
 Authority = Mapping[str, frozenset[Any] | None]
@@ -48,10 +49,57 @@ def _build_description(app: FastAPI, authority: Authority) -> Json:
     schemas = found.setdefault("components", {}).setdefault("schemas", {})
     schemas.pop("HTTPValidationError", None)
     schemas.pop("ValidationError", None)
-    problem = ProblemDetails.model_json_schema(ref_template=f"{REF}{{model}}")
-    schemas |= problem.pop("$defs") | {"Problem": problem}
+    schemas |= describe_problems()
     found["components"]["securitySchemes"] = SECURITY
     return found
+
+
+def describe_problems() -> Json:
+    """The schema of any problem: one for each situation of the service, with what it names, and one for all of the engine's."""
+    base = ProblemDetails.model_json_schema(ref_template=f"{REF}{{model}}")
+    kinds: dict[str, list[str]] = {}
+    for kind, codes in SITUATIONS.items():
+        for code in codes:
+            kinds.setdefault(code, []).append(kind)
+    own = {"".join(word.title() for word in f"{code}-problem".split("-")): code for code in kinds}
+    refs = {f"/problems/{code}": f"{REF}{name}" for name, code in own.items()}
+    rooms = "|".join(sorted({code.partition("-")[0] for code in kinds}))
+    return {
+        **base.pop("$defs"),
+        NESTED: {
+            "description": "A message that another one names.",
+            "type": "object",
+            "properties": {"code": {"type": "string"}, "parameters": {"type": "object", "additionalProperties": True}},
+            "required": ["code", "parameters"],
+        },
+        "ProblemDetails": base,
+        **{name: _describe_problem(code, kinds[code]) for name, code in own.items()},
+        "EngineProblem": {
+            "description": "What the engine refuses, whose situations are many; `kind` tells of which kind it is.",
+            "allOf": [{"$ref": f"{REF}ProblemDetails"}],
+            "properties": {"type": {"type": "string", "pattern": f"^/problems/(?!({rooms})-)"}},
+        },
+        "Problem": {
+            "oneOf": [{"$ref": ref} for ref in (*refs.values(), f"{REF}EngineProblem")],
+            "discriminator": {"propertyName": "type", "mapping": refs},
+        },
+    }
+
+
+def _describe_problem(code: str, kinds: list[str]) -> Json:
+    words = read_words()[code]
+    parameters = {name: describe_parameter(name, REF) for name in words.names}
+    return {
+        "description": words.source,
+        "allOf": [{"$ref": f"{REF}ProblemDetails"}],
+        "type": "object",
+        "properties": {
+            "type": {"const": f"/problems/{code}"},
+            "kind": {"enum": kinds},
+            **({"parameters": {"type": "object", "properties": parameters, "required": list(parameters)}} if parameters else {}),
+        },
+        "required": ["type", "kind", "parameters"],
+    }
 
 
 def operations(description: Json) -> Iterator[tuple[str, Json]]:

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
 from dataclasses import replace
 from http import HTTPStatus
-from typing import Any
 
 from fastapi import FastAPI, WebSocket
 from fastapi.exceptions import RequestValidationError
@@ -16,17 +14,13 @@ from starlette.exceptions import HTTPException
 from starlette.requests import HTTPConnection
 
 from core.errors import HeftError
-from core.files.schema_flaw import schema_flaw
+from core.words.message import Message
 from server.http.errors import StoreUnavailable
-from server.http.problems import HTTP_KINDS, MEDIA_TYPE, Flaw, ProblemDetails, headers_of, kinds_by_name, problem, problem_of
+from server.http.flaws import flaw_of, list_request_messages
+from server.http.middleware import BodyTooLargeError
+from server.http.problems import HTTP_KINDS, MEDIA_TYPE, ProblemDetails, headers_of, kinds_by_name, problem, problem_of
 
 log = logging.getLogger("heft.problems")
-
-NEXT_STEPS = {
-    HTTPStatus.NOT_FOUND: ("not-found", "there is nothing at this address; GET /openapi.json lists what there is"),
-    HTTPStatus.METHOD_NOT_ALLOWED: ("method-not-allowed", "this address does not know the method; see `allowed`"),
-    HTTPStatus.REQUEST_ENTITY_TOO_LARGE: ("too-large", "the body is too large; send a smaller one"),
-}
 
 
 def answer_with_problems(app: FastAPI) -> None:
@@ -46,36 +40,43 @@ async def _answer_heft_error(connection: HTTPConnection, error: Exception) -> JS
 
 async def _answer_validation_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     assert isinstance(error, RequestValidationError)
-    flaws = list_request_flaws(error.errors())
-    kind = HTTP_KINDS["bad-request"]
+    kind, found = HTTP_KINDS["bad-request"], list_request_messages(error.errors())
+    flaw, more, flaws = found[0], len(found) - 1, [flaw_of(each) for each in found]
     if any(each["type"] == "json_invalid" for each in error.errors()):
         kind = replace(kind, status=HTTPStatus.BAD_REQUEST)
-    detail = "; ".join(f"{flaw.where}: found {flaw.found}, expected {flaw.expected}" for flaw in flaws[:3])
-    return await _send(connection, problem("bad-request", kind, detail, flaws=flaws))
+        return await _send(connection, problem(Message.of("request-no-json", flaw=flaw), "bad-request", kind, flaws=flaws))
+    return await _send(connection, problem(Message.of("request-unfit", flaw=flaw, more=more), "bad-request", kind, flaws=flaws))
 
 
 async def _answer_http_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     assert isinstance(error, HTTPException)
     status = HTTPStatus(error.status_code)
-    name, next_step = NEXT_STEPS.get(status, ("http-error", str(error.detail)))
-    kind = replace(kinds_by_name()[name], status=status)
+    name, message = _explain_http_error(error, connection.scope.get("method", "websocket"), connection.scope["path"][:120])
     allow = (error.headers or {}).get("Allow")
-    method, path = connection.scope.get("method", "websocket"), connection.scope["path"]
     allowed = sorted(allow.split(", ")) if allow else None
-    found = problem(name, kind, f"{method} {path[:120]}: {next_step}", allowed=allowed)
+    found = problem(message, name, replace(kinds_by_name()[name], status=status), allowed=allowed)
     return await _send(connection, found, dict(error.headers or {}))
+
+
+def _explain_http_error(error: HTTPException, method: str, path: str) -> tuple[str, Message]:
+    """What the web framework refused: its kind and its message."""
+    if isinstance(error, BodyTooLargeError):
+        return "too-large", Message.of("request-body-too-large", method=method, path=path, limit_bytes=error.limit_bytes)
+    if error.status_code == HTTPStatus.NOT_FOUND:
+        return "not-found", Message.of("request-address-unknown", method=method, path=path)
+    if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
+        return "method-not-allowed", Message.of("request-method-not-allowed", method=method, path=path)
+    return "http-error", Message.of("request-refused", method=method, path=path, reason=str(error.detail)[:200])
 
 
 async def _answer_store_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     log.error("store", exc_info=error)
-    detail = "the database is locked, full or away; nothing was changed. Try again; if it stays so, see the service's log"
-    return await _send(connection, problem_of(StoreUnavailable(detail)))
+    return await _send(connection, problem_of(StoreUnavailable("store-unavailable")))
 
 
 async def _answer_unexpected_error(connection: HTTPConnection, error: Exception) -> JSONResponse:
     log.error("unexpected", exc_info=error)
-    detail = "an error that was not foreseen; the service's log has it under request_id"
-    return await _send(connection, problem("internal-error", HTTP_KINDS["internal-error"], detail))
+    return await _send(connection, problem(Message.of("request-unforeseen"), "internal-error", HTTP_KINDS["internal-error"]))
 
 
 async def _send(connection: HTTPConnection, found: ProblemDetails, headers: dict[str, str] | None = None) -> JSONResponse:
@@ -84,12 +85,3 @@ async def _send(connection: HTTPConnection, found: ProblemDetails, headers: dict
     if isinstance(connection, WebSocket):
         await connection.send_denial_response(answer)
     return answer
-
-
-def list_request_flaws(found: Sequence[Any]) -> list[Flaw]:
-    """Pydantic's errors as ours; secrets are not repeated."""
-    flaws = [schema_flaw(each) for each in found]
-    return [
-        Flaw(where=key, found="a value that is not shown" if "password" in key else told, expected=expected)
-        for key, told, expected in flaws
-    ]

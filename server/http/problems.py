@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from http import HTTPStatus
 from math import ceil
@@ -12,35 +11,37 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from core import errors as core_errors
 from core.errors import BadInput, HeftError, Stopped, slug
+from core.words.message import Message
 from server.http import errors
+from server.http.flaws import Flaw, list_flaws
 from server.telemetry.request_context import request_id
 
 MEDIA_TYPE = "application/problem+json"
 STORE_RETRY_S = 1.0
 
 
-class Flaw(BaseModel):
-    """One thing that cannot be used: in the request, or in a cell."""
-
-    where: str
-    found: str
-    expected: str
-
-
 class ProblemDetails(BaseModel):
-    """What went wrong; `type` names the kind, `detail` is a sentence for a person."""
+    """What went wrong.
+
+    Args:
+        type: address of what describes it, `/problems/{code}`: one for each situation.
+        detail: it in English.
+        kind: for programs that know no single situations: few, and stable.
+        parameters: what the words of the situation name; numbers in SI with the unit in their name.
+    """
 
     model_config = ConfigDict(
         extra="forbid",
         json_schema_extra={
             "examples": [
                 {
-                    "type": "/problems/bad-cell",
-                    "title": "The cell cannot be used",
-                    "status": 422,
-                    "detail": "cell.toml: limits.clearance_m: found -0.1, expected greater than 0",
+                    "type": "/problems/zone-not-moved",
+                    "title": "It does not go with the present state",
+                    "status": 409,
+                    "detail": 'zone "operator": is where the cell\'s file has it; there is nothing to undo',
+                    "kind": "conflict",
+                    "parameters": {"zone": "operator"},
                     "request_id": "4f1c2a9be7d34a06",
-                    "flaws": [{"where": "cell.toml: limits.clearance_m", "found": "-0.1", "expected": "greater than 0"}],
                 }
             ]
         },
@@ -50,6 +51,8 @@ class ProblemDetails(BaseModel):
     title: str
     status: int
     detail: str
+    kind: str
+    parameters: dict[str, Any] = Field(default_factory=dict)
     request_id: str
     flaws: list[Flaw] = Field(default_factory=list)
     value: float | None = None
@@ -119,7 +122,7 @@ HTTP_KINDS: dict[str, ProblemType] = {
 
 
 def kinds_by_name() -> dict[str, ProblemType]:
-    """Every kind under the last part of its `type`."""
+    """Every kind under its name."""
     ours = {slug(error.__name__): replace(kind, meaning=(error.__doc__ or "").partition("\n")[0]) for error, kind in KINDS.items()}
     return ours | HTTP_KINDS
 
@@ -143,18 +146,25 @@ def problem_of(error: HeftError) -> ProblemDetails:
         more["retry_after_s"] = error.retry_after_s
     if isinstance(error, errors.Conflict) and error.allowed:
         more["allowed"] = list(error.allowed)
-    return problem(slug(known.__name__), kind, str(error), **more)
+    return problem(error.message, slug(known.__name__), kind, **more)
 
 
-def list_flaws(errors: Iterable[BadInput]) -> list[Flaw]:
-    """What is wrong, as an answer tells it."""
-    return [Flaw(where=each.where, found=each.found, expected=each.expected) for each in errors]
+def problem(message: Message, name: str, kind: ProblemType, **more: Any) -> ProblemDetails:
+    """A problem of the request at hand.
 
-
-def problem(type_name: str, kind: ProblemType, detail: str, **more: Any) -> ProblemDetails:
-    """A problem of the request at hand."""
+    Args:
+        message: which situation it is.
+        name: of its kind.
+    """
     return ProblemDetails(
-        type=f"/problems/{type_name}", title=kind.title, status=kind.status, detail=detail, request_id=request_id.get(), **more
+        type=f"/problems/{message.code}",
+        title=kind.title,
+        status=kind.status,
+        detail=str(message),
+        kind=name,
+        parameters=message.model_dump(mode="json", include={"parameters"})["parameters"],
+        request_id=request_id.get(),
+        **more,
     )
 
 

@@ -9,6 +9,7 @@ import anyio
 from fastapi import Request
 
 from server.http.errors import Unprocessable
+from server.http.zip_file import What
 
 ZIP: dict[str, Any] = {
     "requestBody": {"required": True, "content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}}}
@@ -16,7 +17,7 @@ ZIP: dict[str, Any] = {
 """How OpenAPI describes it."""
 
 
-def check_is_zip(request: Request, what: str) -> None:
+def check_is_zip(request: Request, what: What) -> None:
     """The request says that it brings a zip of the folder of `what`.
 
     Raises:
@@ -24,7 +25,7 @@ def check_is_zip(request: Request, what: str) -> None:
     """
     kind = request.headers.get("content-type", "")
     if kind.partition(";")[0] != "application/zip":
-        raise Unprocessable(f"Content-Type: found {kind[:60]!r}, expected application/zip; send a zip of the {what}'s folder")
+        raise Unprocessable("uploads-no-zip", found=kind[:60], what=what)
 
 
 async def write_body(request: Request, archive: Path) -> None:

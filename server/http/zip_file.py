@@ -6,21 +6,31 @@ import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Literal
 
 from core.errors import BadInput
+from core.words.message import Message
 
 BROKEN = (zipfile.BadZipFile, NotImplementedError, EOFError, OSError, ValueError, RuntimeError)
 """What `zipfile` raises at a zip that is cut short, forged, encrypted, or packed in a way that it does not know."""
 CHUNK = 1 << 16
+UPLOADED = Message.of("uploads-upload")
+"""Where something is that is wrong with a whole upload."""
+What = Literal["cell", "recording"]
+
+
+def locate_file(name: str) -> Message:
+    """Where something is that is wrong with one file of an upload."""
+    return Message.of("uploads-file", name=name[:80])
 
 
 @contextmanager
-def open_zip(archive: Path, kind: type[BadInput], expected: str) -> Iterator[zipfile.ZipFile]:
+def open_zip(archive: Path, kind: type[BadInput], what: What) -> Iterator[zipfile.ZipFile]:
     """The zip, to be looked at and unpacked inside.
 
     Args:
         kind: of the refusal.
-        expected: what the zip should have been.
+        what: whose folder the zip should have been.
 
     Raises:
         BadInput: of that kind, where the zip or one of its entries cannot be read.
@@ -29,7 +39,7 @@ def open_zip(archive: Path, kind: type[BadInput], expected: str) -> Iterator[zip
         with zipfile.ZipFile(archive) as opened:
             yield opened
     except BROKEN as error:
-        raise kind("upload", f"a zip that cannot be unpacked ({str(error)[:120]})", expected) from error
+        raise kind(UPLOADED, "uploads-not-unpackable", reason=str(error)[:120], what=what) from error
 
 
 def write_entry(zip_file: zipfile.ZipFile, entry: zipfile.ZipInfo, target: Path, *, max_bytes: int, too_much: BadInput) -> int:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Any, Self
 
+from core.words.message import Message
 from server.http.schemas import Answer
 from server.jobs.jobs import JobStatus, Worker
+from server.runs.reason import read_reason
 from server.runs.tables import JobRow
 
 
@@ -20,7 +22,7 @@ class JobAnswer(Answer):
 
     state: JobStatus
     progress: float
-    reason: str | None
+    reason: Message | None
     reason_kind: str | None
     requested_by: str
     requested_at: datetime
@@ -36,7 +38,7 @@ class JobAnswer(Answer):
         return cls(
             state=JobStatus(row.state),
             progress=1.0 if row.state == JobStatus.done else worker.progress.get(row.id, 0.0),
-            reason=row.reason,
+            reason=read_reason(row),
             reason_kind=row.reason_kind,
             requested_by=row.requested_by,
             requested_at=row.requested_at,

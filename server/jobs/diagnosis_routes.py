@@ -12,6 +12,7 @@ from fastapi import APIRouter, Depends, Request, Response
 from starlette.status import HTTP_202_ACCEPTED
 
 from core.gap.answer import Diagnosis, Verdict
+from core.words.message import Message
 from server.cells.folder import CellsDep
 from server.http import downloads
 from server.http.dependencies import LimitQuery, NowDep, SettingsDep, StoreDep, set_accepted_headers
@@ -91,7 +92,7 @@ def diagnose_run(
     folder = settings.recordings_folder / body.run / RECORDING
     row = conductor.row_of(body.run)
     if not folder.is_dir():
-        raise Conflict(f"run {body.run}: has no recording, it is in {row.state}; wait for its end")
+        raise Conflict("runs-no-recording", run=body.run, state=row.state)
     return _queue(store, diagnoses, DiagnosisOrder(recording=folder.absolute(), run=body.run, cell=row.cell), caller.who, now, response)
 
 
@@ -144,7 +145,7 @@ def read_overlay(diagnosis: str, store: StoreDep, settings: SettingsDep) -> Over
         row = jobs.load_job(db, DIAGNOSIS, diagnosis)
     file = locate_overlay(settings, diagnosis)
     if not file.is_file():
-        raise Conflict(f"diagnosis {diagnosis}: has nothing to overlay, it is {row.state}; a done one has, if there was enough to compare")
+        raise Conflict("jobs-no-overlay", job=diagnosis, state=row.state)
     return OverlayAnswer.model_validate_json(file.read_bytes())
 
 
@@ -153,7 +154,7 @@ def download_diagnosis_report(diagnosis: str, store: StoreDep, settings: Setting
     """The diagnosis as a page."""
     with store.read() as db:
         row = jobs.load_job(db, DIAGNOSIS, diagnosis)
-    missing = f"diagnosis {diagnosis}: has no report, it is {row.state}; a report comes with a diagnosis that is done"
+    missing = Message.of("jobs-no-report", job=diagnosis, state=row.state)
     return downloads.page(locate_report(settings, diagnosis), f"diagnosis-{diagnosis}", missing)
 
 

@@ -21,7 +21,7 @@ from server.http.errors import Conflict, NotFound
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.work import Work
 from server.runs.ledger import new_id
-from server.runs.reason import Reason, explain_cancellation, explain_error, explain_failure, set_reason
+from server.runs.reason import Reason, dump_message, explain_cancellation, explain_error, explain_failure, set_reason
 from server.runs.tables import JobRow
 from server.store.store import Store
 
@@ -81,7 +81,7 @@ def load_job(db: Session, kind: str, job: str) -> JobRow:
     """
     row = db.get(JobRow, job)
     if row is None or row.kind != kind:
-        raise NotFound(kind, job)
+        raise NotFound("jobs-unknown", kind=kind, job=job[:80])
     return row
 
 
@@ -94,7 +94,7 @@ def cancel(db: Session, kind: str, job: str, who: str, now: datetime) -> JobRow:
     """
     row = load_job(db, kind, job)
     if row.state not in UNDER_WAY:
-        raise Conflict(f"{kind} {job}: it is {row.state}; only what waits or runs can be cancelled")
+        raise Conflict("jobs-over", kind=kind, job=job, state=row.state)
     row.state, row.ended_at = JobStatus.cancelled, now
     set_reason(row, explain_cancellation(who))
     return row
@@ -193,7 +193,7 @@ class Worker:
             return load_job(db, self._kind.name, job).state == JobStatus.running
 
     def _fail(self, job: str, reason: Reason) -> None:
-        self._end(job, JobStatus.failed, reason=reason.sentence, reason_kind=reason.kind)
+        self._end(job, JobStatus.failed, reason=dump_message(reason.message), reason_kind=reason.kind)
 
     def _end(self, job: str, state: JobStatus, **changes: str) -> None:
         self._change(job, state=state, ended_at=self._now(), **changes)

@@ -39,7 +39,7 @@ def queue_motion(
         continued = None if motion.continues is None else run_ledger.load_run(db, motion.continues)
     cell = DiagnosisOrder.model_validate_json(diagnosed.order).cell
     if cell is None:
-        raise Conflict(f"diagnosis {diagnosis}: its recording was made in no cell of this service; upload it again with ?cell=")
+        raise Conflict("jobs-no-cell", job=diagnosis)
     order = make_motion_order(motion, continued, cells.read(cell).cell, body)
     same = f"{diagnosis} {body.model_dump_json()}".encode()
     return queue_once(store, conductor, response, RunRequest(caller.who, now, idempotency_key, same), order, motion)

@@ -58,49 +58,53 @@ def make_motion_order(motion: ProposedMotion, continued: RunRow | None, cell: Ce
     Raises:
         Conflict: the recording is gone, the cell has another robot by now, or the payload is not the diagnosed one.
     """
-    known = f"diagnosis {motion.diagnosis}"
     if not motion.recording.is_dir():
-        raise Conflict(f"{known}: its recording is gone; diagnose another run")
+        raise Conflict("jobs-recording-gone", job=motion.diagnosis)
     manifest = read_manifest(motion.recording)
     _check_same_robot(motion, manifest, cell)
     payload = manifest.payload if continued is None else continued.payload
+    if payload is None:
+        raise Conflict("jobs-payload-unnamed", job=motion.diagnosis, cell=cell.name)
     if payload not in cell.payloads:
-        raise Conflict(
-            f"{known}: payload {payload or 'without a name'!r} is none that cell {cell.name!r} knows; make a run with one it knows"
-        )
-    if body.payload not in (None, payload):
-        raise Conflict(f"{known}: was made with payload {payload!r}, not with {body.payload!r}; put {payload!r} back on")
+        raise Conflict("jobs-payload-unknown", job=motion.diagnosis, payload=payload, cell=cell.name)
+    if body.payload is not None and body.payload != payload:
+        raise Conflict("jobs-payload-differs", job=motion.diagnosis, payload=payload, given_payload=body.payload)
     before = RunOrder.model_validate({"cell": cell.name}) if continued is None else RunOrder.model_validate_json(continued.order)
     seed = (before.seed + 1) % 2**31 if body.seed is None else body.seed
     return before.model_copy(update={"payload": payload, "planner": body.planner, "seed": seed, "pace": body.pace})
 
 
 def _stops(diagnosed: JobRow) -> tuple[Stop, ...]:
-    known = f"diagnosis {diagnosed.id}"
+    job = diagnosed.id
     if diagnosed.result is None:
-        raise Conflict(f"{known}: is {diagnosed.state}; only one that is done proposes a motion")
+        raise Conflict("jobs-no-motion-yet", job=job, state=diagnosed.state)
     proposed = Diagnosis.model_validate_json(diagnosed.result).next_experiment
     if proposed is None:
-        raise Conflict(f"{known}: proposes no motion; it leaves nothing open that one could settle")
+        raise Conflict("jobs-no-motion-proposed", job=job)
     if not proposed.stops:
-        raise Conflict(f"{known}: asks for no motion but for {proposed.motion}")
+        raise Conflict("jobs-no-motion-asked", job=job, motion=proposed.motion)
+    if not proposed.planned and proposed.refused is None:
+        raise Conflict("jobs-motion-not-planned", job=job)
     if not proposed.planned:
-        raise Conflict(
-            f"{known}: its motion was not planned ({proposed.refused}); diagnose the recording again, in a cell that leaves room"
-        )
+        raise Conflict("jobs-motion-refused", job=job, refusal=proposed.refused)
     return tuple(proposed.stops)
 
 
 def _check_same_robot(motion: ProposedMotion, manifest: Manifest, cell: Cell) -> None:
     """As `core.recording.recording.check_same_robot`, without reading the samples."""
-    changed = f"diagnosis {motion.diagnosis}: cell {cell.name!r} has changed since the recording"
     if manifest.robot is None or _read_robot(motion.recording, manifest.robot) != (
         cell.urdf, cell.robot.base_frame, cell.robot.sensor_frame,
     ):  # fmt: skip
-        raise Conflict(f"{changed}: it has another robot; make a new run there")
+        raise Conflict("jobs-robot-changed", job=motion.diagnosis, cell=cell.name)
     now = cell.gravity_in_base
     if not np.allclose(manifest.gravity, now, atol=1e-6):
-        raise Conflict(f"{changed}: gravity at the base is {now.tolist()} m/s2, it was {list(manifest.gravity)}; make a new run there")
+        raise Conflict(
+            "jobs-gravity-changed",
+            job=motion.diagnosis,
+            cell=cell.name,
+            gravity_m_s2=np.round(now, 4).tolist(),
+            recorded_m_s2=np.round(manifest.gravity, 4).tolist(),
+        )
 
 
 def _read_robot(recording: Path, robot: RobotPart) -> tuple[str, str, str]:

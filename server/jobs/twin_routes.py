@@ -108,7 +108,7 @@ def remove_effect(cell: NamePath, effect: NamePath, store: StoreDep, cells: Cell
     """Takes an effect out of the cell's twin."""
     loaded = cells.load(cell)
     if effect not in [entry.effect for entry in twin_of(loaded).effects]:
-        raise NotFound("effect in the twin", effect)
+        raise NotFound("jobs-effect-not-in-twin", effect=effect)
     with store.write() as db:
         _check_nothing_under_way(db, cell)
         left = _remove_from_twin(loaded, effect)
@@ -120,7 +120,7 @@ def remove_effect(cell: NamePath, effect: NamePath, store: StoreDep, cells: Cell
 def _load(db: Session, cell: str, addition: str) -> JobRow:
     row = jobs.load_job(db, ADDITION, addition)
     if row.about != cell:
-        raise NotFound(ADDITION, addition)
+        raise NotFound("jobs-unknown", kind=ADDITION, job=addition[:80])
     return row
 
 
@@ -131,21 +131,25 @@ def _remove_from_twin(cell: Cell, effect: str) -> str:
             case Answered(text=text):
                 return text
             case Failed(message=message):
-                raise Unprocessable(message)
-    raise Unprocessable(f"twin of {cell.name}: nothing was changed; send it again")
+                raise Unprocessable(message.code, **message.parameters)
+    raise Unprocessable("jobs-twin-unchanged", cell=cell.name)
 
 
 def _check_named(diagnosed: JobRow, effect: str) -> None:
     """The diagnosis is done, names the effect, and has found that a twin can take it."""
     if diagnosed.result is None:
-        raise Conflict(f"diagnosis {diagnosed.id}: is {diagnosed.state}; an effect can be taken from one that is done")
+        raise Conflict("jobs-no-effect-yet", job=diagnosed.id, state=diagnosed.state)
     found = Diagnosis.model_validate_json(diagnosed.result)
     named = {each.id: each for each in found.effects} | {"+".join(pair.ids): pair for pair in found.pairs}
+    if not named:
+        raise Unprocessable("jobs-no-effect-named", effect=effect)
     if effect not in named:
-        raise Unprocessable(f"effect: found {effect!r}, expected one that the diagnosis names: {', '.join(named) or 'it names none'}")
-    if not named[effect].addable:
-        against = named[effect].why_not or "a diagnosis that does not say whether a twin can take it"
-        raise Unprocessable(f"effect: found {against}, expected an effect that a twin can take")
+        raise Unprocessable("jobs-effect-not-named", effect=effect, effects=list(named))
+    why_not = named[effect].why_not
+    if not named[effect].addable and why_not is None:
+        raise Unprocessable("jobs-effect-not-judged")
+    if not named[effect].addable and why_not is not None:
+        raise Unprocessable("jobs-effect-not-addable", why_not=why_not)
 
 
 def _check_nothing_under_way(db: Session, cell: str) -> None:
@@ -153,7 +157,7 @@ def _check_nothing_under_way(db: Session, cell: str) -> None:
     query = select(JobRow.id).where(JobRow.kind == ADDITION, JobRow.about == cell, JobRow.state.in_(UNDER_WAY)).limit(1)
     addition = db.scalar(query)
     if addition is not None:
-        raise Conflict(f"twin of {cell}: addition {addition} is under way; wait for its end")
+        raise Conflict("jobs-twin-busy", cell=cell, addition=addition)
 
 
 def _answer(additions: Worker, row: JobRow) -> AdditionAnswer:

@@ -15,7 +15,7 @@ from sqlalchemy import ForeignKey, String, delete, select
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from server.http.errors import Conflict, NotFound, Unprocessable
-from server.people.roles import MACHINE_ROLES, Role
+from server.people.roles import MACHINE_ROLES, Role, name_roles
 from server.store.store import Table
 
 KEY_PREFIX = 12  # characters of a key that are stored and shown, "heft_" among them
@@ -80,7 +80,7 @@ def add_account(db: Session, name: str, password_hash: str, roles: frozenset[Rol
         Conflict: the name is taken.
     """
     if db.get(Account, name) is not None:
-        raise Conflict(f"account {name!r} exists already; choose another name or change that one")
+        raise Conflict("people-account-exists", account=name)
     account = Account(name=name, password_hash=password_hash, roles_text=" ".join(sorted(roles)), disabled=False, created_at=now)
     db.add(account)
     return account
@@ -97,13 +97,13 @@ def update_account(
     """
     account = db.get(Account, name)
     if account is None:
-        raise NotFound("account", name)
+        raise NotFound("people-account-unknown", account=name)
     was_admin = Role.admin in account.roles and not account.disabled
     account.password_hash = password_hash or account.password_hash
     account.roles_text = account.roles_text if roles is None else " ".join(sorted(roles))
     account.disabled = account.disabled if disabled is None else disabled
     if was_admin and not any(Role.admin in each.roles and not each.disabled for each in db.scalars(select(Account))):
-        raise Conflict(f"account {name!r} is the last admin who can sign in; make another one first")
+        raise Conflict("people-last-admin", account=name)
     db.execute(delete(SignIn).where(SignIn.account == name))
     return account
 
@@ -150,10 +150,9 @@ def add_key(db: Session, name: str, role: Role, created_by: str, now: datetime, 
         Unprocessable: the role is not one that a machine may have.
     """
     if role not in MACHINE_ROLES:
-        fitting = ", ".join(sorted(MACHINE_ROLES))
-        raise Unprocessable(f"role: found {role}, expected one of {fitting}: a machine neither releases motion nor makes accounts")
+        raise Unprocessable("people-role-not-for-machines", role=role.value, roles=name_roles(MACHINE_ROLES))
     if db.scalar(select(ApiKey).where(ApiKey.name == name)) is not None:
-        raise Conflict(f"key {name!r} exists already; revoke it or choose another name")
+        raise Conflict("people-key-exists", key=name)
     key = f"heft_{secrets.token_urlsafe(32)}"
     row = ApiKey(
         prefix=key[:KEY_PREFIX],
@@ -176,5 +175,5 @@ def delete_key(db: Session, name: str) -> None:
     """
     row = db.scalar(select(ApiKey).where(ApiKey.name == name))
     if row is None:
-        raise NotFound("key", name)
+        raise NotFound("people-key-unknown", key=name)
     db.delete(row)

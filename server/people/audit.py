@@ -16,6 +16,8 @@ from pydantic import BaseModel, ConfigDict
 from sqlalchemy import BigInteger, String, Text, event, select, text
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
+from core.errors import BadInput
+from core.words.message import Message
 from server.store.store import Table
 from server.telemetry.request_context import request_id
 
@@ -23,6 +25,7 @@ log = logging.getLogger("heft.audit")
 
 START = "0" * 64
 """What stands before the first entry."""
+LOG = Message.of("people-audit-log")
 
 Detail = Mapping[str, str | int | float | bool | None]
 
@@ -102,7 +105,7 @@ def entries(db: Session) -> Iterator[AuditEntry]:
     yield from db.scalars(select(AuditEntry).order_by(AuditEntry.number).execution_options(yield_per=500))
 
 
-def verify_chain(chain: Iterable[AuditEntry]) -> tuple[int, str, str | None]:
+def verify_chain(chain: Iterable[AuditEntry]) -> tuple[int, str, BadInput | None]:
     """Walks the chain.
 
     Returns:
@@ -111,10 +114,10 @@ def verify_chain(chain: Iterable[AuditEntry]) -> tuple[int, str, str | None]:
     count, previous = 0, START
     for entry in chain:
         if entry.number != count + 1:
-            return count, previous, f"entry {count + 1} is missing; the next is {entry.number}"
+            return count, previous, BadInput(LOG, "people-audit-entry-missing", number=count + 1, next_number=entry.number)
         if entry.previous_hash != previous:
-            return count, previous, f"entry {entry.number} does not follow entry {count}: the hash of the one before it differs"
+            return count, previous, BadInput(LOG, "people-audit-entry-unlinked", number=entry.number, last_number=count)
         if entry.hash != entry_hash(entry):
-            return count, previous, f"entry {entry.number} ({entry.action}) was changed: its hash does not fit what it says"
+            return count, previous, BadInput(LOG, "people-audit-entry-changed", number=entry.number, action=entry.action)
         count, previous = count + 1, entry.hash
     return count, previous, None

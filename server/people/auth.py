@@ -21,7 +21,7 @@ from server.http.errors import NotAllowed, NotSignedIn
 from server.http.openapi import COOKIE, CSRF_HEADER
 from server.people.accounts import KEY_PREFIX, Account, ApiKey, SignIn, sha256
 from server.people.authority import AUTHORITY
-from server.people.roles import Role
+from server.people.roles import Role, name_roles
 from server.settings import Settings
 
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
@@ -103,7 +103,7 @@ def identify_caller(db: Session, connection: HTTPConnection, settings: Settings,
 def _identify_by_key(db: Session, key: str, now: datetime) -> Caller:
     row = db.get(ApiKey, key[:KEY_PREFIX])
     if row is None or not secrets.compare_digest(row.key_hash, sha256(key)) or (row.expires_at is not None and row.expires_at <= now):
-        raise NotSignedIn("key: unknown, expired or revoked; ask whoever keeps the accounts for a new one")
+        raise NotSignedIn("people-key-refused")
     return Caller(f"key:{row.name}", frozenset({Role(row.role)}))
 
 
@@ -117,7 +117,7 @@ def _identify_by_cookie(db: Session, token: str, settings: Settings, now: dateti
         or row.created_at + timedelta(hours=settings.session_hours) <= now
         or row.used_at + timedelta(minutes=settings.idle_minutes) <= now
     ):
-        raise NotSignedIn("session: ended or expired; sign in again")
+        raise NotSignedIn("people-session-over")
     return Caller(f"account:{account.name}", account.roles, row.csrf_token, row.token_hash, stale=now - row.used_at > TOUCH)
 
 
@@ -133,13 +133,13 @@ def check_origin(connection: HTTPConnection, settings: Settings, caller: Caller)
     origin, site = connection.headers.get("origin"), connection.headers.get("sec-fetch-site")
     ours = origin is not None and (urlsplit(origin).netloc == connection.headers.get("host") or origin in settings.origins)
     if (origin is not None and not ours) or (site not in (None, "same-origin", "none") and not ours):
-        raise NotAllowed(f"origin: {(origin or site or '')[:80]!r} is no page of this service; set HEFT_ORIGINS if it is to be one")
+        raise NotAllowed("people-origin-foreign", origin=(origin or site or "")[:80])
     if caller.csrf_token is None:
         return
     if websocket and origin is None:
-        raise NotAllowed("origin: a browser's websocket has to say which page it belongs to")
+        raise NotAllowed("people-origin-missing")
     if not websocket and not secrets.compare_digest(connection.headers.get(CSRF_HEADER, "").encode(), caller.csrf_token.encode()):
-        raise NotAllowed(f"{CSRF_HEADER}: not the session's; GET /api/session tells it")
+        raise NotAllowed("people-csrf-token-wrong", header=CSRF_HEADER)
 
 
 def check_authority(endpoint: str, caller: Caller) -> None:
@@ -150,15 +150,18 @@ def check_authority(endpoint: str, caller: Caller) -> None:
         NotAllowed: none of the caller's roles may do it, or the endpoint stands in no table.
     """
     if endpoint not in AUTHORITY:
-        raise NotAllowed(f"{endpoint}: not in the table of authority, so nobody may call it")
+        raise NotAllowed("people-endpoint-closed", endpoint=endpoint)
     allowed = AUTHORITY[endpoint]
     if allowed is None:
         return
     if caller == NOBODY:
-        raise NotSignedIn(f"{endpoint}: sign in with POST /api/session, or send a key as `Authorization: Bearer`")
+        raise NotSignedIn("people-not-signed-in", endpoint=endpoint)
     if not caller.roles & allowed:
-        has, needs = ", ".join(sorted(caller.roles)) or "no role", ", ".join(sorted(allowed))
-        raise NotAllowed(f"{endpoint}: {caller.who} is {has}; it takes one of {needs}")
+        if not caller.roles:
+            raise NotAllowed("people-without-role", endpoint=endpoint, who=caller.who, needed=name_roles(allowed))
+        raise NotAllowed(
+            "people-role-lacking", endpoint=endpoint, who=caller.who, roles=name_roles(caller.roles), needed=name_roles(allowed)
+        )
 
 
 def _get_caller(connection: HTTPConnection) -> Caller:

@@ -19,7 +19,7 @@ AUTHORITY: dict[str, frozenset[Role] | None] = {
     "GET /assets/{path:path}": ANYBODY,
     "GET /health": ANYBODY,
     "GET /openapi.json": ANYBODY,
-    "GET /problems/{kind}": ANYBODY,
+    "GET /problems/{code}": ANYBODY,
     "GET /metrics": frozenset({viewer, engineer, admin}),
     "GET /api/now": ANYBODY,
     "POST /api/now/{cell}/stop": ANYBODY,

@@ -60,7 +60,8 @@ class Door:
             check_authority(name, caller)
         except NotAllowed as refusal:
             with self.store.write() as db:
-                audit.record(db, caller.who, "authority.refuse", {"endpoint": name, "why": str(refusal)}, now=now)
+                said = {"endpoint": name, "why": str(refusal), "code": refusal.message.code}
+                audit.record(db, caller.who, "authority.refuse", said, now=now)
             raise
         if caller.stale:
             self.later.submit(self._touch, caller, now)

@@ -54,7 +54,7 @@ def check_limit(db: Session, account: str, address: str, now: datetime) -> None:
         row = db.get(LoginFailures, key)
         if row is not None and row.blocked_until > now:
             seconds = (row.blocked_until - now).total_seconds()
-            raise TooMany(f"sign-in: too many failures of late; try again in {seconds:.0f} s", seconds)
+            raise TooMany("people-sign-in-blocked", retry_after_s=seconds)
 
 
 def count_failure(db: Session, account: str, address: str, now: datetime) -> None:

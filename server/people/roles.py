@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import StrEnum
+
+from core.words.message import Message
 
 
 class Role(StrEnum):
@@ -22,3 +25,8 @@ class Role(StrEnum):
 
 MACHINE_ROLES = frozenset({Role.viewer, Role.engineer, Role.mes})
 """What a key may be: a machine never releases motion and never makes accounts."""
+
+
+def name_roles(roles: Iterable[Role]) -> list[Message]:
+    """Roles for a message that names them."""
+    return [Message.of("people-role", role=each.value) for each in sorted(roles)]

@@ -61,7 +61,7 @@ def sign_in(
             login_limit.count_failure(db, name, address, now)
             audit.record(db, "nobody", "session.refuse", {"account": name, "address": address}, now=now)
         metrics.sign_ins.labels("refused").inc()
-        raise NotSignedIn("name or password: not right; try again or ask whoever keeps the accounts")
+        raise NotSignedIn("people-sign-in-refused")
     hours = timedelta(hours=settings.session_hours)
     with store.write() as db:
         accounts.sweep_sessions(db, now - hours, now - timedelta(minutes=settings.idle_minutes))
@@ -96,14 +96,14 @@ def change_password(
 ) -> None:
     """Changes one's own password and signs out everywhere."""
     if caller.session is None:
-        raise NotAllowed("password: a key has none; only an account changes its password")
+        raise NotAllowed("people-key-without-password")
     with store.read() as db:
         login_limit.check_limit(db, caller.name, address, now)
         account = db.get(Account, caller.name)
     if not accounts.password_is_right(account, body.password.get_secret_value()):
         with store.write() as db:
             login_limit.count_failure(db, caller.name, address, now)
-        raise NotAllowed("password: not the one until now")
+        raise NotAllowed("people-password-wrong")
     new_hash = accounts.hash_password(body.new_password.get_secret_value())
     with store.write() as db:
         accounts.update_account(db, caller.name, password_hash=new_hash)

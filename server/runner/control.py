@@ -28,6 +28,7 @@ from core.sessions.leased import Lease, LeasedSession
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
 from core.twin.file import read_twin
+from core.words.message import Message
 from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnded, Order, Paced, Ready, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
@@ -52,7 +53,7 @@ def main(order: Order, connection: Connection) -> None:
     except HeftError as error:
         speaker.tell(error.failed if isinstance(error, PlanRefused) else _report_failure(error))
     except OSError as error:
-        speaker.tell(Failed("NoRoom", f"the run's folder could not be written ({error.strerror}); the robot was stopped. Make room."))
+        speaker.tell(Failed("NoRoom", Message.of("runs-folder-not-writable", reason=error.strerror or "")))
     finally:
         speaker.close()
         planning.close()
@@ -61,7 +62,7 @@ def main(order: Order, connection: Connection) -> None:
 
 def _report_failure(error: HeftError) -> Failed:
     lateness = error.lateness if isinstance(error, Stopped) else None
-    return Failed(type(error).__name__, str(error), error.in_the_way, lateness)
+    return Failed(type(error).__name__, error.message, error.in_the_way, lateness)
 
 
 def _sequence_of(order: Order) -> MotionSequence:

@@ -50,7 +50,7 @@ def main(folder: Path, cell: Cell | None, report: Path, overlay: Path, connectio
                 write_whole(overlay, thin_overlay(compared).model_dump_json())
             connection.send(Answered(diagnosis.model_dump_json()))
         except HeftError as error:
-            connection.send(Failed(type(error).__name__, str(error)))
+            connection.send(Failed(type(error).__name__, error.message))
 
 
 def fit_with_progress(connection: Connection) -> FitAll:

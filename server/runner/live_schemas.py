@@ -6,6 +6,7 @@ from typing import Literal
 
 from core.estimation.result import Numbers
 from core.events import Event
+from core.words.message import Message
 from server.http.schemas import Answer
 
 
@@ -48,5 +49,5 @@ class WaitingForZone(Event):
     """The robot stands, and there is no safe way on before a zone moves: `in_the_way` where planning knows it."""
 
     kind: Literal["waiting_for_zone"] = "waiting_for_zone"
-    message: str
+    message: Message
     in_the_way: str | None = None

@@ -13,6 +13,7 @@ from core.events import Event
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.planning.stop import Stop
 from core.sessions.leased import Renewal
+from core.words.message import Message
 from server.runner.live_schemas import LiveBatch
 from server.runner.plan_schemas import RunPlan
 
@@ -90,10 +91,10 @@ class PageLate:
 
 @dataclass(frozen=True)
 class Hold:
-    """Pause; `lateness` and a sentence about it where nobody asked for it."""
+    """Pause; `lateness` and a message about it where nobody asked for it."""
 
     lateness: Lateness | None = None
-    message: str = ""
+    message: Message | None = None
 
 
 @dataclass(frozen=True)
@@ -103,9 +104,9 @@ class Resume:
 
 @dataclass(frozen=True)
 class End:
-    """Stop for good; `reason` is a sentence."""
+    """Stop for good, and why."""
 
-    reason: str
+    reason: Message
 
 
 @dataclass(frozen=True)
@@ -172,13 +173,13 @@ class Failed:
 
     Args:
         error: name of the error in `core.errors`.
-        message: its sentence.
+        message: what it says.
         in_the_way: name of the obstacle, zone or link that was nearest, where planning knows it.
         lateness: what was late, where that was it.
     """
 
     error: str
-    message: str
+    message: Message
     in_the_way: str | None = None
     lateness: Lateness | None = None
 

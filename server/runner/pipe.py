@@ -12,9 +12,10 @@ from multiprocessing.connection import Connection
 from typing import Generic, TypeVar
 
 from core.sessions.leased import Lease, Renewal
+from core.words.message import Message
 from server.runner.messages import Beat, End, Hold, PageLate, Release, Resume, ToChild, ZoneMoved
 
-Message = TypeVar("Message")
+Said = TypeVar("Said")
 
 
 class Listener:
@@ -37,7 +38,7 @@ class Listener:
             try:
                 self._take(self._connection.recv())
             except (EOFError, OSError):
-                self._end("the server is gone; the robot was stopped. Start the service and clear the run.")
+                self._end(Message.of("runs-server-gone"))
                 return
 
     def _take(self, message: ToChild) -> None:
@@ -59,28 +60,28 @@ class Listener:
             case ZoneMoved():
                 self.zones.append(message)
 
-    def _end(self, reason: str) -> None:
+    def _end(self, reason: Message) -> None:
         self._lease.end(reason)
         self.ended.set()
 
 
-class Speaker(Generic[Message]):
+class Speaker(Generic[Said]):
     """Says what it is told, in order.
 
     Args:
         fleeting: the kinds of messages of which only the newest is kept.
     """
 
-    def __init__(self, connection: Connection, *fleeting: type[Message]) -> None:
+    def __init__(self, connection: Connection, *fleeting: type[Said]) -> None:
         self._connection, self._fleeting = connection, fleeting
-        self._waiting: deque[Message] = deque()
-        self._newest: dict[type[Message], Message] = {}
+        self._waiting: deque[Said] = deque()
+        self._newest: dict[type[Said], Said] = {}
         self._something = threading.Condition()
         self._closing = False
         self._thread = threading.Thread(target=self._speak, name="speaker", daemon=True)
         self._thread.start()
 
-    def tell(self, message: Message) -> None:
+    def tell(self, message: Said) -> None:
         """Returns at once."""
         with self._something:
             if isinstance(message, self._fleeting):
@@ -96,7 +97,7 @@ class Speaker(Generic[Message]):
             self._something.notify()
         self._thread.join(timeout_s)
 
-    def _next(self) -> Message | None:
+    def _next(self) -> Said | None:
         with self._something:
             while not (self._waiting or self._newest or self._closing):
                 self._something.wait()

@@ -13,6 +13,7 @@ from core.planning.plan import Plan
 from core.planning.sequence import MotionSequence, PlanRequest
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
+from core.words.message import Message
 from server.runner.messages import Failed
 from server.runner.priority import Priority, take
 
@@ -27,7 +28,7 @@ class PlanRefused(Refused):
     """
 
     def __init__(self, failed: Failed) -> None:
-        super().__init__(failed.message)
+        super().__init__(failed.message.code, **failed.message.parameters)
         self.failed = failed
 
 
@@ -63,7 +64,7 @@ class PlanningProcess:
             try:
                 answer = self._connection.recv()
             except EOFError:
-                raise PlanRefused(Failed("PlannerLost", "the planning process ended unexpectedly; start a new run.")) from None
+                raise PlanRefused(Failed("PlannerLost", Message.of("runs-planner-lost"))) from None
             if isinstance(answer, Failed):
                 raise PlanRefused(answer)
             if isinstance(answer, Plan):
@@ -99,4 +100,4 @@ def _answers(sequence: MotionSequence, request: PlanRequest) -> Generator[Event 
         collision = CollisionModel(request.cell, robot, request.payload_box)
         yield (yield from sequence.plan_legs(request, robot, collision))
     except HeftError as error:
-        yield Failed(type(error).__name__, str(error), error.in_the_way)
+        yield Failed(type(error).__name__, error.message, error.in_the_way)

@@ -10,6 +10,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.context import ForkServerProcess
 
 from core.sessions.leased import Renewal
+from core.words.message import Message
 from server.runner.context import CONTEXT, start_process
 from server.runner.messages import Beat, Failed, FromChild, Order, PageLate, ToChild
 from server.runner.pipe import Speaker
@@ -52,7 +53,7 @@ class ControlProcess:
             yield message
         code = await asyncio.to_thread(self._join)
         if code != 0 and not isinstance(last, Failed):
-            yield Failed("ControlProcessLost", f"the control process ended with code {code}; its robot got no more commands. See the log.")
+            yield Failed("ControlProcessLost", _describe_end(code))
 
     def kill(self) -> None:
         """For a process that does not end when it is told to."""
@@ -92,3 +93,7 @@ class ControlProcess:
             self._loop.call_soon_threadsafe(self._heard.put_nowait, message)
             if message is None:
                 return
+
+
+def _describe_end(code: int | None) -> Message:
+    return Message.of("runs-control-process-not-started") if code is None else Message.of("runs-control-process-lost", exit_code=code)

@@ -10,6 +10,7 @@ from core.errors import HeftError
 from core.recording.folder import read_recording
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
+from core.words.message import Message
 from server.runner.messages import Failed, Recovered
 from server.runner.run_folder import RECORDING, lock_run_folder
 from server.runner.sample_stream import recover_recording
@@ -33,5 +34,7 @@ def main(folder: Path, cell: Cell, continues: Path | None, connection: Connectio
             before = None if continues is None else read_recording(continues)
             log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None, before=before)
             connection.send(Recovered(recover_recording(folder, log, folder / RECORDING)))
-        except (HeftError, OSError) as error:
-            connection.send(Failed(type(error).__name__, str(error)))
+        except HeftError as error:
+            connection.send(Failed(type(error).__name__, error.message))
+        except OSError as error:
+            connection.send(Failed("NoRoom", Message.of("runs-folder-not-writable", reason=error.strerror or "")))

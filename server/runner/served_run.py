@@ -65,7 +65,7 @@ class ServedRun(Run):
             except PlanRefused as refusal:
                 if self._written == 0 or not self.cell.zones:
                     raise
-                yield WaitingForZone(message=str(refusal), in_the_way=refusal.failed.in_the_way)
+                yield WaitingForZone(message=refusal.message, in_the_way=refusal.failed.in_the_way)
                 while self.cell is cell and not self._listener.zones:
                     if self._listener.ended.wait(0.02):
                         raise self.make_end_error() from None
@@ -89,7 +89,7 @@ class ServedRun(Run):
     def make_end_error(self) -> Commanded:
         """Why the run was ended."""
         refusal = self._lease.refusal()
-        return refusal if isinstance(refusal, Commanded) else Commanded("the run was ended.", value=1.0, limit=0.0)
+        return refusal if isinstance(refusal, Commanded) else Commanded("runs-ended", value=1.0, limit=0.0)
 
     def execute_plan(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
         """Carries the plan out, after a stop by the guard its rest anew, and returns the last plan.

@@ -39,7 +39,7 @@ def main(folder: Path, count: int, seed: int, connection: Connection) -> None:
             _run(drawn, done, folder, connection)
             connection.send(Answered(_open_trials(list(done.values()))))
         except HeftError as error:
-            connection.send(Failed(type(error).__name__, str(error)))
+            connection.send(Failed(type(error).__name__, error.message))
 
 
 def _run(drawn: list[Drawn], done: dict[int, TrialOutcome], folder: Path, connection: Connection) -> None:

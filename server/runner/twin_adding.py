@@ -23,4 +23,4 @@ def main(cell: Cell, recording: Path, effect: str, connection: Connection) -> No
             twin = with_effect(read_twin(cell), cell, recording, effect, fit_all=fit_with_progress(connection))
             connection.send(Answered(serialise_twin(cell, twin)))
         except HeftError as error:
-            connection.send(Failed(type(error).__name__, str(error)))
+            connection.send(Failed(type(error).__name__, error.message))

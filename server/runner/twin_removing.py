@@ -17,4 +17,4 @@ def main(cell: Cell, effect: str, connection: Connection) -> None:
     try:
         connection.send(Answered(serialise_twin(cell, read_twin(cell).without(effect))))
     except HeftError as error:
-        connection.send(Failed(type(error).__name__, str(error)))
+        connection.send(Failed(type(error).__name__, error.message))

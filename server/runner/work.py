@@ -6,6 +6,7 @@ import signal
 from collections.abc import Iterator
 from typing import Any
 
+from core.words.message import Message
 from server.runner.context import CONTEXT, start_process
 from server.runner.messages import Advanced, Failed, FromWork
 from server.runner.priority import Priority, take
@@ -28,7 +29,7 @@ class Work:
                 if not isinstance(word, Advanced):
                     return
         except EOFError:
-            yield Failed("WorkLost", "the process that did it ended unexpectedly; ask for it again. The service's log may know more.")
+            yield Failed("WorkLost", Message.of("jobs-work-lost"))
         finally:
             self.kill()
             self._process.join()

@@ -18,6 +18,7 @@ from core.cell.cell import Cell
 from core.errors import Cause, Commanded, HoldExpired, Lateness
 from core.events import Event, PhaseStarted, Progress, RobotStopped, StepFinished
 from core.sessions.leased import Renewal
+from core.words.message import Message
 from server.http.errors import StoreUnavailable
 from server.people.audit import Deed
 from server.runner.messages import (
@@ -155,7 +156,7 @@ class ActiveRun:
     def _end(self, reason: Reason) -> None:
         """Tells the robot to stop for good; nothing is written."""
         self._ended_for = self._ended_for or reason
-        self._process.tell(End(reason.sentence))
+        self._process.tell(End(reason.message))
 
     def tell_zone_move(self, message: ZoneMoved) -> None:
         """Hands a zone's new place on."""
@@ -169,18 +170,15 @@ class ActiveRun:
             StoreUnavailable: the database cannot be written; nothing has moved.
         """
         if not await self._follower.caught_up(RELEASE_PATIENCE_S):
-            raise StoreUnavailable(
-                "release: the database is locked, full or away, and nothing moves without it; release again when it is back"
-            )
+            raise StoreUnavailable("store-release-waits")
 
         def change(row: RunRow) -> None:
             row.released, row.released_by, row.released_at = True, who, self._now()
 
         await self._step(lambda _: [Command.START], change=change, deeds=[deed])
         if self._unwritten or not await self._follower.caught_up(RELEASE_PATIENCE_S):
-            sentence = "the release could not be written, so nothing has moved; look at the database and the disk, then make a new run."
-            self._end(Reason(NOT_KEPT, sentence))
-            raise StoreUnavailable("release: the database did not take it, so nothing moves; the run was ended")
+            self._end(Reason(NOT_KEPT, Message.of("runs-release-not-kept")))
+            raise StoreUnavailable("store-release-not-taken")
         self._process.tell(Release(plan_sha256))
 
     async def command(self, command: Command, reason: Reason, deed: Deed) -> None:
@@ -198,9 +196,7 @@ class ActiveRun:
 
     async def _command(self, command: Command, reason: Reason, deed: Deed) -> None:
         if command is Command.UNHOLD and self.state is State.HELD and not await self._follower.caught_up(RELEASE_PATIENCE_S):
-            raise StoreUnavailable(
-                "resume: the database is locked, full or away, and nothing begins to move without it; resume when it is back"
-            )
+            raise StoreUnavailable("store-resume-waits")
         if command in (Command.STOP, Command.ABORT):
             self._end(reason)
             asyncio.get_running_loop().call_later(GRACE_S, self._process.kill)
@@ -222,13 +218,7 @@ class ActiveRun:
             behind = self._follower.behind_s
             if behind > STORE_PATIENCE_S and self.state is State.EXECUTE:
                 lateness = Lateness(cause=Cause.STORE, late_s=behind, limit_s=STORE_PATIENCE_S)
-                self._process.tell(
-                    Hold(
-                        lateness,
-                        f"the database has not taken what happened for {behind:.0f} s (limit {STORE_PATIENCE_S:.0f} s); the robot was "
-                        "stopped and keeps its place, and nothing is lost. Resume the run when the database is back.",
-                    )
-                )
+                self._process.tell(Hold(lateness, Message.of("runs-store-behind")))
 
     async def _hear(self, message: FromChild) -> None:
         match message:
@@ -313,8 +303,7 @@ class ActiveRun:
         except OSError as error:
             log.error("the journal of run %s cannot be written: %s", self.id, error.strerror)
             if self.state not in FINAL:
-                sentence = f"what happens to the run could not be written ({error.strerror}); the robot was stopped. Make room on the disk."
-                self._end(Reason(NO_ROOM, sentence))
+                self._end(Reason(NO_ROOM, Message.of("runs-journal-not-writable", reason=error.strerror or "")))
         self._follower.add(entry)
 
     def _write_journal(self) -> None:

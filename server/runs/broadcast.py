@@ -10,6 +10,8 @@ import asyncio
 from collections import deque
 from collections.abc import AsyncIterator, Awaitable, Callable
 
+from core.errors import HeftError
+
 MOST_SAMPLES = 10
 """Batches of samples that wait for one client: a fifth of a second."""
 MOST_EVENTS = 2000
@@ -18,7 +20,7 @@ PATIENCE_S = 4.0
 """How long one message may take to leave."""
 
 
-class TooSlowError(Exception):
+class TooSlowError(HeftError):
     """A client that does not read what it is sent."""
 
 
@@ -63,7 +65,7 @@ class Subscription:
                 if sequence > after:
                     yield text
             if self._overrun:
-                raise TooSlowError(f"more than {MOST_EVENTS} events were waiting")
+                raise TooSlowError("runs-watcher-behind", events=MOST_EVENTS)
             if self._ended:
                 return
 
@@ -121,4 +123,4 @@ async def drain(
             async with asyncio.timeout(patience_s):
                 await send(text)
         except TimeoutError:
-            raise TooSlowError(f"a message did not leave within {patience_s:g} s") from None
+            raise TooSlowError("runs-watcher-too-slow", limit_s=patience_s) from None

@@ -87,10 +87,7 @@ def read_plan(run: str, conductor: ConductorDep, offers: OffersDep) -> PlanAnswe
     """What is going to happen: to be looked at before it is released."""
     row = conductor.row_of(run)
     if row.plan is None:
-        raise Conflict(
-            f"run {run}: there is no plan yet, it is in {row.state}; wait until it is Idle",
-            run_ledger.list_offered_commands(State(row.state)),
-        )
+        raise Conflict("runs-no-plan", allowed=run_ledger.list_offered_commands(State(row.state)), run=run, state=row.state)
     plan = RunPlan.model_validate_json(row.plan)
     return PlanAnswer(run=run, plan=plan, offer=offers.make(run, plan.sha256), expires_s=offers.length_s)
 
@@ -112,7 +109,7 @@ async def command_run(
     cell = (await asyncio.to_thread(conductor.row_of, run)).cell
     if body.command not in WITHOUT_CONTROL:
         if body.sent is None:
-            raise Conflict(f"command {body.command}: needs control of cell {cell!r}; send `sent` with your fence, number and stamp")
+            raise Conflict("runs-command-without-control", command=body.command.value, cell=cell)
         control.command(cell, caller.who, renewal(body.sent))
     await conductor.command(
         run,

@@ -20,6 +20,7 @@ from core.cell.cell import Cell
 from core.errors import HeftError, refuse
 from core.payload.shapes import Pose
 from core.sessions.leased import Renewal
+from core.words.message import Message
 from server.cells.folder import CellFolder
 from server.cells.now import read_now
 from server.http.dependencies import depend_on
@@ -47,7 +48,7 @@ RETRY_S = 1.0
 KEPT_S = 3.0
 BEAT_S = 0.05
 """Of the signs of life that the robots' control processes get."""
-SHUT_DOWN_NOW = Reason(SHUT_DOWN, "the service was shut down; the robot was stopped.")
+SHUT_DOWN_NOW = Reason(SHUT_DOWN, Message.of("runs-shut-down"))
 
 
 class Conductor:
@@ -206,7 +207,7 @@ class Conductor:
         """
         active = self.of_run(run)
         if command is Command.CLEAR and ((active is not None and active.state is State.ABORTED) or not is_unlocked(self.folder / run)):
-            raise Conflict(f"run {run}: its control process still closes the recording; ask again in some seconds", ["clear"])
+            raise Conflict("runs-recording-open", allowed=["clear"], run=run)
         try:
             if active is None:
                 active = await self._command_idle(run, command, reason, deed)

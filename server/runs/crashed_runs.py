@@ -13,6 +13,7 @@ from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell
 from core.errors import HeftError
+from core.words.message import Message
 from server.runner.messages import Failed, Recovered
 from server.runner.run_folder import RECORDING, SAMPLES
 from server.runner.work import run_work
@@ -56,8 +57,7 @@ def find_unrecovered(folder: Path) -> list[str]:
 def close_crashed(db: Session, now: datetime) -> None:
     """Aborts the runs that an earlier service left under way; those that only waited go on waiting."""
     for row in db.scalars(select(RunRow).where(RunRow.state.not_in((*FINAL, State.ABORTED, State.RESETTING)))):
-        ended = f"the service ended while the run was in {row.state}; the robot was stopped. Look at the cell, then clear the run."
-        set_reason(row, Reason(SERVICE_ENDED, ended))
+        set_reason(row, Reason(SERVICE_ENDED, Message.of("runs-service-ended", state=row.state)))
         if row.state == State.CLEARING:
             keep_steps(db, row, [None], now)
         else:
@@ -74,9 +74,9 @@ def recover_run(folder: Path, load_input: Callable[[], RecoveryInput]) -> None:
     try:
         words = list(run_work("server.runner.recovery", folder, *load_input()))
     except HeftError as error:
-        words = [Failed(type(error).__name__, str(error))]
+        words = [Failed(type(error).__name__, error.message)]
     for word in words:
         if isinstance(word, Recovered):
             log.info("recovered %d samples of run %s", word.samples, folder.name)
         else:
-            log.error("the samples of run %s could not be recovered: %s", folder.name, word)
+            log.error("the samples of run %s could not be recovered: %s", folder.name, word.message if isinstance(word, Failed) else word)

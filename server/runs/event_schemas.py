@@ -18,6 +18,7 @@ from core.events import (
     StepFinished,
     TransferPlanned,
 )
+from core.words.message import Message
 from server.http.schemas import Answer
 from server.runner.live_schemas import LiveBatch, WaitingForZone
 from server.runs.packml import JobState, State
@@ -30,7 +31,7 @@ class StateChanged(Event):
     state: State
     job_state: JobState
     commands: list[str]
-    reason: str | None = None
+    reason: Message | None = None
     reason_kind: str | None = None
 
 

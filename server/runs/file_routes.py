@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fastapi import APIRouter, Response
 
+from core.words.message import Message
 from server.http import downloads
 from server.http.dependencies import SettingsDep
 from server.runner.run_folder import RECORDING, REPORT
@@ -15,14 +16,14 @@ router = APIRouter(prefix="/api/runs/{run}", tags=["runs"])
 @router.get("/recording", response_class=Response, responses=downloads.ZIPPED)
 def download_recording(run: str, conductor: ConductorDep, settings: SettingsDep) -> Response:
     """The samples of a run as a zip of its recording folder; also of one that ended early."""
-    missing = f"run {run}: has no recording, it is in {_state_of(conductor, run)}; one is there once a robot that has moved stands again"
+    missing = Message.of("runs-no-recording", run=run, state=_state_of(conductor, run))
     return downloads.send_zip(settings.recordings_folder / run / RECORDING, f"run-{run}", missing)
 
 
 @router.get("/report", response_class=Response, responses=downloads.PAGE)
 def download_report(run: str, conductor: ConductorDep, settings: SettingsDep) -> Response:
     """The report of a run that came through, as a page."""
-    missing = f"run {run}: has no report, it is in {_state_of(conductor, run)}; a report comes with a run that is Complete"
+    missing = Message.of("runs-no-report", run=run, state=_state_of(conductor, run))
     return downloads.page(settings.recordings_folder / run / REPORT, f"run-{run}", missing)
 
 

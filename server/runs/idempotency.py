@@ -26,5 +26,5 @@ def recall_request(db: Session, who: str, key: str, body: bytes) -> str | None:
     if row is None:
         return None
     if row.body_sha256 != sha256(body).hexdigest():
-        raise Unprocessable(f"Idempotency-Key {key[:60]!r}: was used for another body already; take a new key for a new request")
+        raise Unprocessable("request-key-reused", key=key[:60])
     return row.made

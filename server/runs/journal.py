@@ -14,10 +14,12 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict, ValidationError, field_serializer
+from pydantic import BaseModel, ConfigDict, ValidationError, field_serializer, field_validator
 
+from core.words.message import Message
 from server.people.audit import Deed
 from server.runs.event_schemas import EventMessage
+from server.runs.reason import dump_message
 from server.runs.tables import RunRow
 
 log = logging.getLogger("heft.runs")
@@ -46,6 +48,12 @@ class RunChange(BaseModel):
     released_at: datetime | None = None
     held_since: datetime | None = None
     ended_at: datetime | None = None
+
+    @field_validator("reason", mode="before")
+    @classmethod
+    def _take_sentence(cls, reason: object) -> object:
+        """Journals of earlier versions have a sentence in the place of a message."""
+        return dump_message(Message.of("text", text=reason)) if isinstance(reason, str) and not reason.startswith("{") else reason
 
     @classmethod
     def between(cls, before: RunRow, after: RunRow) -> RunChange:

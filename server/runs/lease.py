@@ -80,7 +80,7 @@ class ControlRegistry:
         """
         present = self.holder(cell)
         if present is not None and present.who != who:
-            raise Conflict(f"control of cell {cell!r}: {present.who} has it; ask them to let go of it")
+            raise Conflict("runs-control-taken", cell=cell, holder=present.who)
 
     def take(self, cell: str, who: str, fence: int, lease_s: float) -> Holder:
         """Gives control of a cell that nobody else holds, with a fence of `next_fence`; who holds it already has it on a new screen then.
@@ -120,15 +120,13 @@ class ControlRegistry:
         """
         holder, now = self.holder(cell), self.clock()
         if holder is None or not holder.confirmed:
-            raise Conflict(f"control of cell {cell!r}: nobody has it; take control (POST /api/control) and answer its stamps")
+            raise Conflict("runs-control-free", cell=cell)
         if (holder.who, holder.fence) != (who, renewal.fence):
-            raise Conflict(f"control of cell {cell!r}: {holder.who} has it with fence {holder.fence}, not {who} with {renewal.fence}")
+            raise Conflict("runs-control-elsewhere", cell=cell, holder=holder.who, fence=holder.fence, who=who, sent_fence=renewal.fence)
         if renewal.number <= holder.command:
-            raise Conflict(f"command number {renewal.number}: not above the last one, {holder.command}; it is repeated or out of order")
+            raise Conflict("runs-command-repeated", number=renewal.number, last_number=holder.command)
         if not now - COMMAND_AGE_S <= renewal.stamp_s <= now + FUTURE_S:
-            raise Conflict(
-                f"command stamp: {now - renewal.stamp_s:.3f} s old (0 to {COMMAND_AGE_S:g} s allowed); send the newest stamp you got"
-            )
+            raise Conflict("runs-command-late", age_s=now - renewal.stamp_s, limit_s=COMMAND_AGE_S)
         holder.command = renewal.number
 
 

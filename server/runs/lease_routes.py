@@ -139,7 +139,7 @@ async def keep_control(
             keeper.hear(StampAnswer.model_validate_json(await websocket.receive_text()))
     except ValidationError:
         with suppress(RuntimeError):
-            await websocket.close(POLICY_VIOLATION, "an answer is {fence, number, stamp_s, page_age_s}")
+            await websocket.close(POLICY_VIOLATION, "runs-stamp-malformed")
     except (WebSocketDisconnect, RuntimeError):  # RuntimeError: closed by us
         pass
     finally:
@@ -200,7 +200,7 @@ class _Keeper:
             except (NotAllowed, NotSignedIn) as refusal:
                 self._control.let_go(self._cell, self._caller.who, self._fence)
                 with suppress(RuntimeError):
-                    await self._websocket.close(POLICY_VIOLATION, str(refusal)[:120])
+                    await self._websocket.close(POLICY_VIOLATION, refusal.message.code)
                 return
             except SQLAlchemyError:
                 continue  # the database is away; it is asked again

@@ -13,11 +13,12 @@ from sqlalchemy.orm import Session
 from core.errors import Lateness
 from core.estimation.result import Result
 from core.events import Event
+from core.words.message import Message
 from server.http.errors import Conflict, NotFound
 from server.runs import webhooks
 from server.runs.event_schemas import EventMessage, Happening, StateChanged
 from server.runs.packml import COMPLETED, FINAL, Command, IllegalCommandError, State, apply_command, job_state, legal_commands
-from server.runs.reason import Reason, set_reason
+from server.runs.reason import Reason, read_reason, set_reason
 from server.runs.result_summary import summary_of
 from server.runs.schemas import Motion, RunAnswer, RunOrder
 from server.runs.tables import RunEventRow, RunRow
@@ -70,7 +71,7 @@ def load_run(db: Session, run: str) -> RunRow:
     """
     row = db.get(RunRow, run)
     if row is None:
-        raise NotFound("run", run)
+        raise NotFound("runs-unknown", run=run[:80])
     return row
 
 
@@ -86,7 +87,10 @@ def load_result(row: RunRow) -> Result:
         Conflict: it has none.
     """
     if row.result is None:
-        raise Conflict(f"run {row.id}: there is no result, it is in {row.state}" + ("" if row.reason is None else f" ({row.reason})"))
+        reason = read_reason(row)
+        if reason is None:
+            raise Conflict("runs-no-result", run=row.id, state=row.state)
+        raise Conflict("runs-no-result-because", run=row.id, state=row.state, cause=reason)
     return Result.model_validate_json(row.result)
 
 
@@ -192,7 +196,7 @@ def build_answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None,
         job_state=job_state(state, released=row.released, aborted=row.aborted),
         commands=list_offered_commands(state),
         released=row.released,
-        reason=row.reason,
+        reason=read_reason(row),
         reason_kind=row.reason_kind,
         lateness=None if row.lateness is None else Lateness.model_validate_json(row.lateness),
         held_since=row.held_since,
@@ -220,10 +224,15 @@ def build_answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None,
 def refusal(row: RunRow, what: str) -> Conflict:
     """Something that the run's state does not allow, with what it does allow."""
     legal = list_offered_commands(State(row.state))
-    return Conflict(f"run {row.id}: {what} is not possible in {row.state}; legal commands here: {', '.join(legal) or 'none'}", legal)
+    if not legal:
+        return Conflict("runs-command-impossible", run=row.id, command=what, state=row.state)
+    commands = [Message.of("runs-command", command=each) for each in legal]
+    return Conflict("runs-command-not-possible", allowed=legal, run=row.id, command=what, state=row.state, commands=commands)
 
 
 def _state_changed(row: RunRow) -> StateChanged:
     state = State(row.state)
     job = job_state(state, released=row.released, aborted=row.aborted)
-    return StateChanged(state=state, job_state=job, commands=list_offered_commands(state), reason=row.reason, reason_kind=row.reason_kind)
+    return StateChanged(
+        state=state, job_state=job, commands=list_offered_commands(state), reason=read_reason(row), reason_kind=row.reason_kind
+    )

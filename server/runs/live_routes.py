@@ -41,10 +41,10 @@ async def watch_run(websocket: WebSocket, run: str, store: StoreDep, conductor: 
         await sending
         await websocket.close(NORMAL)
     except NotFound as error:
-        await websocket.close(POLICY_VIOLATION, str(error)[:120])
+        await websocket.close(POLICY_VIOLATION, error.message.code)
     except TooSlowError as error:
         with suppress(RuntimeError):
-            await asyncio.wait_for(websocket.close(TRY_AGAIN, str(error)[:120]), 1.0)
+            await asyncio.wait_for(websocket.close(TRY_AGAIN, error.message.code), 1.0)
     except (WebSocketDisconnect, TimeoutError):
         return
 
@@ -78,7 +78,7 @@ async def _send(websocket: WebSocket, run: str, store: Store, conductor: Conduct
         if not over:
             await drain(subscription, websocket.send_text, after=after)
     except TimeoutError:
-        raise TooSlowError(f"a message did not leave within {PATIENCE_S:g} s") from None
+        raise TooSlowError("runs-watcher-too-slow", limit_s=PATIENCE_S) from None
     finally:
         broadcast.unsubscribe(subscription)
 

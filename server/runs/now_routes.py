@@ -53,7 +53,7 @@ async def stop_now(cell: NamePath, conductor: ConductorDep, address: ClientAddre
     """Stops the cell's robot. Anybody may, and it is recorded from where. It is no emergency stop."""
     active = conductor.active.get(cell)
     if active is None:
-        raise Conflict(f"cell {cell!r}: no run has its robot, so there is nothing to stop")
+        raise Conflict("runs-nothing-to-stop", cell=cell)
     who = f"nobody@{address}"
     done = audit.make_deed(who, "run.stop", {"run": active.id, "address": address}, now=now)
     await conductor.command(active.id, Command.STOP, explain_command("stop", who), done)

@@ -46,10 +46,10 @@ def check_order(order: RunOrder, cell: Cell) -> None:
     """
     slowest, limit = find_speed_range(cell)
     if order.speed_m_s is not None and not slowest <= order.speed_m_s <= limit:
-        raise Conflict(f"speed_m_s is {order.speed_m_s:g} m/s; this cell allows {slowest:g} to {limit:g} m/s")
+        raise Conflict("runs-speed-not-allowed", speed_m_s=order.speed_m_s, least_m_s=slowest, most_m_s=limit)
     count = len(cell.robot.home_rad)
     if order.start_rad is not None and len(order.start_rad) != count:
-        raise Conflict(f"start_rad has {len(order.start_rad)} joint positions; this robot has {count} joints")
+        raise Conflict("runs-start-of-other-robot", given=len(order.start_rad), joints=count)
 
 
 def _continuation(motion: Motion) -> Continuation:

@@ -49,7 +49,7 @@ def queue_once(
             row = _make(conductor, db, request, order, motion) if made is None else run_ledger.load_run(db, made)
             found = run_ledger.build_answer(row)
     except IntegrityError as error:
-        raise Conflict(f"Idempotency-Key {request.key!r}: the first request is still under way; ask again") from error
+        raise Conflict("request-key-busy", key=(request.key or "")[:60]) from error
     conductor.wake()
     set_accepted_headers(response, f"/api/runs/{found.run}", PLANNING_S)
     return found

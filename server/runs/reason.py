@@ -1,10 +1,11 @@
-"""Why a run did not come through, or why it stands: a kind that every language has words for, and the sentence that says it exactly."""
+"""Why a run did not come through, or why it stands: a kind for programs, and a message that says it exactly."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
 from core.errors import Cause, ControlLost, HeftError, Lateness, slug
+from core.words.message import Message
 from server.runner.messages import Failed
 from server.runs.tables import JobRow, RunRow
 
@@ -14,11 +15,11 @@ class Reason(NamedTuple):
 
     Args:
         kind: of a problem (`server.http.problems`), or one of `OWN`.
-        sentence: in English, with what was measured against what limit.
+        message: with what was measured against what limit.
     """
 
     kind: str
-    sentence: str
+    message: Message
 
 
 SHUT_DOWN, SERVICE_ENDED, NO_ROOM, NOT_KEPT = "shut-down", "service-ended", "no-room", "release-not-kept"
@@ -33,12 +34,12 @@ OWN = frozenset({
 
 def explain_command(command: str, who: str) -> Reason:
     """Somebody commanded it, by the command's name in the API."""
-    return Reason(f"{command}-asked", f"{command} was asked for by {who}.")
+    return Reason(f"{command}-asked", Message.of("runs-command-asked", command=str(command), who=who))
 
 
 def explain_cancellation(who: str) -> Reason:
     """Nobody wants it any more."""
-    return Reason("cancelled", f"cancelled by {who}.")
+    return Reason("cancelled", Message.of("runs-cancelled", who=who))
 
 
 def explain_failure(failure: Failed) -> Reason:
@@ -54,10 +55,22 @@ def find_reason_kind(error: str, lateness: Lateness | None) -> str:
 
 
 def explain_error(error: HeftError | OSError) -> Reason:
-    """What was refused here, or a folder that could not be written."""
-    return Reason("no-room" if isinstance(error, OSError) else slug(type(error).__name__), str(error))
+    """What was refused here, or a folder that could not be made."""
+    if isinstance(error, OSError):
+        return Reason(NO_ROOM, Message.of("runs-folder-not-made", reason=error.strerror or ""))
+    return Reason(slug(type(error).__name__), error.message)
 
 
 def set_reason(row: RunRow | JobRow, reason: Reason | None) -> None:
     """Notes it; None where it holds no longer."""
-    row.reason_kind, row.reason = (None, None) if reason is None else reason
+    row.reason_kind, row.reason = (None, None) if reason is None else (reason.kind, dump_message(reason.message))
+
+
+def read_reason(row: RunRow | JobRow) -> Message | None:
+    """The message that was noted."""
+    return None if row.reason is None else Message.model_validate_json(row.reason)
+
+
+def dump_message(message: Message) -> str:
+    """As the store keeps it: its words are made anew where somebody reads it."""
+    return message.model_dump_json(exclude={"text"})

@@ -8,7 +8,7 @@ from pathlib import Path, PurePosixPath
 
 from core.errors import BadRecording
 from core.recording.manifest import FILE as MANIFEST
-from server.http.zip_file import open_zip, write_entry
+from server.http.zip_file import UPLOADED, locate_file, open_zip, write_entry
 
 MAX_BYTES = 400_000_000  # of all files together, unpacked
 MAX_FILES = 20
@@ -26,7 +26,7 @@ def unpack_recording(archive: Path, folder: Path) -> None:
     part = folder.with_name(folder.name + ".part")
     part.mkdir()
     try:
-        with open_zip(archive, BadRecording, "a plain zip of a recording folder") as opened:
+        with open_zip(archive, BadRecording, "recording") as opened:
             _write_all(opened, _select_entries(opened), part)
         part.replace(folder)
     finally:
@@ -39,21 +39,21 @@ def _select_entries(zip_file: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
 
     entries = [entry for entry in zip_file.infolist() if not entry.is_dir()]
     if len(entries) > MAX_FILES:
-        raise BadRecording("upload", f"{len(entries)} files", f"at most {MAX_FILES}")
+        raise BadRecording(UPLOADED, "uploads-too-many-files", files=len(entries), most_files=MAX_FILES)
     wanted: dict[str, zipfile.ZipInfo] = {}
     for entry in entries:
         name = PurePosixPath(entry.filename.replace("\\", "/")).name
         if name == MANIFEST or name in SAMPLES or name.endswith(".urdf"):
             if name in wanted:
-                raise BadRecording(f"upload: {name!r}", "two files of that name", "one recording")
+                raise BadRecording(locate_file(name), "uploads-two-recordings")
             wanted[name] = entry
     if MANIFEST not in wanted:
-        raise BadRecording("upload", f"no {MANIFEST}", "a recording folder")
+        raise BadRecording(UPLOADED, "uploads-no-manifest", file=MANIFEST)
     return wanted
 
 
 def _write_all(zip_file: zipfile.ZipFile, entries: dict[str, zipfile.ZipInfo], folder: Path) -> None:
     left = MAX_BYTES
-    too_much = BadRecording("upload", f"more than {MAX_BYTES} bytes when unpacked", "a recording of a plausible size")
+    too_much = BadRecording(UPLOADED, "uploads-recording-too-large", most_bytes=MAX_BYTES)
     for name, entry in entries.items():
         left -= write_entry(zip_file, entry, folder / name, max_bytes=left, too_much=too_much)

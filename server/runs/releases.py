@@ -56,10 +56,10 @@ class Offers:
         """
         shown_s, _, signature = offer.rpartition(".")
         if not hmac.compare_digest(signature.encode(), self._sign(run, plan_sha256, shown_s).encode()):
-            raise Conflict("offer: not made for this plan by this service; look at the plan again (GET plan) and release what it shows")
+            raise Conflict("runs-offer-foreign")
         age = self._clock() - float(shown_s)
         if age > self.length_s:
-            raise Conflict(f"offer: {age:.0f} s old (limit {self.length_s:.0f} s); look at the plan again and release what it shows")
+            raise Conflict("runs-offer-old", age_s=age, limit_s=self.length_s)
 
     def _sign(self, run: str, plan_sha256: str, shown_s: str) -> str:
         return hmac.new(self._secret, f"{run} {plan_sha256} {shown_s}".encode(), sha256).hexdigest()
@@ -89,7 +89,7 @@ class Releases:
         waiting = RunPlan.model_validate_json(row.plan)
         now_sha256 = release_sha256(waiting.plan_digest, cell, active.payload_box)
         if plan_sha256 != waiting.sha256 or now_sha256 != waiting.sha256:
-            raise Conflict(f"plan {plan_sha256[:12]}: void, the plan or the cell has changed since; look at the plan again (GET plan)")
+            raise Conflict("runs-plan-void", plan=plan_sha256[:12])
         self._offers.check(run, plan_sha256, offer)
         check_room(active.folder, waiting.summary.robot_s)
         self._control.command(row.cell, who, sent)
@@ -108,10 +108,7 @@ def check_room(folder: Path, robot_s: float) -> None:
     """
     free, needed = shutil.disk_usage(folder).free, SPARE_BYTES + robot_s * BYTES_A_SECOND
     if free < needed:
-        raise NoRoom(
-            f"disk: {free / 1e6:.0f} MB are free where runs are recorded, this one needs up to {needed / 1e6:.0f} MB; make room, then "
-            "release it again"
-        )
+        raise NoRoom("runs-disk-too-full", free_mb=free / 1e6, needed_mb=needed / 1e6)
 
 
 ReleasesDep = Annotated[Releases, depend_on("releases")]

@@ -23,13 +23,15 @@ def rest_of(ended: RunRow, folder: Path) -> RestOfRun:
     """
     if not run_ledger.may_continue(ended):
         raise Conflict(
-            f"run {ended.id}: there is nothing to go on with; it is in {ended.state} and has finished {ended.finished_steps} steps. "
-            "Begin a new run",
-            run_ledger.list_offered_commands(State(ended.state)),
+            "runs-nothing-left",
+            allowed=run_ledger.list_offered_commands(State(ended.state)),
+            run=ended.id,
+            state=ended.state,
+            finished_steps=ended.finished_steps,
         )
     recording = folder / RECORDING
     if not recording.is_dir():
-        raise Conflict(f"run {ended.id}: its recording is not there (yet); ask again in some seconds, or begin a new run")
+        raise Conflict("runs-recording-not-there", run=ended.id)
     motion = run_ledger.motion_of(ended)
     return RestOfRun(
         continues=ended.id,

@@ -49,12 +49,12 @@ def accept_result(run: str, store: StoreDep, conductor: ConductorDep, control: C
     """An operator takes the result for good; once, and by name."""
     run_ledger.load_result(conductor.row_of(run))
     if not conductor.wait_until_kept(run):
-        raise StoreUnavailable(f"run {run}: the database does not have its result yet; accept it again in some seconds")
+        raise StoreUnavailable("store-result-not-there", run=run)
     with store.write() as db:
         row = run_ledger.load_run(db, run)
         verdict = run_ledger.load_result(row).verdict
         if row.accepted_by is not None:
-            raise Conflict(f"run {run}: was accepted already, by {row.accepted_by}; a result is accepted once")
+            raise Conflict("runs-accepted-already", run=run, who=row.accepted_by)
         row.accepted_by, row.accepted_at = caller.who, now
         audit.record(db, caller.who, "run.accept", {"run": run, "verdict": verdict}, now=now)
     return answer_run(conductor, control, now, run)
@@ -76,7 +76,5 @@ def _require_mount(cells: CellFolder, row: RunRow) -> Cell:
     """The cell of a run, which says how its sensor is mounted."""
     cell = cells.read(row.cell).cell
     if cell.sensor.mount is None:
-        raise Conflict(
-            f"cell {row.cell!r}: does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common"
-        )
+        raise Conflict("runs-no-common-frame", cell=row.cell)
     return cell

@@ -119,8 +119,8 @@ def with_payload(order: RunOrder, cell: Cell) -> RunOrder:
         BadPayload: the cell does not know it, or knows none.
     """
     if not cell.payloads:
-        raise BadPayload("payload", f"no payload in cell {cell.name!r}", "one that the simulated robot can carry; add it to cell.toml")
+        raise BadPayload("payload", "runs-cell-without-payload", cell=cell.name)
     name = order.payload or next(iter(cell.payloads))
     if name not in cell.payloads:
-        raise BadPayload("payload", repr(name), f"one of {', '.join(cell.payloads)}, which cell {cell.name!r} knows")
+        raise BadPayload("payload", "runs-payload-unknown", payload=name, payloads=list(cell.payloads), cell=cell.name)
     return order.model_copy(update={"payload": name})

@@ -12,6 +12,7 @@ from core.errors import Lateness
 from core.payload.shapes import Angle, Box
 from core.planning.settings import MAX_EFFORT, Planner, Scope
 from core.planning.stop import Stop
+from core.words.message import Message
 from server.http.schemas import Answer, Name, RequestBody
 from server.runner.messages import Pace
 from server.runs.packml import JobState, State
@@ -115,7 +116,7 @@ class RunAnswer(Answer):
     job_state: JobState
     commands: list[str]
     released: bool
-    reason: str | None
+    reason: Message | None
     reason_kind: str | None
     lateness: Lateness | None
     held_since: datetime | None

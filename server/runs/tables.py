@@ -28,6 +28,7 @@ class RunRow(Table):
     aborted: Mapped[bool] = mapped_column(default=False)
     """The job failed, whatever the machine's state is by now."""
     reason: Mapped[str | None] = mapped_column(Text)
+    """JSON (`core.words.message.Message`)."""
     reason_kind: Mapped[str | None] = mapped_column(String(32))
     """Of `reason`: kind of a problem (`server.http.problems`), or one of `server.runs.reason.OWN`. None without a reason."""
     in_the_way: Mapped[str | None] = mapped_column(String(64))
@@ -109,6 +110,7 @@ class Delivery(Table):
     """None once it is delivered or given up."""
     delivered_at: Mapped[datetime | None]
     last_error: Mapped[str | None] = mapped_column(Text)
+    """JSON (`core.words.message.Message`)."""
 
 
 class JobRow(Table):
@@ -127,6 +129,7 @@ class JobRow(Table):
     """What may be known before it is done."""
     result: Mapped[str | None] = mapped_column(Text)
     reason: Mapped[str | None] = mapped_column(Text)
+    """JSON (`core.words.message.Message`)."""
     reason_kind: Mapped[str | None] = mapped_column(String(32))
     """Of `reason`: kind of a problem (`server.http.problems`), or one of `server.runs.reason.OWN`. None without a reason."""
     requested_by: Mapped[str] = mapped_column(String(80))

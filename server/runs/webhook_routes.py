@@ -7,9 +7,10 @@ from datetime import datetime
 from typing import Annotated
 
 from fastapi import APIRouter
-from pydantic import AnyHttpUrl, SecretStr, StringConstraints
+from pydantic import AnyHttpUrl, SecretStr, StringConstraints, field_validator
 from sqlalchemy import select
 
+from core.words.message import Message
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import NotFound
 from server.http.schemas import Answer, RequestBody
@@ -46,7 +47,12 @@ class DeliveryAnswer(Answer):
     made_at: datetime
     due_at: datetime | None
     delivered_at: datetime | None
-    last_error: str | None
+    last_error: Message | None
+
+    @field_validator("last_error", mode="before")
+    @classmethod
+    def _read(cls, kept: object) -> object:
+        return Message.model_validate_json(kept) if isinstance(kept, str) else kept
 
 
 LINKS = {
@@ -98,5 +104,5 @@ def list_deliveries(webhook: str, store: StoreDep) -> list[DeliveryAnswer]:
 
 def _require(row: Webhook | None, name: str) -> Webhook:
     if row is None:
-        raise NotFound("webhook", name)
+        raise NotFound("runs-webhook-unknown", webhook=name[:80])
     return row

@@ -15,6 +15,8 @@ from sqlalchemy import select
 from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
+from core.words.message import Message
+from server.runs.reason import dump_message
 from server.runs.schemas import RunAnswer
 from server.runs.tables import Delivery, Webhook
 from server.store.store import Store
@@ -96,18 +98,18 @@ class Deliverer:
 
         try:
             answer = await self._client.post(webhook.url, content=delivery.body, headers=headers)
-            error = None if answer.is_success else f"HTTP {answer.status_code}"
+            error = None if answer.is_success else Message.of("runs-delivery-refused", status=answer.status_code)
         except (httpx2.HTTPError, httpx2.InvalidURL) as failure:
-            error = f"{type(failure).__name__}: {failure}"[:300]
+            error = Message.of("runs-delivery-failed", error=type(failure).__name__, reason=str(failure)[:300])
         await asyncio.to_thread(self._note, delivery.id, error)
 
-    def _note(self, delivery: str, error: str | None) -> None:
+    def _note(self, delivery: str, error: Message | None) -> None:
         now = self._now()
         with self._store.write() as db:
             row = db.get(Delivery, delivery)
             if row is None:
                 return
-            row.attempts, row.last_error = row.attempts + 1, error
+            row.attempts, row.last_error = row.attempts + 1, None if error is None else dump_message(error)
             if error is None:
                 row.delivered_at, row.due_at = now, None
             else:

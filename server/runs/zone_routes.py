@@ -8,6 +8,7 @@ from fastapi import APIRouter
 from sqlalchemy.orm import Session
 
 from core.payload.shapes import Pose
+from core.words.message import Message
 from server.cells import zones
 from server.cells.folder import CellFolder, CellsDep
 from server.cells.now import read_now
@@ -15,7 +16,7 @@ from server.cells.zone_check import flaws_of_bodies
 from server.cells.zones import ZonePosition
 from server.http.dependencies import NamePath, NowDep, StoreDep
 from server.http.errors import Conflict
-from server.http.problems import Flaw, list_flaws
+from server.http.flaws import Flaw, list_flaws
 from server.http.schemas import Answer, Moment, RequestBody
 from server.people import audit
 from server.people.auth import CallerDep
@@ -56,7 +57,7 @@ class ZoneShown(Answer):
 
     Args:
         previous: where it was before that.
-        contradiction: why nothing can be planned while it is there, in a sentence; `flaws` says all of it.
+        contradiction: why nothing can be planned while it is there; `flaws` says all of it.
     """
 
     cell: str
@@ -66,7 +67,7 @@ class ZoneShown(Answer):
     moves: int
     measured_at: datetime
     received_at: datetime
-    contradiction: str | None
+    contradiction: Message | None
     flaws: list[Flaw]
 
 
@@ -92,9 +93,7 @@ def move_zone(
 ) -> ZoneShown:
     """Keeps a zone's new place. A place that makes planning impossible is kept too: people are where they are."""
     if body.measured_at > now + AHEAD:
-        raise Conflict(
-            f"measured_at: {body.measured_at.isoformat()} is ahead of the service's clock, {now.isoformat()}; set the measuring clock"
-        )
+        raise Conflict("zone-clock-ahead", measured_at=body.measured_at.isoformat(), now=now.isoformat())
     loaded = cells.read(cell).cell
     with store.write() as db:
         row = zones.move(db, loaded, zone, body.pose, body.measured_at, caller.who, now)
@@ -148,6 +147,6 @@ def _answer(cells: CellFolder, db: Session, row: ZonePosition) -> ZoneShown:
         moves=row.moves,
         measured_at=row.measured_at,
         received_at=row.received_at,
-        contradiction=str(flaws[0]) if flaws else None,
+        contradiction=flaws[0].message if flaws else None,
         flaws=list_flaws(flaws),
     )

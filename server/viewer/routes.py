@@ -48,7 +48,7 @@ async def viewer_socket(websocket: WebSocket, cell: str, gallery: GalleryDep) ->
     try:
         port = await gallery.port(cell)
     except HeftError as error:
-        await websocket.close(POLICY_VIOLATION, str(error)[:120])
+        await websocket.close(POLICY_VIOLATION, error.message.code)
         return
     offered = [Subprotocol(name) for name in websocket.scope.get("subprotocols", [])]
     async with connect(f"ws://127.0.0.1:{port}", subprotocols=offered or None, max_size=None, compression=None, proxy=None) as inner:

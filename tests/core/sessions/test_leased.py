@@ -82,7 +82,7 @@ def test_a_hold_pauses_and_an_end_is_for_good(lease, clock):
     assert isinstance(lease.refusal(), Held)
     lease.resume()
     assert lease.refusal() is None
-    lease.end("the operator asked for it.")
+    lease.end(Message.of("text", text="the operator asked for it."))
     lease.resume()
     assert isinstance(lease.refusal(), Commanded)
 

@@ -1,0 +1,85 @@
+# Where something is in what was sent.
+uploads-upload = upload
+uploads-file = upload: "{ $name }"
+
+# The zip.
+uploads-no-zip = Content-Type: found "{ $found }", expected application/zip; send a zip of the { $what }'s folder
+uploads-not-unpackable =
+    .found = a zip that cannot be unpacked ({ $reason })
+    .expected = a plain zip of the folder of a { $what }
+uploads-too-many-files =
+    .found = { $files } files
+    .expected = at most { $most_files }
+uploads-too-many-bytes =
+    .found = { $unpacked_bytes } bytes when unpacked
+    .expected = at most { $most_bytes }
+uploads-recording-too-large =
+    .found = more than { $most_bytes } bytes when unpacked
+    .expected = a recording of a plausible size
+uploads-longer-than-listed =
+    .found = more bytes than the zip says
+    .expected = { $listed_bytes }
+uploads-symbolic-link =
+    .found = a symbolic link
+    .expected = plain files
+uploads-special-file =
+    .found = a special file
+    .expected = plain files
+uploads-encrypted-file =
+    .found = an encrypted file
+    .expected = plain files
+uploads-compression-unknown =
+    .found = the compression method { $compression }
+    .expected = stored or deflated files
+uploads-name-outside =
+    .found = a name that leads outside
+    .expected = a relative path without `..`, with forward slashes
+uploads-name-unusual =
+    .found = that name
+    .expected = letters, digits, `_`, `-` and `.`, in at most { $levels } levels
+uploads-kind-unknown =
+    .found = a file of the kind "{ $kind }"
+    .expected = one of { $kinds }
+uploads-same-names =
+    .found = { $files } files of that name, letter case aside
+    .expected = one
+uploads-two-recordings =
+    .found = two files of that name
+    .expected = one recording
+uploads-no-cell-file =
+    .found = no { $file } at the top or in the one folder
+    .expected = { $file } and the files that it names
+uploads-no-manifest =
+    .found = no { $file }
+    .expected = a recording folder
+
+# The check of an uploaded cell.
+uploads-check-too-large =
+    .found = more than can be checked ({ $reason })
+    .expected = a cell of ordinary size
+uploads-check-too-slow =
+    .found = more than can be checked in { SIGNIFICANT($limit_s) } s
+    .expected = a cell of ordinary size
+uploads-check-broken-off =
+    .found = something that ended the check (out of memory, or a mesh that cannot be read)
+    .expected = a cell of ordinary size
+uploads-model-not-buildable =
+    .found = a model that cannot be built ({ $reason })
+    .expected = links and meshes that can
+uploads-outside-file =
+    .found = a file outside the upload's folder
+    .expected = files inside it
+uploads-program =
+    .found = an attempt at { $event }
+    .expected = a cell, which is data only
+uploads-checker-ended = upload: the process that checks cells ended; nothing was changed, send it again
+uploads-other-cell = upload: the cell calls itself "{ $cell }", not "{ $name }"; send it to /api/cells/{ $cell }
+uploads-cell-exists = cell "{ $cell }" exists already; PUT /api/cells/{ $cell } replaces it
+
+# The folders of the cells.
+uploads-cell-misnamed =
+    .found = "{ $name }"
+    .expected = the name of its folder, "{ $folder }"
+uploads-twin-not-writable =
+    .found = a folder that cannot be written ({ $reason })
+    .expected = one that the service may change

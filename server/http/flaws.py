@@ -1,0 +1,75 @@
+"""What cannot be used, as answers tell it, and on its way from the processes that look."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from pydantic import BaseModel, Field, TypeAdapter
+
+from core.errors import BadInput
+from core.files.schema_flaw import schema_flaw
+from core.words.message import Message
+
+MESSAGES = TypeAdapter(list[Message])
+SECRET = "password"
+
+
+class Flaw(BaseModel):
+    """One thing that cannot be used: in the request, or in a cell.
+
+    Args:
+        where: the file, with the key in it; `found` and `expected` are English.
+        code, parameters: the same for every language: `GET /problems/{code}` describes it.
+    """
+
+    where: str
+    found: str
+    expected: str
+    code: str
+    parameters: dict[str, Any] = Field(default_factory=dict)
+
+
+def list_flaws(errors: Iterable[BadInput]) -> list[Flaw]:
+    """What is wrong, as an answer tells it."""
+    return [flaw_of(each.message) for each in errors]
+
+
+def list_request_messages(found: Sequence[Any]) -> list[Message]:
+    """What pydantic finds wrong with a request; secrets are not repeated."""
+    return [_request_message(each) for each in found]
+
+
+def dump_flaws(error: BadInput | None, most: int | None = None) -> str:
+    """An error and its others as JSON, for another process; in codes alone, since whoever looks at cells words nothing."""
+    flaws = [] if error is None else [each.message for each in (error, *error.others)]
+    return MESSAGES.dump_json(flaws[:most], exclude={"__all__": {"text"}}).decode()
+
+
+def load_flaws(kind: type[BadInput], text: str) -> list[BadInput]:
+    """What another process has dumped, as errors of one kind."""
+    return [restore_flaw(kind, message) for message in MESSAGES.validate_json(text)]
+
+
+def restore_flaw(kind: type[BadInput], message: Message) -> BadInput:
+    """The error whose message this was."""
+    parameters = dict(message.parameters)
+    return kind(parameters.pop("where"), message.code, **parameters)
+
+
+def flaw_of(message: Message) -> Flaw:
+    """A flaw's message as an answer tells it."""
+    return Flaw(
+        where=str(message.parameters["where"]),
+        found=message.say_part("found"),
+        expected=message.say_part("expected"),
+        code=message.code,
+        parameters=message.model_dump(mode="json", include={"parameters"})["parameters"],
+    )
+
+
+def _request_message(error: Any) -> Message:
+    key, found, expected = schema_flaw(error)
+    if SECRET in key:
+        return Message.of("request-secret-flaw", where=key, expected=expected)
+    return Message.of("flaw", where=key, found=found, expected=expected)

@@ -1,0 +1,226 @@
+"""What the service itself refuses, each situation with its code; of which kind it is, and what it names, as its English words have it."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from core.words.catalogue import FOLDER
+
+if TYPE_CHECKING:
+    from fluent.syntax import ast as ftl
+
+SITUATIONS: dict[str, tuple[str, ...]] = {
+    "not-signed-in": ("people-key-refused", "people-session-over", "people-sign-in-refused", "people-not-signed-in"),
+    "not-allowed": (
+        "people-origin-foreign",
+        "people-origin-missing",
+        "people-csrf-token-wrong",
+        "people-endpoint-closed",
+        "people-role-lacking",
+        "people-without-role",
+        "people-key-without-password",
+        "people-password-wrong",
+    ),
+    "not-found": (
+        "runs-unknown",
+        "runs-webhook-unknown",
+        "people-account-unknown",
+        "people-key-unknown",
+        "jobs-unknown",
+        "jobs-effect-not-in-twin",
+        "zone-unknown",
+        "request-cell-unknown",
+        "request-problem-unknown",
+        "request-console-file-unknown",
+        "request-address-unknown",
+    ),
+    "conflict": (
+        "runs-command-not-possible",
+        "runs-command-impossible",
+        "runs-no-plan",
+        "runs-no-result",
+        "runs-no-result-because",
+        "runs-no-recording",
+        "runs-no-report",
+        "runs-recording-open",
+        "runs-nothing-left",
+        "runs-recording-not-there",
+        "runs-accepted-already",
+        "runs-nothing-to-stop",
+        "runs-no-common-frame",
+        "runs-speed-not-allowed",
+        "runs-start-of-other-robot",
+        "runs-control-taken",
+        "runs-control-free",
+        "runs-control-elsewhere",
+        "runs-command-without-control",
+        "runs-command-repeated",
+        "runs-command-late",
+        "runs-plan-void",
+        "runs-offer-foreign",
+        "runs-offer-old",
+        "people-account-exists",
+        "people-last-admin",
+        "people-key-exists",
+        "jobs-over",
+        "jobs-no-overlay",
+        "jobs-no-report",
+        "jobs-no-cell",
+        "jobs-recording-gone",
+        "jobs-payload-unknown",
+        "jobs-payload-unnamed",
+        "jobs-payload-differs",
+        "jobs-no-motion-yet",
+        "jobs-no-motion-proposed",
+        "jobs-no-motion-asked",
+        "jobs-motion-refused",
+        "jobs-motion-not-planned",
+        "jobs-robot-changed",
+        "jobs-gravity-changed",
+        "jobs-no-effect-yet",
+        "jobs-twin-busy",
+        "zone-measured-before",
+        "zone-clock-ahead",
+        "zone-not-moved",
+        "zone-moved-on",
+        "uploads-cell-exists",
+        "request-key-busy",
+    ),
+    "unprocessable": (
+        "people-role-not-for-machines",
+        "jobs-effect-not-named",
+        "jobs-no-effect-named",
+        "jobs-effect-not-addable",
+        "jobs-effect-not-judged",
+        "jobs-twin-unchanged",
+        "jobs-work-lost",
+        "zone-not-looked-at",
+        "uploads-no-zip",
+        "uploads-other-cell",
+        "uploads-checker-ended",
+        "request-key-reused",
+    ),
+    "too-large": ("request-body-too-large",),
+    "too-many": ("people-sign-in-blocked",),
+    "store-unavailable": (
+        "store-unavailable",
+        "store-release-waits",
+        "store-release-not-taken",
+        "store-resume-waits",
+        "store-result-not-there",
+    ),
+    "no-room": ("runs-disk-too-full",),
+    "bad-input": ("uploads-outside-file", "uploads-program"),
+    "bad-payload": ("runs-cell-without-payload", "runs-payload-unknown"),
+    "bad-cell": (
+        "uploads-not-unpackable",
+        "uploads-too-many-files",
+        "uploads-too-many-bytes",
+        "uploads-longer-than-listed",
+        "uploads-symbolic-link",
+        "uploads-special-file",
+        "uploads-encrypted-file",
+        "uploads-compression-unknown",
+        "uploads-name-outside",
+        "uploads-name-unusual",
+        "uploads-kind-unknown",
+        "uploads-same-names",
+        "uploads-no-cell-file",
+        "uploads-check-too-large",
+        "uploads-check-too-slow",
+        "uploads-check-broken-off",
+        "uploads-cell-misnamed",
+    ),
+    "bad-robot": ("uploads-model-not-buildable",),
+    "bad-recording": (
+        "uploads-not-unpackable",
+        "uploads-too-many-files",
+        "uploads-recording-too-large",
+        "uploads-two-recordings",
+        "uploads-no-manifest",
+    ),
+    "bad-twin": ("uploads-twin-not-writable",),
+    "bad-request": ("request-unfit", "request-no-json"),
+    "method-not-allowed": ("request-method-not-allowed",),
+    "http-error": ("request-refused",),
+    "internal-error": ("request-unforeseen",),
+}
+"""Codes of the problems that begin here, by their kind. A test holds them against the source."""
+
+NUMBER = re.compile(r"_(s|m|m_s|mb)$")
+BYTES = re.compile(r"_bytes$")
+COUNTS = frozenset({
+    "compression", "entries", "fence", "files", "finished_steps", "given", "joints", "last_number", "levels", "more", "most_files",
+    "moves", "number", "seen_moves", "sent_fence",
+})  # fmt: skip
+LISTS = frozenset({"commands", "effects", "kinds", "needed", "payloads", "roles"})
+VECTORS = frozenset({"gravity_m_s2", "recorded_m_s2"})
+MESSAGES = frozenset({"cause", "flaw", "motion", "refusal", "where", "why_not"})
+"""Which may be a text of outside as well."""
+
+NESTED = "NestedMessage"
+
+
+class Words(NamedTuple):
+    """A message as the English catalogue has it: its source, and what it names."""
+
+    source: str
+    names: tuple[str, ...]
+
+
+def list_kinds(code: str) -> list[str]:
+    """Of which kinds a problem of the service with this code is; nothing of another's code."""
+    return [kind for kind, codes in SITUATIONS.items() if code in codes]
+
+
+@cache
+def read_words() -> dict[str, Words]:
+    """Every message of the catalogue; read for descriptions alone."""
+    from fluent.syntax import FluentParser, FluentSerializer  # noqa: PLC0415
+    from fluent.syntax import ast as ftl  # noqa: PLC0415
+
+    entries: dict[str, ftl.Message] = {}
+    for file in sorted((FOLDER / "en").glob("*.ftl")):
+        parsed = FluentParser(with_spans=False).parse(file.read_text(encoding="utf-8")).body
+        entries |= {entry.id.name: entry for entry in parsed if isinstance(entry, ftl.Message)}
+    for entry in entries.values():
+        entry.comment = None
+    serialize = FluentSerializer().serialize_entry
+    return {code: Words(serialize(entry).strip(), tuple(_list_names(entry, entries))) for code, entry in entries.items()}
+
+
+def _list_names(entry: ftl.Message, entries: dict[str, ftl.Message]) -> list[str]:
+    """What its words name, those of the messages that it refers to included, each once, in their order."""
+    from fluent.syntax import ast as ftl  # noqa: PLC0415
+
+    names: list[str] = [] if entry.value is not None else ["where"]
+    waiting: list[Any] = [entry.value, *entry.attributes]
+    while waiting:
+        node = waiting.pop(0)
+        if isinstance(node, ftl.VariableReference):
+            names.append(node.id.name)
+        elif isinstance(node, ftl.MessageReference):
+            names += _list_names(entries[node.id.name], entries)
+        elif isinstance(node, ftl.BaseNode):
+            waiting[:0] = [each for value in vars(node).values() for each in (value if isinstance(value, list) else [value])]
+    return list(dict.fromkeys(names))
+
+
+def describe_parameter(name: str, ref: str) -> dict[str, Any]:
+    """A parameter's JSON schema, told by its name.
+
+    Args:
+        ref: where schemas are, such as `#/components/schemas/`.
+    """
+    nested = {"$ref": f"{ref}{NESTED}"}
+    if name in MESSAGES:
+        return {"anyOf": [{"type": "string"}, nested]}
+    if name in LISTS:
+        return {"type": "array", "items": {"anyOf": [{"type": "string"}, nested]}}
+    if name in VECTORS:
+        return {"type": "array", "items": {"type": "number"}}
+    if name in COUNTS or BYTES.search(name):
+        return {"type": "integer"}
+    return {"type": "number" if NUMBER.search(name) else "string"}
