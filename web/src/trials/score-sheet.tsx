@@ -1,6 +1,6 @@
 import { useEffect, useState } from 'preact/hooks';
-import type { OpenedTrial } from '../api';
-import { EngineSentence } from '../ui/engine-sentence';
+import type { Message, OpenedTrial } from '../api';
+import { MessageText } from '../ui/message-text';
 import { words } from '../words';
 
 interface Props {
@@ -25,8 +25,8 @@ export function ScoreSheet({ name, trials, sheet }: Props) {
       <h2>{said.score(trials.length)}</h2>
       <ul class="plain">
         {counted(trials).map(([mark, count]) => (
-          <li key={mark}>
-            <b>{count}</b> <EngineSentence said={said.marks[mark]} english={mark} />
+          <li key={mark.text}>
+            <b>{count}</b> <MessageText message={mark} />
           </li>
         ))}
       </ul>
@@ -40,11 +40,11 @@ export function ScoreSheet({ name, trials, sheet }: Props) {
 }
 
 /** Marks with how often they were given, the most frequent first. */
-function counted(trials: OpenedTrial[]): [string, number][] {
-  const marks = trials.map(({ mark }) => mark);
-  const counts = [...new Set(marks)].map((mark): [string, number] => [
+function counted(trials: OpenedTrial[]): [Message, number][] {
+  const marks = new Map(trials.map(({ mark }) => [mark.text, mark]));
+  const counts = [...marks.values()].map((mark): [Message, number] => [
     mark,
-    marks.filter((each) => each === mark).length,
+    trials.filter((each) => each.mark.text === mark.text).length,
   ]);
   return counts.sort(([, one], [, other]) => other - one);
 }

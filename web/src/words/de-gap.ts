@@ -190,14 +190,6 @@ export const deGap: GapWords = {
     nothing: 'Nichts',
     openSeal: 'Siegel öffnen',
     mark: 'Urteil',
-    marks: {
-      right: 'richtig',
-      'not right': 'nicht richtig',
-      'right (does not count: too small, or another effect describes it)':
-        'richtig (zählt nicht: zu klein, oder ein anderer Effekt beschreibt es)',
-      'not right (does not count: too small, or another effect describes it)':
-        'nicht richtig (zählt nicht: zu klein, oder ein anderer Effekt beschreibt es)',
-    },
     checked: 'Die SHA-256 dieses Textes ist das zuerst gezeigte Siegel.',
     broken: 'Die SHA-256 dieses Textes ist NICHT das zuerst gezeigte Siegel.',
     unchecked:

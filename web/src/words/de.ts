@@ -1,13 +1,9 @@
 import { cells } from './de-cells';
-import { flaws } from './de-flaws';
 import { deGap } from './de-gap';
 import { comparison, history } from './de-history';
-import { leftOut } from './de-left-out';
 import { absent, continuing, held, link, lost, now } from './de-link';
+import { mishaps } from './de-mishaps';
 import { secondLook } from './de-plan';
-import { problems } from './de-problems';
-import { remarks } from './de-remarks';
-import { sentences } from './de-sentences';
 import type { Words } from './en';
 
 export const de: Words = {
@@ -65,11 +61,7 @@ export const de: Words = {
     Aborted: 'Abgebrochen',
     Clearing: 'Wird quittiert',
   },
-  flaws,
-  problems,
-  remarks,
-  sentences,
-  leftOut,
+  mishaps,
   secondLook,
   now,
   lost,

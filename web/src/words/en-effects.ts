@@ -1,5 +1,3 @@
-import type { Named } from './en-remarks';
-
 /** What the diagnosis can name. */
 export const enEffects = {
   effects: {
@@ -44,11 +42,6 @@ export const enEffects = {
     environment: 'surroundings',
     actuation: 'drives',
   } as Record<string, string>,
-  /** What to do about an effect, and what a proposed motion does: the engine says it in English, with its figures. */
-  remedies: {} as Record<string, string>,
-  motions: {} as Record<string, string>,
-  /** What was seen elsewhere than in the wrench, by the identifier of the remark. */
-  seen: {} as Record<string, (named: Named) => string>,
   /** Pieces of the names of parameters, where they are not English words already. */
   pieces: { second_order: 'second-order share', joint: 'joint', mode: 'mode' } as Record<string, string>,
 };

@@ -187,8 +187,6 @@ export const enGap = {
     nothing: 'Nothing',
     openSeal: 'Open the seal',
     mark: 'Judged',
-    /** The engine's own words, where they are not English already. */
-    marks: {} as Record<string, string>,
     checked: 'The SHA-256 of this text is the seal that was shown first.',
     broken: 'The SHA-256 of this text is NOT the seal that was shown first.',
     unchecked: 'Without TLS this browser cannot check the seal: compare the SHA-256 of the text yourself.',

@@ -1,13 +1,9 @@
 import { cells } from './en-cells';
-import { flaws } from './en-flaws';
 import { enGap } from './en-gap';
 import { comparison, history } from './en-history';
-import { leftOut } from './en-left-out';
 import { absent, continuing, held, link, lost, now } from './en-link';
+import { mishaps } from './en-mishaps';
 import { secondLook } from './en-plan';
-import { problems } from './en-problems';
-import { remarks } from './en-remarks';
-import { sentences } from './en-sentences';
 
 export const en = {
   product: 'Heft',
@@ -64,11 +60,7 @@ export const en = {
     Aborted: 'Aborted',
     Clearing: 'Clearing',
   },
-  flaws,
-  problems,
-  remarks,
-  sentences,
-  leftOut,
+  mishaps,
   secondLook,
   now,
   lost,

@@ -15,3 +15,9 @@ export const sayPart = (message: Message, part: 'found' | 'expected'): string =>
 
 /** What a message names: a value, or a message itself. */
 export const sayValue = (value: unknown): string => formatValue(value, catalogue.value);
+
+/** Whether it is said in English in every language: words from outside, and messages that this console does not know. */
+export const isEnglish = ({ code }: Message): boolean => code === 'text' || !catalogue.value.hasMessage(code);
+
+/** Words from outside as a message. */
+export const quote = (text: string): Message => ({ code: 'text', parameters: { text } });
