@@ -757,7 +757,7 @@ export interface paths {
         };
         /**
          * Download Report
-         * @description The report of a run that came through, as a page.
+         * @description The report of a run that came through, as a page; in English where it was made before there were other languages.
          */
         get: operations["download_report"];
         put?: never;
@@ -885,7 +885,7 @@ export interface paths {
         };
         /**
          * Download Diagnosis Report
-         * @description The diagnosis as a page.
+         * @description The diagnosis as a page; in English where it was made before there were other languages.
          */
         get: operations["download_diagnosis_report"];
         put?: never;
@@ -949,7 +949,7 @@ export interface paths {
         };
         /**
          * Read Trials
-         * @description Some trials: their seals, and in the end their answers.
+         * @description Some trials: their seals, and in the end their answers; the score sheet in a language.
          */
         get: operations["read_trials"];
         put?: never;
@@ -1463,8 +1463,7 @@ export interface components {
             chance: number | null;
             /** Differ */
             differ: boolean;
-            /** Verdict */
-            verdict: string;
+            verdict: components["schemas"]["Message"];
         };
         /**
          * ComparisonAnswer
@@ -1831,8 +1830,7 @@ export interface components {
             title: string;
             /** File */
             file: string;
-            /** Says */
-            says: string;
+            says: components["schemas"]["Message"];
             refused: components["schemas"]["Message"] | null;
             /** Lost */
             lost: components["schemas"]["Lost"][];
@@ -1842,8 +1840,7 @@ export interface components {
          * @description All targets; `frame` says in which frame they get the payload.
          */
         ExportsAnswer: {
-            /** Frame */
-            frame: string;
+            frame: components["schemas"]["Message"];
             /** Targets */
             targets: components["schemas"]["ExportListed"][];
         };
@@ -1873,8 +1870,7 @@ export interface components {
              * @enum {string}
              */
             kind: "finished";
-            /** Verdict */
-            verdict: string;
+            verdict: components["schemas"]["Message"];
         };
         /**
          * Flaw
@@ -2340,8 +2336,7 @@ export interface components {
             seed: number;
             /** Sealed */
             sealed: string;
-            /** Planted */
-            planted: string;
+            planted: components["schemas"]["Message"];
             /** Size */
             size: number;
             /** Verdict */
@@ -2363,8 +2358,7 @@ export interface components {
             gap_before: number | null;
             /** Gap After */
             gap_after: number | null;
-            /** Mark */
-            mark: string;
+            mark: components["schemas"]["Message"];
         };
         /**
          * OverlayAnswer
@@ -7871,7 +7865,9 @@ export interface operations {
     };
     download_report: {
         parameters: {
-            query?: never;
+            query?: {
+                language?: "en" | "de";
+            };
             header?: never;
             path: {
                 run: string;
@@ -8128,7 +8124,9 @@ export interface operations {
     };
     download_diagnosis_report: {
         parameters: {
-            query?: never;
+            query?: {
+                language?: "en" | "de";
+            };
             header?: never;
             path: {
                 diagnosis: string;
@@ -8260,7 +8258,9 @@ export interface operations {
     };
     read_trials: {
         parameters: {
-            query?: never;
+            query?: {
+                language?: "en" | "de";
+            };
             header?: never;
             path: {
                 trials: string;

@@ -2,6 +2,7 @@ import type { Message } from '../api';
 import { DiagnoseRun } from '../gap/diagnose-run';
 import { RunBefore } from '../history/run-before';
 import { may } from '../session/session';
+import { language } from '../session/settings';
 import { addressOf } from '../ui/client';
 import { Facts } from '../ui/facts';
 import { MessageText } from '../ui/message-text';
@@ -54,7 +55,7 @@ function Result() {
           </a>
           <a
             class="download"
-            href={addressOf('/api/runs/{run}/report', { run: answer.run })}
+            href={addressOf('/api/runs/{run}/report', { run: answer.run }, { language: language.value })}
             target="_blank"
             rel="noreferrer"
           >

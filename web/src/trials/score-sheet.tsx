@@ -1,25 +1,30 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { Message, OpenedTrial } from '../api';
+import type { Language } from '../session/settings';
 import { MessageText } from '../ui/message-text';
+import { attempt } from '../ui/notice';
 import { words } from '../words';
+import { readSheet } from './trials';
 
 interface Props {
-  /** Of the trials, for the file's name. */
-  name: string;
+  /** Of the trials. */
+  id: string;
   trials: OpenedTrial[];
-  /** Markdown. */
-  sheet: string;
+  language: Language;
 }
 
 /** How many trials were judged how, and the score sheet to keep. */
-export function ScoreSheet({ name, trials, sheet }: Props) {
+export function ScoreSheet({ id, trials, language }: Props) {
   const said = words.value.gap.trials;
   const [address, keep] = useState('');
   useEffect(() => {
-    const made = URL.createObjectURL(new Blob([sheet], { type: 'text/markdown' }));
-    keep(made);
+    let made = '';
+    void attempt(async () => {
+      made = URL.createObjectURL(new Blob([await readSheet(id, language)], { type: 'text/markdown' }));
+      keep(made);
+    });
     return () => URL.revokeObjectURL(made);
-  }, [sheet]);
+  }, [id, language]);
   return (
     <section class="score-sheet">
       <h2>{said.score(trials.length)}</h2>
@@ -31,7 +36,7 @@ export function ScoreSheet({ name, trials, sheet }: Props) {
         ))}
       </ul>
       <p class="downloads">
-        <a class="download" href={address} download={`trials-${name}.md`}>
+        <a class="download" href={address} download={`trials-${id}.md`}>
           {said.sheet}
         </a>
       </p>

@@ -38,7 +38,7 @@ export const deGap: GapWords = {
   },
   jobNext: 'Das Ergebnis erscheint hier, sobald es fertig ist. Sie dürfen die Seite verlassen.',
   failedNext: 'Lesen Sie den Grund; beginnen Sie dann eine andere Diagnose.',
-  report: 'Bericht (englisch)',
+  report: 'Bericht',
   back: 'Alle Diagnosen',
   verdict: {
     explained: (effect, stage) => `Die Abweichung ist erklärt: ${effect} (Stufe: ${stage}).`,
@@ -196,7 +196,7 @@ export const deGap: GapWords = {
       'Ohne TLS kann dieser Browser das Siegel nicht prüfen: vergleichen Sie die SHA-256 des Textes selbst.',
     size: (times) => `${times}-mal seine plausible Größe`,
     score: (count) => `Von ${count === 1 ? '1 Versuch' : `${count} Versuchen`}`,
-    sheet: 'Wertungsblatt (englisch)',
+    sheet: 'Wertungsblatt',
     text: 'Versiegelter Text',
     back: 'Alle Versuche',
   },

@@ -250,7 +250,7 @@ export const de: Words = {
     exports: 'Für Steuerungen und Simulatoren',
     lost: 'kann nicht darstellen',
     recording: 'Aufzeichnung (zip)',
-    report: 'Bericht (englisch)',
+    report: 'Bericht',
     print: 'Drucken',
     accept: 'Annehmen',
     again: 'Neuer Lauf',
