@@ -38,7 +38,7 @@ from pydantic import BaseModel, ConfigDict
 from core.words.message import Message, Parameter
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
 
 class Cause(StrEnum):
@@ -66,9 +66,6 @@ class Lateness(BaseModel):
     cause: Cause
     late_s: float
     limit_s: float
-
-    def __str__(self) -> str:
-        return f"{1e3 * self.late_s:.0f} ms (limit {1e3 * self.limit_s:.0f} ms)"
 
 
 class HeftError(Exception):
@@ -200,8 +197,8 @@ class NoStartConfiguration(Refused):
         axis: sensor axis with its sign, for example "x+" (along gravity).
         reasons: how many candidates each check rejected, the most frequent first.
         best_clearance_m: largest distance to anything that was met among reachable candidates, None if none was reachable.
-        nearest: name of the obstacle, zone or link that was nearest in that best candidate.
-        in_the_way: what keeps most of those with room to stand from being used, where that is something else.
+        nearest: the obstacle, zone or link that was nearest in that best candidate.
+        in_the_way: name of what keeps most of those with room to stand from being used, or of what was nearest.
     """
 
     axis: str
@@ -209,24 +206,24 @@ class NoStartConfiguration(Refused):
     def __init__(
         self,
         axis: str,
-        reasons: dict[str, int],
+        reasons: Mapping[Message, int],
         best_clearance_m: float | None = None,
-        nearest: str | None = None,
+        nearest: Message | None = None,
         in_the_way: str | None = None,
     ) -> None:
         rejected = sorted(reasons.items(), key=lambda item: -item[1])
-        counts = [Message.of("planning-rejected", reason=name, count=count) for name, count in rejected]
-        if best_clearance_m is None:
+        counts = [Message.of("planning-rejected", reason=reason, count=count) for reason, count in rejected]
+        if best_clearance_m is None or nearest is None:
             super().__init__("planning-no-start-configuration", axis=axis, rejected=counts, kinds=len(counts))
         else:
             super().__init__(
                 "planning-no-start-configuration-near",
-                axis=axis, rejected=counts, kinds=len(counts), best_clearance_m=best_clearance_m, nearest=nearest or "",
+                axis=axis, rejected=counts, kinds=len(counts), best_clearance_m=best_clearance_m, nearest=nearest,
             )  # fmt: skip
         self.axis = axis
         self.reasons = reasons
         self.best_clearance_m = best_clearance_m
-        self.in_the_way = in_the_way or nearest
+        self.in_the_way = in_the_way
 
 
 class NoPath(Refused):

@@ -103,4 +103,4 @@ class Finished(Event):
     """The end of a run that came through."""
 
     kind: Literal["finished"] = "finished"
-    verdict: str
+    verdict: Message

@@ -33,6 +33,7 @@ from server.runs import (
     live_routes,
     now_routes,
     result_routes,
+    watch_routes,
     webhook_routes,
     zone_routes,
 )
@@ -62,6 +63,7 @@ ROUTES = (
     twin_routes,
     lease_routes,
     now_routes,
+    watch_routes,
     runs_routes,
     command_routes,
     result_routes,

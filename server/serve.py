@@ -81,7 +81,7 @@ def read_settings(**options: Any) -> Settings:
         flaw = schema_flaw(error.errors()[0])
         name = flaw.key.partition(".")[0]
         where = f"--{name}" if options.get(name) is not None else f"HEFT_{name.upper()}"
-        raise BadInput(where, flaw.found, flaw.expected) from error
+        raise BadInput(where, flaw.code, **flaw.parameters) from error
 
 
 @contextmanager

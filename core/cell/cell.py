@@ -191,8 +191,11 @@ class Cell(Model):
     @cached_property
     def urdf(self) -> str:
         """Text of the robot's URDF."""
-        where = f"{self.folder / CELL_FILE}: robot.urdf"
-        return read_inside(self.folder, self.robot.urdf, BadRobot, max_bytes=MAX_URDF_BYTES, where=where)
+        return read_inside(self.folder, self.robot.urdf, BadRobot, max_bytes=MAX_URDF_BYTES, where=self.locate("robot.urdf"))
+
+    def locate(self, key: str) -> str:
+        """Where a key stands, as an error names it: the cell's file and the key."""
+        return f"{self.folder / CELL_FILE}: {key}"
 
     def with_pose_of(self, name: str, pose: Pose) -> Cell:
         """The same cell with the obstacle or zone of that name elsewhere (world frame)."""

@@ -7,8 +7,6 @@ import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
@@ -19,7 +17,7 @@ from core.cell.tool_checks import tool_flaws
 from core.cell.urdf import Urdf, check_urdf
 from core.errors import BadCell, BadInput, refuse, together
 from core.files.jail import read_inside
-from core.files.schema_flaw import SchemaFlaw, schema_flaw
+from core.files.schema_flaw import MOST_LETTERS, schema_flaw
 from core.payload.shapes import (
     Box,
     Capsule,
@@ -27,8 +25,7 @@ from core.payload.shapes import (
     Pose,
     Sphere,
 )
-
-Array = NDArray[np.float64]
+from core.words.message import Message
 
 
 class CellRead(NamedTuple):
@@ -49,8 +46,7 @@ class CellRead(NamedTuple):
 
 def contradictions_of(cell: Cell) -> list[BadCell]:
     """What in a cell does not go together, wherever its zones have been moved to."""
-    where = cell.folder / CELL_FILE
-    return [BadCell(f"{where}: {key}", found, expected, in_the_way=name) for key, found, expected, name in contradictions(cell)]
+    return list(contradictions(cell))
 
 
 def load_cell(folder: Path) -> Cell:
@@ -85,11 +81,11 @@ def _parse(folder: Path) -> Cell:
     try:
         content = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise BadCell(where, f"TOML that does not parse ({str(error)[:120]})", "TOML") from error
+        raise BadCell(where, "cell-no-toml", reason=str(error)[:120]) from error
     try:
         return Cell.model_validate({**content, "folder": folder})
     except ValidationError as error:
-        raise together([_sentence(flaw, where) for flaw in error.errors()]) from error
+        raise together([_flaw(flaw, where) for flaw in error.errors()]) from error
 
 
 def _check_urdf(cell: Cell) -> None:
@@ -99,8 +95,7 @@ def _check_urdf(cell: Cell) -> None:
     _check_visual_shapes(cell, urdf)
     urdf.check_shapes(cell.robot.base_frame, cell.robot.sensor_frame, cell.robot.visual_shapes)
     urdf.check_meshes(cell.folder)
-    where = cell.folder / CELL_FILE
-    refuse([BadCell(f"{where}: {key}", found, expected) for key, found, expected, _ in tool_flaws(cell, urdf)])
+    refuse(list(tool_flaws(cell, urdf)))
 
 
 def _check_visual_shapes(cell: Cell, urdf: Urdf) -> None:
@@ -108,8 +103,8 @@ def _check_visual_shapes(cell: Cell, urdf: Urdf) -> None:
     usable = [body.name for body in urdf.bodies if body.visual and not body.collision]
     for name in cell.robot.visual_shapes:
         if name not in usable:
-            where = f"{cell.folder / CELL_FILE}: robot.visual_shapes"
-            raise BadCell(where, repr(name), f"a link of {cell.robot.urdf} with a <visual> and without a <collision>, one of {usable}")
+            where = cell.locate("robot.visual_shapes")
+            raise BadCell(where, "cell-no-visual-shape", link=name, urdf=cell.robot.urdf, links=usable, count=len(usable))
 
 
 def check_robot(cell: Cell, urdf: Urdf) -> None:
@@ -119,40 +114,42 @@ def check_robot(cell: Cell, urdf: Urdf) -> None:
         BadCell: it does not.
         BadRobot: the joints between the two frames are no chain of hinges with limits.
     """
-    where = f"{cell.folder / CELL_FILE}: robot"
     robot = cell.robot
-    for key in ("base_frame", "sensor_frame"):
-        if getattr(robot, key) not in urdf.links:
-            raise BadCell(f"{where}.{key}", repr(getattr(robot, key)), f"a link of {robot.urdf}, {list(urdf.links)}")
-    for link in (link for pair in robot.adjacent for link in pair):
+    named = [("base_frame", robot.base_frame), ("sensor_frame", robot.sensor_frame)]
+    for key, link in [*named, *(("adjacent", link) for pair in robot.adjacent for link in pair)]:
         if link not in urdf.links:
-            raise BadCell(f"{where}.adjacent", repr(link), f"a link of {robot.urdf}, {list(urdf.links)}")
+            raise BadCell(cell.locate(f"robot.{key}"), "cell-no-such-link", link=link, urdf=robot.urdf, links=urdf.links)
     joints = urdf.hinges(robot.base_frame, robot.sensor_frame)
-    for key in ("home_rad", "acceleration_rad_s2", "velocity_rad_s"):
-        values = getattr(robot, key)
+    names = [joint.name for joint in joints]
+    of_joints = {key: getattr(robot, key) for key in ("home_rad", "acceleration_rad_s2", "velocity_rad_s")}
+    for key, values in [*of_joints.items(), *((f"friction.{key}", values) for key, values in robot.friction or ())]:
         if values is not None and len(values) != len(joints):
-            raise BadCell(f"{where}.{key}", f"{len(values)} values", f"{len(joints)}, for {[joint.name for joint in joints]}")
-    for key, values in robot.friction or ():
-        if len(values) != len(joints):
-            raise BadCell(f"{where}.friction.{key}", f"{len(values)} values", f"{len(joints)}, for {[joint.name for joint in joints]}")
+            raise BadCell(
+                cell.locate(f"robot.{key}"), "cell-not-one-for-each-joint", count=len(values), joints=names, joint_count=len(names)
+            )
     for home, joint in zip(robot.home_rad, joints, strict=True):
         if not joint.lower < home < joint.upper:
-            raise BadCell(f"{where}.home_rad", f"{home} for {joint.name!r}", f"a position in ({joint.lower}, {joint.upper})")
+            raise BadCell(
+                cell.locate("robot.home_rad"), "cell-home-outside-limits",
+                home_rad=home, joint=joint.name, lower_rad=joint.lower, upper_rad=joint.upper,
+            )  # fmt: skip
     for velocity, joint in zip(robot.velocity_rad_s or (), joints, strict=robot.velocity_rad_s is not None):
         if velocity > joint.velocity:
-            raise BadCell(f"{where}.velocity_rad_s", f"{velocity} for {joint.name!r}", f"at most the URDF's {joint.velocity}")
+            where = cell.locate("robot.velocity_rad_s")
+            raise BadCell(where, "cell-velocity-too-high", velocity_rad_s=velocity, joint=joint.name, most_rad_s=joint.velocity)
 
 
-def _sentence(error: ErrorDetails, where: str) -> BadCell:
+def _flaw(error: ErrorDetails, where: str) -> BadCell:
     """One of pydantic's errors as one of ours."""
     flaw = schema_flaw(error)
     if error["type"] == "extra_forbidden":
         for close in difflib.get_close_matches(str(error["loc"][-1]), _keys(), n=1):
-            flaw = flaw._replace(expected=f"{close!r}, if that is what was meant")
-    elif error["type"] in ("union_tag_not_found", "union_tag_invalid"):
-        found = repr(error["input"].get("kind")) if isinstance(error["input"], dict) else flaw.found
-        flaw = SchemaFlaw(f"{flaw.key}.kind", found, "box, sphere, capsule or cylinder")
-    return BadCell(*flaw.at(where))
+            return BadCell(f"{where}: {flaw.key}", "cell-unknown-key", close=close)
+    elif error["type"] == "union_tag_not_found":
+        return BadCell(f"{where}: {flaw.key}.kind", "cell-shape-without-kind")
+    elif error["type"] == "union_tag_invalid":
+        return BadCell(f"{where}: {flaw.key}.kind", "cell-unknown-shape", kind=str(error["ctx"]["tag"])[:MOST_LETTERS])
+    return flaw.refusal(BadCell, where)
 
 
 def _keys() -> list[str]:
@@ -185,5 +182,7 @@ def find_cell(name: str | Path) -> Path:
     if str(name) in known:
         return known[str(name)]
     close = difflib.get_close_matches(str(name), known, n=1)
-    hint = f"{close[0]!r}, if that is what was meant" if close else f"one of {list(known)}, or a folder with {CELL_FILE}"
-    raise BadCell("cell", repr(str(name)), hint)
+    where = Message.of("cell-argument")
+    if close:
+        raise BadCell(where, "cell-nearly-named", name=str(name), close=close[0])
+    raise BadCell(where, "cell-unknown", name=str(name), known=list(known), file=CELL_FILE)

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cell.contradictions import Contradiction, load_contradictions
+from core.cell.contradictions import load_contradictions
 from core.cell.tool import STATED
 from core.cell.urdf import Urdf
 from core.cell.urdf_tree import UrdfTree, axis_of, end_of, origin_of
+from core.errors import BadCell
 from core.payload.inertia import InertialParameters, pseudo_inertia
-from core.payload.shapes import rotation_about
+from core.payload.rotations import rotation_of
 
 if TYPE_CHECKING:
     from core.cell.cell import Cell, Tool
@@ -25,7 +26,7 @@ HARDLY_NEGATIVE = 1e-6
 """Of the largest eigenvalue: values are written with six digits."""
 
 
-def tool_flaws(cell: Cell, urdf: Urdf) -> Iterator[Contradiction]:
+def tool_flaws(cell: Cell, urdf: Urdf) -> Iterator[BadCell]:
     """Everything that speaks against the tools of a cell whose URDF has been checked; the sums only where nothing else does.
 
     The links behind the sensor frame that have a mass or a shape belong to tools: a sensor feels them, and an arm does not.
@@ -61,77 +62,74 @@ def _parameters(tool: Tool, sensor_frame: str, tree: UrdfTree | None) -> Inertia
     return InertialParameters(np.array([tool.mass_kg, *(tool.first_moment_kg_m or ()), *(tool.inertia_kg_m2 or ())]))
 
 
-def _name_flaws(cell: Cell, name: str, links: tuple[str, ...]) -> Iterator[Contradiction]:
+def _name_flaws(cell: Cell, name: str, links: tuple[str, ...]) -> Iterator[BadCell]:
     """Bodies are told apart by their names."""
+    where = cell.locate(f"tools.{name}")
     if name in {obstacle.name for obstacle in cell.obstacles} | {zone.name for zone in cell.zones}:
-        yield Contradiction(f"tools.{name}", "the name of an obstacle or a zone", "a name of its own")
+        yield BadCell(where, "tools-named-like-obstacle")
     if name in links:
-        yield Contradiction(f"tools.{name}", "the name of a link of the URDF", "a name of its own")
+        yield BadCell(where, "tools-named-like-link")
     if name == "payload":
-        yield Contradiction(f"tools.{name}", "the name of the payload's box", "a name of its own")
+        yield BadCell(where, "tools-named-like-payload")
 
 
-def _tool_flaws(key: str, tool: Tool, cell: Cell, tree: UrdfTree, behind: tuple[str, ...]) -> Iterator[Contradiction]:
+def _tool_flaws(key: str, tool: Tool, cell: Cell, tree: UrdfTree, behind: tuple[str, ...]) -> Iterator[BadCell]:
     stated = [each for each in STATED if getattr(tool, each) is not None]
     if tool.links is not None:
         for each in stated:
-            yield Contradiction(f"{key}.{each}", "a value beside links", "links of the URDF or the tool's own values, not both")
+            yield BadCell(cell.locate(f"{key}.{each}"), "tools-value-beside-links")
         if not set(tool.links) <= set(behind):
             return
     elif len(stated) < len(STATED):
         missing = next(each for each in STATED if each not in stated)
-        yield Contradiction(f"{key}.{missing}", "no such key", f"{', '.join(STATED)}, or links of the URDF")
+        yield BadCell(cell.locate(f"{key}.{missing}"), "tools-without-value", keys=STATED)
         return
     parameters = _parameters(tool, cell.robot.sensor_frame, tree)
     if tool.links is not None and not parameters.mass > 0:
-        yield Contradiction(f"{key}.links", "links without mass", f"links whose <inertial> the URDF states, or {', '.join(STATED)}")
+        yield BadCell(cell.locate(f"{key}.links"), "tools-links-massless", keys=STATED)
     elif not (parameters.consistent if tool.links is None else _is_nearly_consistent(parameters)):
-        m, mc, inertia = parameters.mass, np.round(parameters.first_moment, 9).tolist(), np.round(parameters.phi[4:], 9).tolist()
-        where = f"{key}.{'inertia_kg_m2' if tool.links is None else 'links'}"
-        found = f"mass {m:.6g}, first_moment {mc}, inertia {inertia}"
-        yield Contradiction(where, found, "values that a rigid body can have (pseudo-inertia positive definite)")
+        mc, inertia = np.round(parameters.first_moment, 9).tolist(), np.round(parameters.phi[4:], 9).tolist()
+        where = cell.locate(f"{key}.{'inertia_kg_m2' if tool.links is None else 'links'}")
+        yield BadCell(where, "tools-inertia", mass_kg=parameters.mass, first_moment_kg_m=mc, inertia_kg_m2=inertia)
     elif tool.box is not None and (depth := tool.box.depth(parameters.com)) < 0:
-        found = f"a centre of mass at {np.round(parameters.com, 4).tolist()} m, {-depth:.3f} m outside the box"
-        yield Contradiction(f"{key}.box", found, "a box that contains the tool")
+        com = np.round(parameters.com, 4).tolist()
+        yield BadCell(cell.locate(f"{key}.box"), "tools-outside-box", com_m=com, distance_m=-depth)
 
 
-def _link_flaws(cell: Cell, tree: UrdfTree, behind: tuple[str, ...]) -> Iterator[Contradiction]:
+def _link_flaws(cell: Cell, tree: UrdfTree, behind: tuple[str, ...]) -> Iterator[BadCell]:
     frame = cell.robot.sensor_frame
     owner: dict[str, str] = {}
     for name, tool in cell.tools.items():
+        where = cell.locate(f"tools.{name}.links")
         for link in tool.links or ():
             if link not in behind:
-                yield Contradiction(f"tools.{name}.links", repr(link), f"links behind the sensor frame {frame!r}, {list(behind)}")
+                yield BadCell(where, "tools-link-not-behind-sensor", link=link, frame=frame, links=behind, count=len(behind))
             elif link in owner:
-                found = f"{link!r}, which is in tools.{owner[link]} already"
-                yield Contradiction(f"tools.{name}.links", found, "each link in one tool, once")
+                yield BadCell(where, "tools-link-twice", link=link, tool=owner[link])
             owner[link] = name
     left = [link for link in behind if link not in owner and tree.has_body(link)]
     if left:
-        found = f"{frame!r} with the links {left} behind it, which the sensor feels and no tool has"
-        expected = f"a tool with them ([tools.NAME] with links = {left}), or a sensor frame behind them"
-        yield Contradiction("robot.sensor_frame", found, expected)
+        yield BadCell(cell.locate("robot.sensor_frame"), "tools-links-of-none", frame=frame, links=left)
 
 
-def _weight_flaws(cell: Cell, tools: dict[str, InertialParameters]) -> Iterator[Contradiction]:
+def _weight_flaws(cell: Cell, tools: dict[str, InertialParameters]) -> Iterator[BadCell]:
     """The sensor carries the tools, alone and with each payload."""
     of_tools = sum((each.phi for each in tools.values()), start=np.zeros(10))
-    key = ", ".join(f"tools.{name}" for name in tools)
-    alone = list(load_contradictions(key, InertialParameters(of_tools), cell))
+    keys = [f"tools.{name}" for name in tools]
+    alone = list(load_contradictions(keys, InertialParameters(of_tools), cell))
     yield from alone
     for name, payload in {} if alone else cell.payloads.items():
-        yield from load_contradictions(f"{key} and payloads.{name}", InertialParameters(of_tools + payload.parameters.phi), cell)
+        yield from load_contradictions([*keys, f"payloads.{name}"], InertialParameters(of_tools + payload.parameters.phi), cell)
 
 
-def _effort_flaws(cell: Cell, urdf: Urdf, tools: InertialParameters) -> Iterator[Contradiction]:
+def _effort_flaws(cell: Cell, urdf: Urdf, tools: InertialParameters) -> Iterator[BadCell]:
     """The drives hold arm and tools at home."""
     efforts = {joint.name: joint.effort for joint in urdf.joints}
     for name, torque in home_torques(cell, urdf, tools).items():
         effort = efforts[name]
         if effort is not None and torque > effort:
-            key = ", ".join(f"tools.{each}" for each in cell.tools)
-            found = f"{torque:.4g} N m on {name!r} at home, with the links"
-            yield Contradiction(key, found, f"tools that the joint can hold, {effort:.4g} N m (limit effort of the URDF)")
+            where = cell.locate(", ".join(f"tools.{each}" for each in cell.tools))
+            yield BadCell(where, "tools-too-heavy-for-joint", torque_n_m=torque, joint=name, effort_n_m=effort)
 
 
 def home_torques(cell: Cell, urdf: Urdf, carried: InertialParameters) -> dict[str, float]:
@@ -144,7 +142,7 @@ def home_torques(cell: Cell, urdf: Urdf, carried: InertialParameters) -> dict[st
     for hinge, angle in zip(hinges, cell.robot.home_rad, strict=True):
         joint = tree.joints[hinge.name]
         axis = axis_of(joint)
-        turn = _matrix(rotation_about(axis, angle), np.zeros(3))
+        turn = _matrix(rotation_of(angle * axis), np.zeros(3))
         pose = pose @ tree.find_rigid_parent(end_of(joint, "parent"))[1] @ origin_of(joint) @ turn
         axes.append(pose[:3, :3] @ axis)
         origins.append(pose[:3, 3])

@@ -17,6 +17,7 @@ import numpy as np
 from core.cell.urdf_elements import LIMITS, UrdfJoint, UrdfLink, check_elements, parse, read_joint, read_link
 from core.errors import BadRobot
 from core.files.jail import find_inside
+from core.words.message import Message
 
 MAX_MESH_BYTES = 50_000_000
 MAX_ANGLE = 4 * np.pi  # rad; a larger joint limit is in degrees
@@ -70,18 +71,19 @@ class Urdf:
         parent_joint = {joint.child: joint for joint in self.joints}
         for frame in (base, tip):
             if frame not in self.links:
-                raise BadRobot(f"{self.where}: frame", repr(frame), f"one of the links {list(self.links)}")
+                raise BadRobot(Message.of("description-frame", file=self.where), "description-unknown-frame", frame=frame, links=self.links)
+        where = Message.of("description-named-frame", file=self.where, frame=tip)
         moving: list[UrdfJoint] = []
         link = tip
         while link != base:
             joint = parent_joint.get(link)
             if joint is None:
-                raise BadRobot(f"{self.where}: frame {tip!r}", f"no chain of joints from {base!r} to it", "one")
+                raise BadRobot(where, "description-no-chain", base=base)
             if joint.kind != "fixed":
                 moving.insert(0, joint)
             link = joint.parent
         if not moving:
-            raise BadRobot(f"{self.where}: frame {tip!r}", f"no moving joint between {base!r} and it", "at least one")
+            raise BadRobot(where, "description-no-moving-joint", base=base)
         return tuple(_hinge(joint, f"{self.where}: joint {joint.name!r}") for joint in moving)
 
     def check_bodies(self, base: str, tip: str) -> None:
@@ -119,9 +121,10 @@ class Urdf:
                 continue
             if body.collision or (body.name in visual_shapes and body.visual) or not (body.mass or body.visual):
                 continue
-            looks = f"<collision>, or {body.name!r} in robot.visual_shapes of cell.toml, where its looks are to count"
-            expected = looks if body.visual else "<collision>, or neither mass nor shape where it is only a frame"
-            raise BadRobot(f"{self.where}: link {body.name!r}", "a link that moves without a shape for collisions", expected)
+            where = f"{self.where}: link {body.name!r}"
+            if body.visual:
+                raise BadRobot(where, "description-link-only-looks", link=body.name)
+            raise BadRobot(where, "description-link-without-shape")
 
     def _has_shaped_neighbour(self, name: str) -> bool:
         """Whether a link that is fixed to this one, directly, has a shape that something can run into."""
@@ -138,7 +141,7 @@ class Urdf:
         for name in self.meshes:
             where = f"{self.where}: mesh"
             if "://" in name or "\\" in name or PurePosixPath(name).is_absolute():
-                raise BadRobot(where, repr(name), "a path relative to the URDF, inside its folder")
+                raise BadRobot(where, "description-mesh-elsewhere", name=name)
             find_inside(folder, name, BadRobot, max_bytes=MAX_MESH_BYTES, where=where)
 
 
@@ -165,68 +168,67 @@ def check_urdf(text: str, where: str) -> Urdf:
 def _hinge(joint: UrdfJoint, where: str) -> Hinge:
     """What the procedure needs of every joint that it moves."""
     if joint.kind == "continuous":
-        raise BadRobot(where, "a joint without limits (continuous)", "a revolute joint with lower, upper and velocity limits")
-    if joint.kind != "revolute" or joint.mimic:
-        raise BadRobot(
-            where,
-            "a joint that mimics another" if joint.mimic else f"the type {joint.kind!r}",
-            "a revolute joint of its own",
-        )
+        raise BadRobot(where, "description-joint-without-limits")
+    if joint.mimic:
+        raise BadRobot(where, "description-joint-mimics")
+    if joint.kind != "revolute":
+        raise BadRobot(where, "description-joint-not-revolute", type=joint.kind)
     if np.linalg.norm(joint.axis) < 1e-6:
-        raise BadRobot(f"{where}: axis", str(joint.axis.tolist()), "a direction")
+        raise BadRobot(f"{where}: axis", "description-axis", axis=joint.axis.tolist())
     lower, upper, velocity = joint.lower, joint.upper, joint.velocity
     if lower is None or upper is None or velocity is None or joint.effort is None:
         missing = next(key for key in LIMITS if getattr(joint, key) is None)
-        raise BadRobot(f"{where}: limit", f"no {missing}", "lower, upper, velocity and effort limits")
+        raise BadRobot(f"{where}: limit", "description-limit-missing", key=missing, keys=LIMITS)
     if not -MAX_ANGLE <= lower < upper <= MAX_ANGLE:
-        raise BadRobot(f"{where}: limit", f"lower {lower:g}, upper {upper:g}", f"lower < upper within +-{MAX_ANGLE:.2f} rad")
+        raise BadRobot(f"{where}: limit", "description-limits", lower_rad=lower, upper_rad=upper, most_rad=MAX_ANGLE)
     if velocity <= 0:
-        raise BadRobot(f"{where}: limit", f"velocity {velocity:g}", "a positive velocity in rad/s")
+        raise BadRobot(f"{where}: limit", "description-velocity", velocity_rad_s=velocity)
     return Hinge(joint.name, joint.child, lower, upper, velocity)
 
 
 def _check_body(body: UrdfLink, where: str) -> None:
     if body.mass is None or body.inertia is None:
-        raise BadRobot(where, "no inertial", "mass and inertia of a link that moves")
+        raise BadRobot(where, "description-without-inertial")
     if body.mass <= 0:
-        raise BadRobot(f"{where}: mass", f"{body.mass:g} kg", "a positive mass of a link that moves")
+        raise BadRobot(f"{where}: mass", "description-massless", mass_kg=body.mass)
     moments = np.linalg.eigvalsh(body.inertia)
     if moments[0] <= 0:
-        raise BadRobot(f"{where}: inertia", f"a principal moment of {moments[0]:.3g} kg m2", "a positive definite inertia")
+        raise BadRobot(f"{where}: inertia", "description-inertia-not-definite", moment_kg_m2=moments[0])
     if moments[2] > (moments[0] + moments[1]) * (1 + ROUNDING):
-        found = f"principal moments {moments[0]:.4g}, {moments[1]:.4g}, {moments[2]:.4g} kg m2"
-        raise BadRobot(f"{where}: inertia", found, "none larger than the sum of the other two")
+        least, middle, most = moments
+        raise BadRobot(f"{where}: inertia", "description-inertia-of-none", least_kg_m2=least, middle_kg_m2=middle, most_kg_m2=most)
 
 
 def _names_are_unique(urdf: Urdf) -> None:
     for kind, names in (("link", urdf.links), ("joint", tuple(joint.name for joint in urdf.joints))):
         name, count = Counter(names).most_common(1)[0] if names else ("", 0)
         if count > 1:
-            raise BadRobot(f"{urdf.where}: {kind} {name!r}", f"{count} of that name", "one")
+            raise BadRobot(f"{urdf.where}: {kind} {name!r}", "description-name-twice", count=count)
         if "" in names:
-            raise BadRobot(f"{urdf.where}: {kind}", "one without a name", "a name")
+            raise BadRobot(f"{urdf.where}: {kind}", "description-nameless")
 
 
 def _joints_have_links(urdf: Urdf) -> None:
     for joint in urdf.joints:
         for key in ("parent", "child"):
             if getattr(joint, key) not in urdf.links:
-                raise BadRobot(f"{urdf.where}: joint {joint.name!r}: {key}", repr(getattr(joint, key)), "a link of the URDF")
+                raise BadRobot(f"{urdf.where}: joint {joint.name!r}: {key}", "description-unknown-link", link=getattr(joint, key))
 
 
 def _is_one_tree(urdf: Urdf) -> None:
     children = Counter(joint.child for joint in urdf.joints)
     for link, count in children.items():
         if count > 1:
-            raise BadRobot(f"{urdf.where}: link {link!r}", f"{count} joints that carry it", "one")
+            raise BadRobot(f"{urdf.where}: link {link!r}", "description-carried-twice", count=count)
     roots = [link for link in urdf.links if link not in children]
-    if len(roots) != 1:
-        found = f"the roots {roots}" if roots else "a cycle of joints" if urdf.joints else "no link"
-        raise BadRobot(urdf.where, found, "one tree with one root link")
+    if len(roots) > 1:
+        raise BadRobot(urdf.where, "description-several-roots", roots=roots)
+    if not roots:
+        raise BadRobot(urdf.where, "description-all-a-cycle" if urdf.joints else "description-without-links")
     reached = set(_descendants(urdf, roots[0]))
     lost = [link for link in urdf.links if link not in reached]
     if lost:
-        raise BadRobot(f"{urdf.where}: link {lost[0]!r}", "a cycle of joints", f"a chain from the root link {roots[0]!r}")
+        raise BadRobot(f"{urdf.where}: link {lost[0]!r}", "description-link-in-cycle", root=roots[0])
 
 
 def _descendants(urdf: Urdf, root: str) -> Iterator[str]:

@@ -86,18 +86,18 @@ class UrdfJoint:
 def parse(text: str, where: str) -> ET.Element:
     """The root element <robot>; raises BadRobot for what is no such XML."""
     if len(text) > MAX_BYTES:
-        raise BadRobot(where, f"{len(text)} characters", f"at most {MAX_BYTES}")
+        raise BadRobot(where, "description-too-long", characters=len(text), most=MAX_BYTES)
     for declaration in ("<!DOCTYPE", "<!ENTITY"):
         if declaration in text:
-            raise BadRobot(where, f"the declaration {declaration}", "a URDF without document types and entities")
+            raise BadRobot(where, "description-declaration", declaration=declaration)
     try:
         root = ET.fromstring(text)
     except (ET.ParseError, ValueError, LookupError) as error:
-        raise BadRobot(where, f"XML that does not parse ({error})", "a URDF") from error
+        raise BadRobot(where, "description-no-xml", reason=str(error)) from error
     if root.tag != "robot":
-        raise BadRobot(where, f"the element <{root.tag}>", "<robot>")
+        raise BadRobot(where, "description-of-no-robot", tag=root.tag)
     if not root.get("name"):
-        raise BadRobot(where, "<robot> without a name", "a name")
+        raise BadRobot(where, "description-robot-without-name")
     return root
 
 
@@ -107,11 +107,11 @@ def check_elements(root: ET.Element, where: str) -> None:
     while level:
         level, depth = [child for element in level for child in element], depth + 1
         if depth > MAX_DEPTH:
-            raise BadRobot(where, f"elements nested more than {MAX_DEPTH} deep", "a URDF")
+            raise BadRobot(where, "description-too-deep", most=MAX_DEPTH)
     for element in root.iter():
         tag = str(element.tag)
         if "xacro" in tag or tag.rpartition("}")[2] == "include":
-            raise BadRobot(where, f"the element <{tag}>", "a URDF that is complete in itself (xacro expanded, nothing included)")
+            raise BadRobot(where, "description-incomplete", tag=tag)
     for owner in (*root.findall("link"), *root.findall("joint")):
         owner_where = f"{where}: {owner.tag} {owner.get('name', '')!r}"
         for origin in owner.iter("origin"):
@@ -123,19 +123,22 @@ def check_elements(root: ET.Element, where: str) -> None:
 
 def _check_geometry(geometry: ET.Element, where: str) -> None:
     shapes = list(geometry)
-    if len(shapes) != 1 or shapes[0].tag not in (*SIZES, "mesh"):
-        raise BadRobot(f"{where}: geometry", str([shape.tag for shape in shapes]), f"one of {[*SIZES, 'mesh']}")
+    kinds = (*SIZES, "mesh")
+    if not shapes:
+        raise BadRobot(f"{where}: geometry", "description-no-shape", kinds=kinds)
+    if len(shapes) != 1 or shapes[0].tag not in kinds:
+        raise BadRobot(f"{where}: geometry", "description-unknown-shape", shapes=[shape.tag for shape in shapes], kinds=kinds)
     shape = shapes[0]
     if shape.tag == "mesh":
         _numbers(shape, "scale", 3, f"{where}: mesh", "1 1 1")
         if not shape.get("filename"):
-            raise BadRobot(f"{where}: mesh", "no filename", "a file")
+            raise BadRobot(f"{where}: mesh", "description-mesh-without-file")
         return
     keys, count = SIZES[shape.tag]
     for key in keys.split():
         size = _numbers(shape, key, count, f"{where}: {shape.tag}")
         if (size <= 0).any():
-            raise BadRobot(f"{where}: {shape.tag} {key}", repr(shape.get(key)), "positive sizes")
+            raise BadRobot(f"{where}: {shape.tag} {key}", "description-size-not-positive", sizes=shape.get(key, ""))
 
 
 def read_link(link: ET.Element, where: str) -> UrdfLink:
@@ -147,14 +150,16 @@ def read_link(link: ET.Element, where: str) -> UrdfLink:
     if inertial is None:
         return UrdfLink(name, None, None, collision, visual)
     mass_element, inertia_element = inertial.find("mass"), inertial.find("inertia")
-    if mass_element is None or inertia_element is None:
-        raise BadRobot(f"{where}: inertial", f"no {'mass' if mass_element is None else 'inertia'}", "mass and inertia")
+    if mass_element is None:
+        raise BadRobot(f"{where}: inertial", "description-without-mass")
+    if inertia_element is None:
+        raise BadRobot(f"{where}: inertial", "description-without-inertia")
     mass = float(_numbers(mass_element, "value", 1, f"{where}: mass")[0])
     if mass < 0:
-        raise BadRobot(f"{where}: mass", f"{mass:g} kg", "a mass that is not negative")
+        raise BadRobot(f"{where}: mass", "description-negative-mass", mass_kg=mass)
     six = [float(_numbers(inertia_element, key, 1, f"{where}: inertia")[0]) for key in INERTIA]
     if min(six[0], six[3], six[5]) < 0:
-        raise BadRobot(f"{where}: inertia", f"a negative moment among ixx, iyy, izz = {six[0]:g}, {six[3]:g}, {six[5]:g}", "none")
+        raise BadRobot(f"{where}: inertia", "description-negative-moment", ixx_kg_m2=six[0], iyy_kg_m2=six[3], izz_kg_m2=six[5])
     return UrdfLink(name, mass, symmetric(six), collision, visual)
 
 
@@ -173,7 +178,7 @@ def read_joint(joint: ET.Element, where: str) -> UrdfJoint:
     name, kind = joint.get("name", ""), joint.get("type", "")
     where = f"{where}: joint {name!r}"
     if kind not in KINDS:
-        raise BadRobot(f"{where}: type", repr(kind), f"one of {list(KINDS)}")
+        raise BadRobot(f"{where}: type", "description-unknown-joint-type", type=kind, types=KINDS)
     ends = [_end(joint, key, where) for key in ("parent", "child")]
     axis = joint.find("axis")
     limit = joint.find("limit")
@@ -186,7 +191,7 @@ def read_joint(joint: ET.Element, where: str) -> UrdfJoint:
 def _end(joint: ET.Element, key: str, where: str) -> str:
     element = joint.find(key)
     if element is None or not element.get("link"):
-        raise BadRobot(f"{where}: {key}", "no link", "the name of a link")
+        raise BadRobot(f"{where}: {key}", "description-joint-without-link")
     return element.get("link", "")
 
 
@@ -194,13 +199,13 @@ def _numbers(element: ET.Element, key: str, count: int, where: str, default: str
     """The attribute's numbers, (count,); plain decimal notation, since other readers disagree about everything else."""
     text = element.get(key, default)
     if text is None:
-        raise BadRobot(f"{where} {key}", "no value", _amount(count))
+        raise BadRobot(f"{where} {key}", "description-no-value", count=count)
     words = text.split()
     if len(words) != count or not all(_NUMBER.fullmatch(word) for word in words):
-        raise BadRobot(f"{where} {key}", repr(text[:60]), _amount(count))
+        raise BadRobot(f"{where} {key}", "description-no-number", text=text[:60], count=count)
     values = np.array([float(word) for word in words])
     if not (np.abs(values) < 1e4).all():  # metres, radians, kilograms of a robot cell
-        raise BadRobot(f"{where} {key}", repr(text[:60]), "a value that a robot cell can have, in SI units")
+        raise BadRobot(f"{where} {key}", "description-too-far", text=text[:60])
     return values
 
 
@@ -208,7 +213,3 @@ def _optional_number(limit: ET.Element | None, key: str, where: str) -> float | 
     if limit is None or limit.get(key) is None:
         return None
     return float(_numbers(limit, key, 1, f"{where}: limit")[0])
-
-
-def _amount(count: int) -> str:
-    return "a finite number" if count == 1 else f"{count} finite numbers"

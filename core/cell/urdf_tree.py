@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.payload.inertia import InertialParameters
-from core.payload.shapes import rotation_of_rpy
+from core.payload.rotations import rotation_of_rpy
 
 Array = NDArray[np.float64]
 

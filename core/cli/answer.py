@@ -32,8 +32,8 @@ def print_answer(result: Result, json: str | None) -> None:
     for line in verification_lines(result):
         answers.print(line, highlight=False)
     for warning in result.warnings:
-        answers.print(f"Warning: {warning.sentence}", highlight=False)
-    answers.print(result.verdict, highlight=False)
+        answers.print(f"Warning: {warning.text}", highlight=False)
+    answers.print(result.verdict.text, highlight=False)
 
 
 def write_json(text: str, target: str) -> None:

@@ -62,7 +62,7 @@ def new(
     )
     made = make_cell(order, _ask if sys.stdin.isatty() else None)
     for note in made.notes:
-        _say(note)
+        _say(str(note))
     _say(f"Made {made.folder}; its home is pictured in {made.folder / PICTURE}.")
     known = name if into == Path("cells") else made.folder
     _say(f"Next: look at cell.toml, put in what stands there, then `heft cell check {known}` and `heft plan {known}`.")

@@ -9,7 +9,7 @@ import typer
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
 from core.cli.experiments import check_experiment_file, plan_next
-from core.cli.options import JsonOption, check_new
+from core.cli.options import JsonOption, LanguageOption, check_new
 from core.cli.tables import (
     diagnosis_lines,
     diagnosis_table,
@@ -38,6 +38,8 @@ def diagnose_command(
     experiment: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the next motion for `heft run --experiment`; needs --cell.")
     ] = None,
+    *,
+    language: LanguageOption,
 ) -> None:
     """Where simulation and recording part, which unmodelled effect causes it, and how far adding it closes the gap."""
     check_new(report, json)
@@ -53,7 +55,9 @@ def diagnose_command(
         diagnosis = plan_next(diagnosis, evidence, loaded, recording, made_in, experiment, messages)
     if report is not None:
         report.mkdir(parents=True, exist_ok=True)
-        write_diagnosis(report / "diagnosis.html", diagnosis=diagnosis, overlay=None if evidence is None else overlay_of(evidence))
+        write_diagnosis(
+            report / "diagnosis.html", diagnosis=diagnosis, overlay=None if evidence is None else overlay_of(evidence), language=language
+        )
         write_json(diagnosis.model_dump_json(indent=2), str(report / "diagnosis.json"))
     if json is not None:
         write_json(diagnosis.model_dump_json(indent=2), json)

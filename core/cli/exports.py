@@ -33,11 +33,11 @@ def export(
     payload = payload_of(found, made_in)
     if target is None:
         for each in TARGETS:
-            answers.print(f"{each.name:<13} {each.title}: {each.says}", highlight=False, soft_wrap=True)
+            answers.print(f"{each.name:<13} {each.title}: {each.says.text}", highlight=False, soft_wrap=True)
         return
     chosen = target_of(target)
     answers.print(chosen.render_file(payload), end="", markup=False, highlight=False, soft_wrap=True)
-    messages.print(f"In {frame_of(made_in)}; {chosen.says}.", highlight=False, soft_wrap=True)
+    messages.print(f"In {frame_of(made_in).text}; {chosen.says.text}.", highlight=False, soft_wrap=True)
     for sentence in lack_sentences(chosen, payload):
         messages.print(sentence, highlight=False, soft_wrap=True)
 
@@ -53,8 +53,8 @@ def read_result_file(file: Path) -> Result:
     except OSError as error:
         raise BadInput(str(file), f"nothing that can be read ({error.strerror})", "a file that --json wrote") from error
     except ValidationError as error:
-        where, found, _ = schema_flaw(error.errors()[0]).at(str(file))
-        raise BadInput(where, found, "the answer of `heft run` or `heft identify`") from error
+        flaw = schema_flaw(error.errors()[0]).refusal(BadInput, str(file))
+        raise BadInput(flaw.where, flaw.found, "the answer of `heft run` or `heft identify`") from error
 
 
 def lack_sentences(target: Target, payload: UncertainParameters) -> list[str]:

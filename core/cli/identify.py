@@ -9,7 +9,7 @@ import typer
 
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import print_answer
-from core.cli.options import JsonOption, check_new
+from core.cli.options import JsonOption, LanguageOption, check_new
 from core.cli.terminal import messages
 from core.estimation.identification import identify_recording
 from core.estimation.result import SecondsPart, result_of
@@ -27,6 +27,8 @@ def identify_command(
     json: JsonOption = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="Also write the HTML report.")] = None,
     cell: Annotated[str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin is accounted for.")] = None,
+    *,
+    language: LanguageOption,
 ) -> None:
     """Identify the payload from a recording, of this program or from elsewhere. The recording is only read."""
     check_new(report, json)
@@ -37,5 +39,5 @@ def identify_command(
         identification = identify_recording(loaded, twin)
     seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
     if report is not None:
-        write_report(report, recording=loaded, identification=identification)
+        write_report(report, recording=loaded, identification=identification, language=language)
     print_answer(result_of(identification, loaded, seconds=seconds, folder=recording), json)

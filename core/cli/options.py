@@ -8,6 +8,7 @@ import typer
 
 from core.cell.cell import Cell, Payload
 from core.errors import BadInput, BadPayload
+from core.words.catalogue import Language, find_language
 
 
 class PlannerName(StrEnum):
@@ -21,6 +22,9 @@ CellArgument = Annotated[str, typer.Argument(metavar="CELL", help="A cell's name
 JsonOption = Annotated[str | None, typer.Option("--json", metavar="FILE", help="Write the answer as JSON; `-` for standard output.")]
 SeedOption = Annotated[int, typer.Option(min=0, help="Makes planning and the simulated noise repeatable.")]
 PlannerOption = Annotated[PlannerName, typer.Option(help="How paths are searched.")]
+LanguageOption = Annotated[
+    Language, typer.Option("--language", default_factory=find_language, show_default="the terminal's", help="Of the report.")
+]
 PayloadOption = Annotated[str | None, typer.Option(metavar="NAME", help="A payload that the cell knows. [default: its first]")]
 
 

@@ -9,7 +9,17 @@ import typer
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import print_answer, write_json
 from core.cli.experiments import read_request
-from core.cli.options import CellArgument, JsonOption, PayloadOption, PlannerName, PlannerOption, SeedOption, check_new, choose_payload
+from core.cli.options import (
+    CellArgument,
+    JsonOption,
+    LanguageOption,
+    PayloadOption,
+    PlannerName,
+    PlannerOption,
+    SeedOption,
+    check_new,
+    choose_payload,
+)
 from core.cli.terminal import answers, messages
 from core.errors import BadInput
 from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
@@ -48,6 +58,8 @@ def run(
         Path | None, typer.Option(metavar="FILE", help="Instead of the procedure, the motion that `heft diagnose --experiment` proposed.")
     ] = None,
     recording: Annotated[Path | None, typer.Option(metavar="DIR", help="The recording that the experiment continues, if moved.")] = None,
+    *,
+    language: LanguageOption,
 ) -> None:
     """Plan and run the procedure on the simulated robot, identify the payload, write recording, answer and report."""
     loaded = limit_speed(load_cell(find_cell(cell)), speed, "--speed")
@@ -88,6 +100,6 @@ def run(
     write_json(result.model_dump_json(indent=2), str(folder / "result.json"))
     print_answer(result, json)
     page = folder / "report.html"
-    write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
+    write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary, language=language)
     if json != "-":
         answers.print(f"Report: {page}", soft_wrap=True, highlight=False)

@@ -11,6 +11,7 @@ from typing import Annotated
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
 
+from core.cli.options import LanguageOption
 from core.cli.terminal import answers, messages
 from core.errors import BadInput
 from core.trial.batch import cores, on_cluster, on_cores, outcomes
@@ -19,6 +20,7 @@ from core.trial.folder import append, check_seals, open_folder, read_outcomes
 from core.trial.judgement import mark
 from core.trial.outcome import TrialOutcome
 from core.trial.sheet import score_sheet, write_sheet
+from core.words.catalogue import Language
 
 app = typer.Typer()
 
@@ -32,6 +34,8 @@ def trial(
     keep: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder for the recordings, one per seed.")] = None,
     processes: Annotated[int | None, typer.Option(min=1, help="Trials at the same time. [default: one per core]")] = None,
     dask: Annotated[str | None, typer.Option(metavar="ADDRESS", help="Scheduler of a Dask cluster that is to run them.")] = None,
+    *,
+    language: LanguageOption,
 ) -> None:
     """The blind check: plant faults in the virtual robot, seal the answer, diagnose, open the seal, score."""
     wanted = seeds_of(seeds) if seeds else list(range(seed, seed + count))
@@ -56,15 +60,15 @@ def trial(
                 _show(outcome)
     finally:
         if done:
-            _finish(list(done.values()), report)
+            _finish(list(done.values()), report, language)
 
 
-def _finish(found: list[TrialOutcome], report: Path | None) -> None:
+def _finish(found: list[TrialOutcome], report: Path | None, language: Language) -> None:
     """The sheet over all that is there, however the run ended."""
     found = sorted(found, key=lambda outcome: outcome.sealed.seed)
-    answers.print(score_sheet(found), highlight=False, markup=False, soft_wrap=True)
+    answers.print(score_sheet(found, language), highlight=False, markup=False, soft_wrap=True)
     if report is not None:
-        write_sheet(report, found)
+        write_sheet(report, found, language)
 
 
 def seeds_of(text: str) -> list[int]:

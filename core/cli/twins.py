@@ -68,7 +68,7 @@ def remove(
     loaded = load_cell(find_cell(cell))
     twin = read_twin(loaded)
     if effect not in twin.ids:
-        expected = close_name(effect, list(twin.ids)) if twin.ids else "nothing: the twin is the nominal one"
+        expected = str(close_name(effect, list(twin.ids))) if twin.ids else "nothing: the twin is the nominal one"
         raise BadTwin(f"twin of {loaded.name}: effect", repr(effect), expected)
     write_twin(loaded, twin.without(effect))
     answers.print(f"{effect} taken out of the twin of {loaded.name}.", highlight=False)

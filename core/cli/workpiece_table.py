@@ -29,4 +29,4 @@ def workpiece_table(workpiece: WorkpiecePart) -> Table:
 
 def workpiece_lines(workpiece: WorkpiecePart) -> list[str]:
     """What has to be known of the numbers."""
-    return [f"Note: {remark.sentence}" for remark in workpiece.remarks]
+    return [f"Note: {remark.text}" for remark in workpiece.remarks]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from core.cell.body_name import name_body
 from core.cell.cell import Cell
 from core.control.checks import GuardStop, Numbers
 from core.errors import BadState, OutOfLimits, OverLoad, RobotStateLate, SensorFrozen, Stopped, TooClose, TooFast
@@ -13,8 +14,20 @@ from core.sessions.session import RobotState
 
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 
+IS_TOO_CLOSE = {
+    "body-zone": "guard-too-close-to-zone",
+    "body-obstacle": "guard-too-close-to-obstacle",
+    "body-link": "guard-too-close",
+}
+COMES_TOO_CLOSE = {
+    "body-zone": "guard-would-stop-too-close-to-zone",
+    "body-obstacle": "guard-would-stop-too-close-to-obstacle",
+    "body-link": "guard-would-stop-too-close",
+}
+"""Codes by what it is that is near; each has its own advice."""
 
-def make_stop_error(
+
+def make_stop_error(  # noqa: PLR0911, PLR0912 - one return per fault
     fault: GuardStop,
     index: int,
     value: float,
@@ -33,74 +46,47 @@ def make_stop_error(
         numbers: the limits that the checks were given.
         samples: the last states, the offending one at the end.
     """
-    joint = f"joint {robot.description.joints[index]}" if index < robot.n else ""
-    kind: type[Stopped]
+    joint = robot.description.joints[index] if index < robot.n else ""
     match fault:
-        case GuardStop.NOT_FINITE | GuardStop.TARGET_NOT_FINITE:
-            what = "the robot's state" if fault == GuardStop.NOT_FINITE else "the commanded position"
-            kind, limit = BadState, 0.0
-            message = f"{what} is not finite"
-            advice = "Check the connection to robot and sensor and start again."
+        case GuardStop.NOT_FINITE:
+            return BadState("guard-state-not-finite", value=value, limit=0.0, samples=samples)
+        case GuardStop.TARGET_NOT_FINITE:
+            return BadState("guard-command-not-finite", value=value, limit=0.0, samples=samples)
         case GuardStop.STALE:
-            kind, limit = BadState, numbers.period
-            message = f"the robot's clock went on by {1e3 * value:.2f} ms in one period (expected {1e3 * limit:.2f} ms), its state is stale"
-            advice = "Check the connection to the robot and start again."
+            return BadState("guard-state-stale", value=value, limit=numbers.period, samples=samples)
         case GuardStop.LATE:
-            kind, limit = RobotStateLate, numbers.late
-            message = f"the robot's state came after {1e3 * value:.1f} ms (limit {1e3 * limit:.1f} ms)"
-            advice = "Take load off the computer or its network and start again."
+            return RobotStateLate("guard-state-late", value=value, limit=numbers.late, samples=samples)
         case GuardStop.POSITION | GuardStop.TARGET_POSITION:
-            kind = OutOfLimits
             limit = float(robot.upper[index] if value > robot.upper[index] else robot.lower[index])
-            message = f"{joint} {'is' if fault == GuardStop.POSITION else 'was commanded'} at {value:.4f} rad (limit {limit:.4f} rad)"
-            advice = "Move it back by hand guiding and plan again."
+            if fault == GuardStop.POSITION:
+                return OutOfLimits("guard-joint-position", joint=joint, value=value, limit=limit, samples=samples)
+            return OutOfLimits("guard-joint-position-commanded", joint=joint, value=value, limit=limit, samples=samples)
         case GuardStop.JOINT_SPEED | GuardStop.COMMANDED_JOINT_SPEED:
-            kind, limit = TooFast, numbers.velocity[index]
-            message = (
-                f"{joint} {'moves' if fault == GuardStop.JOINT_SPEED else 'was commanded'} at {value:.3f} rad/s (limit {limit:.3f} rad/s)"
-            )
-            advice = "Plan again."
-        case GuardStop.SPEED | GuardStop.COMMANDED_SPEED:
-            kind, limit = TooFast, numbers.speed
-            message = f"{owner} {'moves' if fault == GuardStop.SPEED else 'was commanded'} at {value:.3f} m/s (limit {limit:.3f} m/s)"
-            advice = "Plan again."
+            limit = float(numbers.velocity[index])
+            if fault == GuardStop.JOINT_SPEED:
+                return TooFast("guard-joint-speed", joint=joint, value=value, limit=limit, samples=samples)
+            return TooFast("guard-joint-speed-commanded", joint=joint, value=value, limit=limit, samples=samples)
+        case GuardStop.SPEED:
+            return TooFast("guard-speed", body=name_body(cell, owner), value=value, limit=numbers.speed, samples=samples)
+        case GuardStop.COMMANDED_SPEED:
+            return TooFast("guard-speed-commanded", body=name_body(cell, owner), value=value, limit=numbers.speed, samples=samples)
         case GuardStop.WRENCH:
-            unit = "N" if index < 3 else "N m"
-            kind, limit = OverLoad, cell.sensor.range[index]
-            message = f"{CHANNELS[index]} of {cell.sensor.name} is {value:.2f} {unit} (range {limit:.2f} {unit})"
-            advice = "Check for contact, or take a lighter payload or a larger sensor."
+            channel, sensor, limit = CHANNELS[index], cell.sensor.name, cell.sensor.range[index]
+            if index < 3:
+                return OverLoad("guard-force", channel=channel, sensor=sensor, value=value, limit=limit, samples=samples)
+            return OverLoad("guard-torque", channel=channel, sensor=sensor, value=value, limit=limit, samples=samples)
         case _:
-            kind, limit = BadState, numbers.tracking
-            message = f"{joint} is {value:.4f} rad from its command (limit {limit:.4f} rad)"
-            advice = "Check the joint's controller and the load settings and start again."
-    return kind(f"{message}; the robot was stopped. {advice}", value=value, limit=limit, samples=samples)
+            return BadState("guard-joint-off-command", joint=joint, value=value, limit=numbers.tracking, samples=samples)
 
 
 def make_distance_error(nearest: Nearest, cell: Cell, *, predicted: bool, samples: Sequence[RobotState]) -> TooClose:
     """The error for a distance below what is required, today's or that of the predicted stop."""
-    if any(zone.name == nearest.second for zone in cell.zones):
-        what, advice = f'zone "{nearest.second}"', "Clear the zone and start again."
-    elif any(obstacle.name == nearest.second for obstacle in cell.obstacles):
-        what, advice = f'obstacle "{nearest.second}"', "Check where it stands and plan again."
-    else:
-        what, advice = nearest.second, "Plan again."
-    verb = "would stop" if predicted else "is"
-    digits = 3 if nearest.margin_m < -1e-3 else 5
-    return TooClose(
-        f"{nearest.first} {verb} {nearest.distance_m:.{digits}f} m from {what} (limit {nearest.required_m:.{digits}f} m); "
-        f"the robot was stopped. {advice}",
-        value=nearest.distance_m,
-        limit=nearest.required_m,
-        samples=samples,
-    )
+    first, second = name_body(cell, nearest.first), name_body(cell, nearest.second)
+    value, limit = nearest.distance_m, nearest.required_m
+    codes = COMES_TOO_CLOSE if predicted else IS_TOO_CLOSE
+    return TooClose(codes.get(second.code, codes["body-link"]), first=first, second=second, value=value, limit=limit, samples=samples)
 
 
 def make_frozen_error(seconds: float, limit: float, samples: Sequence[RobotState]) -> SensorFrozen:
     """The error for a wrench that does not change any more."""
-    return SensorFrozen(
-        f"the wrench has not changed for {seconds:.3f} s (limit {limit:.3f} s), a live sensor shows its noise; "
-        "the robot was stopped. Check the sensor's connection and start again.",
-        value=seconds,
-        limit=limit,
-        samples=samples,
-    )
+    return SensorFrozen("guard-wrench-frozen", value=seconds, limit=limit, samples=samples)

@@ -87,12 +87,7 @@ class Playback(Mover):
         away = np.abs(self._q[0] - state.q_cmd)
         j = int(np.argmax(away))
         if not away[j] <= START_TOLERANCE:
-            raise BadState(
-                f"joint {j + 1} stands {away[j]:.4f} rad from where the trajectory starts (limit {START_TOLERANCE} rad); "
-                "the robot has not followed it. Plan again from where the robot stands.",
-                value=float(away[j]),
-                limit=START_TOLERANCE,
-            )
+            raise BadState("motion-starts-elsewhere", joint=j + 1, value=float(away[j]), limit=START_TOLERANCE)
 
 
 class StandStill(Mover):

@@ -40,12 +40,7 @@ def place_on_path(path: Array, k: int, q: Array, period: float) -> int:
     ahead = np.abs(path[k : k + max(2, round(BRAKING_S / period))] - q).max(axis=1)
     nearest = int(np.argmin(ahead))
     if not ahead[nearest] <= OFF_PATH:
-        raise BadState(
-            f"the robot stands {ahead[nearest]:.4f} rad from where it was stopped (limit {OFF_PATH} rad); somebody has moved it. Begin the "
-            "rest as a new run, which is planned from where it stands.",
-            value=float(ahead[nearest]),
-            limit=OFF_PATH,
-        )
+        raise BadState("motion-moved-while-stopped", value=float(ahead[nearest]), limit=OFF_PATH)
     return k + nearest
 
 

@@ -147,9 +147,10 @@ class Rotation(Mover):
             room = np.minimum(q - self._limits.lower, self._limits.upper - q)
             j = int(np.argmin(room))
             raise OutOfLimits(
-                f"the rotation about sensor axis {'xyz'[self.axis]} stands still at {100 * self.progress:.0f} % of its profile: joint "
-                f"{self._robot.description.joints[j]} is {room[j]:.3f} rad from its limit, or the arm is singular; the robot was "
-                "stopped. Choose another start configuration.",
+                "motion-rotation-stalled",
+                axis="xyz"[self.axis],
+                progress=self.progress,
+                joint=self._robot.description.joints[j],
                 value=float(room[j]),
                 limit=0.0,
             )

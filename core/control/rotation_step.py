@@ -9,20 +9,12 @@ from numpy.typing import NDArray
 from core.control.sns_kernel import _sns_step
 from core.control.speed import fastest_point
 from core.robot.chain import _forward, _jacobian
+from core.robot.rotations import pose_error
 
 Array = NDArray[np.float64]
 
 GAIN = 100.0
 """Of the pose error, 1/s. Integrating velocities leaves some 0.1 um of error per period; this keeps the sum near 1 um."""
-
-
-@njit(cache=True)
-def _pose_error(R: Array, p: Array, R_d: Array, p_d: Array, error: Array) -> None:
-    """Fills error (6,): position, then rotation vector (small angles), from the pose to the wanted one, in axes of R."""
-    for r in range(3):
-        error[r] = R[0, r] * (p_d[0] - p[0]) + R[1, r] * (p_d[1] - p[1]) + R[2, r] * (p_d[2] - p[2])
-    E = R.T @ R_d
-    error[3], error[4], error[5] = 0.5 * (E[2, 1] - E[1, 2]), 0.5 * (E[0, 2] - E[2, 0]), 0.5 * (E[1, 0] - E[0, 1])
 
 
 @njit(cache=True)
@@ -53,7 +45,7 @@ def _rotation_step(
     about[k, i] = np.sin(angle)
     about[i, k] = -about[k, i]
     x = np.empty(6)
-    _pose_error(now[:3, :3].copy(), now[:3, 3], np.ascontiguousarray(start[:3, :3]) @ about, start[:3, 3], x)
+    pose_error(now[:3, :3].copy(), now[:3, 3], np.ascontiguousarray(start[:3, :3]) @ about, start[:3, 3], x)
     x *= GAIN
     x[3 + axis] += rate
     s = _sns_step(placements, axes, q, dq, x, lower, upper, velocity, acceleration, T, out)

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.effects.rigid_body import cross, rotation
 from core.effects.scene import Scene
+from core.payload.rotations import cross, rotation_of
 
 Array = NDArray[np.float64]
 
@@ -31,7 +31,7 @@ class BaseTilt(Effect):
         """`w` less `m dg` and `mc x dg`, dg the change of gravity in sensor axes."""
         vector = np.zeros(3)
         vector[_axes(scene)] = theta
-        dg = (rotation(vector) @ scene.gravity - scene.gravity) @ scene.rotation
+        dg = (rotation_of(vector) @ scene.gravity - scene.gravity) @ scene.rotation
         return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
 
     def advice(self, scene: Scene, theta: Array) -> str:

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.effects.rigid_body import cross
 from core.effects.scene import Scene
 from core.effects.window_search import best_windows, onset_parameter_scale, weights
+from core.payload.rotations import cross
 
 Array = NDArray[np.float64]
 

@@ -10,9 +10,9 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.rigid_body import cross
 from core.effects.scene import Scene
 from core.effects.window_search import weights
+from core.payload.rotations import cross
 
 Array = NDArray[np.float64]
 

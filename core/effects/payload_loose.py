@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from core.effects.effect import Effect, Parameter
 from core.effects.hanging import GRAVITY, hang
 from core.effects.oscillator import oscillate, spectral_peaks
-from core.effects.rigid_body import centre_of_mass, cross
+from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
+from core.payload.rotations import cross
 
 Array = NDArray[np.float64]
 

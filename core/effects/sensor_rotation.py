@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.effects.rigid_body import rotation, wrench_change
+from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
+from core.payload.rotations import rotation_of
 
 Array = NDArray[np.float64]
 
@@ -29,7 +30,7 @@ class SensorRotation(Effect):
 
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus what the payload asks more with gravity and motion seen from axes turned by R(theta)."""
-        R, m = rotation(theta), scene.motion
+        R, m = rotation_of(theta), scene.motion
         return w + wrench_change(scene, Motion(m.g @ R, m.a @ R, m.omega @ R, m.alpha @ R))
 
     def advice(self, scene: Scene, theta: Array) -> str:

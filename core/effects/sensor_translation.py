@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
-from core.effects.rigid_body import cross, wrench_change
+from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
+from core.payload.rotations import cross
 
 Array = NDArray[np.float64]
 

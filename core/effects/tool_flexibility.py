@@ -7,10 +7,10 @@ from numpy.typing import NDArray
 
 from core.effects.effect import Effect, Parameter
 from core.effects.oscillator import oscillate, spectral_peaks
-from core.effects.rigid_body import cross
 from core.effects.scene import Scene
 from core.effects.window_search import weights
 from core.payload.inertia import regressor, spatial_inertia
+from core.payload.rotations import cross
 
 Array = NDArray[np.float64]
 

@@ -1,4 +1,4 @@
-"""Which parameters the data determine, and in words why the others are not."""
+"""Which parameters the data determine, and why the others are not."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.payload.inertia import PHI_NAMES, Motion
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -15,7 +16,7 @@ LARGEST_RELATIVE_STD = 0.1
 SIZE_M = 0.05
 """Radius of gyration that a payload has about its own centre at least, roughly."""
 SLOW_RAD_S2 = 0.3
-"""Angular acceleration (rms over the moving part) below which an axis counts as not excited, for the reasons in words."""
+"""Angular acceleration (rms over the moving part) below which an axis counts as not excited, for the reasons that are given."""
 
 
 def scales(phi: Array) -> Array:
@@ -32,40 +33,42 @@ def find_determined(phi: Array, std: Array) -> Bools:
     return np.asarray(enough & mass_known)
 
 
-def explain_not_excited(turned: str) -> dict[str, str]:
+def explain_not_excited(turned: str) -> dict[str, Message]:
     """Name of each inertial parameter that no rotation about these sensor axes (`xy` for example) shows -> why."""
     pairs = [(a, b) for a in "xyz" for b in "xyz" if a <= b]
     left_out = [(a, b) for a, b in pairs if a not in turned and b not in turned]
-    return {f"I{a}{b}": f"no rotation about {a}" if a == b else f"no rotation about {a} or {b}" for a, b in left_out}
+    return {
+        f"I{a}{b}": Message.of("estimation-no-rotation", axis=a) if a == b else Message.of("estimation-no-rotation-of-two", axis=a, other=b)
+        for a, b in left_out
+    }
 
 
-def reasons(phi: Array, std: Array, known: Bools, *, static: bool, motion: Motion | None, turned: str | None = None) -> dict[str, str]:
+def reasons(phi: Array, std: Array, known: Bools, *, static: bool, motion: Motion | None, turned: str | None = None) -> dict[str, Message]:
     """Name of each undetermined parameter -> why.
 
     Args:
         turned: sensor axes that were turned about, `xy` for example; None where nobody has said what was done when.
     """
     missing = {} if static or turned is None else explain_not_excited(turned)
-    return {
-        name: (f"{missing[name]}; " if name in missing else "")
-        + _reason(k, float(std[k]), float(scales(phi)[k]), static=static, motion=motion)
-        for k, name in enumerate(PHI_NAMES)
-        if not known[k]
-    }
+    found = {}
+    for k, name in enumerate(PHI_NAMES):
+        if not known[k]:
+            reason = _reason(k, float(std[k]), float(scales(phi)[k]), static=static, motion=motion)
+            found[name] = Message.of("estimation-two-reasons", rotation=missing[name], reason=reason) if name in missing else reason
+    return found
 
 
-def _reason(k: int, std: float, scale: float, *, static: bool, motion: Motion | None) -> str:
-    unit = "kg" if k == 0 else "kg m" if k < 4 else "kg m2"
-    size = f"its standard uncertainty would be {std:.2g} {unit} against {scale:.2g} {unit}, the size that matters"
+def _reason(k: int, std: float, scale: float, *, static: bool, motion: Motion | None) -> Message:
     if k >= 4 and static:
-        return "static poses only: the inertia is not excited"
+        return Message.of("estimation-standing")
     if k == 0:
-        return f"too few different poses to tell the weight from the sensor's offset; {size}"
+        return Message.of("estimation-mass-uncertain", std_kg=std, scale_kg=scale)
     if k < 4:
-        return f"gravity came from too few directions to tell the first moment about {'xyz'[k - 1]} from the offset; {size}"
+        return Message.of("estimation-first-moment-uncertain", axis="xyz"[k - 1], std_kg_m=std, scale_kg_m=scale)
     slow = [] if motion is None else ["xyz"[i] for i in range(3) if _rms(motion.alpha[:, i]) < SLOW_RAD_S2]
-    axes = f"hardly any angular acceleration about {' and '.join(slow)}; " if slow else "too little angular acceleration; "
-    return axes + size
+    if slow:
+        return Message.of("estimation-inertia-uncertain-about", axes=slow, std_kg_m2=std, scale_kg_m2=scale)
+    return Message.of("estimation-inertia-uncertain", std_kg_m2=std, scale_kg_m2=scale)
 
 
 def _rms(x: Array) -> float:

@@ -1,9 +1,9 @@
-"""What an identification says: the paper's estimate, ours beside it, and in words what can and cannot be said."""
+"""What an identification says: the paper's estimate, ours beside it, and what can and cannot be said."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -12,10 +12,12 @@ from numpy.typing import NDArray
 from core.estimation.segments import Segment
 from core.payload.inertia import InertialParameters, Motion
 from core.payload.uncertain_parameters import UncertainParameters
-from core.remark import Remark
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
+
+CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 
 
 @dataclass(frozen=True)
@@ -52,15 +54,16 @@ class DriftEstimate:
         return np.ptp(self.value, axis=0) if len(self.value) else np.zeros(6)
 
     @property
-    def description(self) -> str:
-        """One sentence."""
-        channels = ("fx", "fy", "fz", "tx", "ty", "tz")
+    def description(self) -> Message:
+        """By how much it changed, in the channels where that is seen."""
         seen = [
-            f"{name} {size:.2g} {'N' if name[0] == 'f' else 'N m'}"
-            for name, size, std in zip(channels, self.range, self.std, strict=True)
+            Message.of("estimation-drift-of-force", channel=name, range_n=float(size))
+            if name.startswith("f")
+            else Message.of("estimation-drift-of-torque", channel=name, range_n_m=float(size))
+            for name, size, std in zip(CHANNELS, self.range, self.std, strict=True)
             if size > 3.0 * std > 0.0
         ]
-        return "the sensor's offset drifted: " + ", ".join(seen) if seen else "no drift of the sensor's offset beyond its noise"
+        return Message.of("estimation-drift", channels=seen) if seen else Message.of("estimation-no-drift")
 
 
 @dataclass(frozen=True)
@@ -79,7 +82,7 @@ class Estimate(UncertainParameters):
     """
 
     determined: Bools
-    reasons: dict[str, str]
+    reasons: dict[str, Message]
     offset: Array
     offset_std: Array
     consistent: bool
@@ -146,22 +149,22 @@ class Identification:
     Args:
         paper: the paper's estimate.
         estimate: ours; None where the recording has no wrench.
-        verdict: one or two sentences.
+        verdict: what of the payload is determined.
         warnings: what the user should know before using the numbers.
         segments: the motionless, rotating and other parts.
         series: for the report; None where the recording has no motion to show.
-        bounds: what can be said all the same, in words, for recordings without a wrench.
+        bounds: what can be said all the same, for recordings without a wrench.
         accounted: identifiers of the twin's effects that were taken off the wrench.
         verified: finds the verification, which takes as long as a fit for each; nothing where there is no motion to leave out.
     """
 
     paper: PaperEstimate
     estimate: Estimate | None
-    verdict: str
-    warnings: tuple[Remark, ...] = ()
+    verdict: Message
+    warnings: tuple[Message, ...] = ()
     segments: tuple[Segment, ...] = ()
     series: TimeSeries | None = None
-    bounds: tuple[str, ...] = field(default=())
+    bounds: tuple[Message, ...] = ()
     accounted: tuple[str, ...] = ()
     verified: Callable[[], tuple[Verification, ...]] = tuple
 

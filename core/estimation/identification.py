@@ -21,8 +21,8 @@ from core.estimation.verification import LeaveOneOut
 from core.estimation.weak_form import WeakForm
 from core.payload.inertia import Motion, is_consistent, regressor
 from core.recording.recording import Recording
-from core.remark import Remark
 from core.twin.twin import NOMINAL, Twin
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -56,10 +56,10 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     noise = sensor_noise(wrench, still, segments, nominal_std=recording.sensor.noise_std)
     rows_only = static or (poses.position is None) or not bool((~still).any())
     if rows_only and int(still.sum()) < FEWEST_ROWS:
-        return _nothing(segments, "too few motionless samples, and no motion that could be used instead")
+        return _nothing(segments, Message.of("estimation-too-few-still"))
     form = WeakForm(poses, still_only=still if rows_only else None)
     if len(form) < FEWEST_ROWS:
-        return _nothing(segments, f"{recording.t[-1] - recording.t[0]:.2f} s are too short to say anything")
+        return _nothing(segments, Message.of("estimation-too-short", lasts_s=float(recording.t[-1] - recording.t[0])))
     effects = effects_on(recording, poses, segments, twin, static=static)
     found, change = _fit_wrench(form, wrench, noise or unknown_noise(), effects)
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
@@ -81,9 +81,8 @@ def _fit_wrench(form: WeakForm, wrench: Array, noise: WrenchNoise, effects: Twin
     return corrected.found, corrected.change
 
 
-def _warn_of_effects_left_out(effects: TwinEffects) -> list[Remark]:
-    said = "the twin's effect could not be accounted for"
-    return [Remark("effect_left_out", f"{said}, {reason}", {"effect": reason.partition(":")[0]}) for reason in effects.lacking]
+def _warn_of_effects_left_out(effects: TwinEffects) -> list[Message]:
+    return [Message.of("estimation-effect-left-out", reason=reason) for reason in effects.lacking]
 
 
 def _motion(poses: Poses, static: bool) -> tuple[Motion, Array]:
@@ -162,7 +161,7 @@ def _series(t: Array, wrench: Array, motion: Motion, found: Fit, change: Array) 
     return TimeSeries(t, motion, wrench - found.x[OFFSET] - drift, late + change)
 
 
-def _nothing(segments: tuple[Segment, ...], why: str) -> Identification:
+def _nothing(segments: tuple[Segment, ...], why: Message) -> Identification:
     nan = np.full(10, np.nan)
     paper = PaperEstimate(nan, nan, np.full(6, np.nan))
-    return Identification(paper, None, f"The payload is not determined: {why}.", (Remark("nothing", why),), segments)
+    return Identification(paper, None, Message.of("estimation-nothing-determined", reason=why), (why,), segments)

@@ -11,7 +11,6 @@ from functools import cached_property
 
 import numpy as np
 from filterpy.kalman import KalmanFilter
-from numba import njit
 from numpy.typing import NDArray
 from scipy.linalg import solve_discrete_are
 from scipy.ndimage import convolve1d
@@ -20,6 +19,7 @@ from scipy.signal import savgol_coeffs
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
+from core.robot.rotations import exponential, logarithm
 
 Array = NDArray[np.float64]
 
@@ -132,45 +132,6 @@ def _derivative(x: Array, length: int, order: int, period: float) -> Array:
     return np.asarray(convolve1d(x, weights, axis=0, mode="nearest"))
 
 
-@njit(cache=True)
-def _logarithm(R: Array) -> Array:
-    v = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-    s = np.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
-    if s < 1e-9:
-        return v
-    factor: float = np.arctan2(s, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0)) / s
-    return factor * v
-
-
-@njit(cache=True)
-def _exponential(v: Array) -> Array:
-    square = v[0] ** 2 + v[1] ** 2 + v[2] ** 2
-    angle = np.sqrt(square)
-    s, c = (1.0 - square / 6.0, 0.5 - square / 24.0) if angle < 1e-4 else (np.sin(angle) / angle, (1.0 - np.cos(angle)) / square)
-    R = np.empty((3, 3))
-    for i in range(3):
-        for j in range(3):
-            R[i, j] = c * v[i] * v[j]
-        R[i, i] += 1.0 - c * square
-    R[2, 1] += s * v[0]
-    R[1, 2] -= s * v[0]
-    R[0, 2] += s * v[1]
-    R[2, 0] -= s * v[1]
-    R[1, 0] += s * v[2]
-    R[0, 1] -= s * v[2]
-    return R
-
-
-def rotation_vector(R: Array) -> Array:
-    """(3,), logarithm of a rotation (3, 3) by less than pi."""
-    return np.asarray(_logarithm(np.ascontiguousarray(R)))
-
-
-def rotation_of(v: Array) -> Array:
-    """(3, 3), exponential of a rotation vector (3,)."""
-    return np.asarray(_exponential(np.ascontiguousarray(v)))
-
-
 class KinematicFilter:
     """Orientation, angular velocity and acceleration, position, velocity and acceleration, from poses, sample by sample.
 
@@ -215,14 +176,17 @@ class KinematicFilter:
             return
         kf.predict()
         self._absorb()
-        innovation = rotation_vector(rotation @ self._rotation.T)
+        innovation = np.empty(3)
+        logarithm(rotation @ self._rotation.T, innovation)
         kf.update(np.concatenate((innovation, position)))
         self._absorb()
 
     def _absorb(self) -> None:
         """Moves the small rotation into the rotation matrix."""
         x = self._filter.x
-        self._rotation = rotation_of(x[:3]) @ self._rotation
+        turned = np.empty((3, 3))
+        exponential(np.ascontiguousarray(x[:3]), turned)
+        self._rotation = turned @ self._rotation
         x[:3] = 0.0
 
     @property

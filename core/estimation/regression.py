@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from core.estimation.segments import ALONG_AXIS
 from core.estimation.uncertainty import gain, inertia_uncertainty, one_sigma, propagate_covariance
-from core.payload.inertia import Motion, skew
+from core.payload.inertia import Motion
+from core.payload.rotations import skew
 
 Array = NDArray[np.float64]
 

@@ -3,22 +3,33 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, BeforeValidator, ConfigDict
 
 from core.recording.recording import Recording
 from core.recording.workpiece import workpiece_alone
-from core.remark import Remark
 from core.version import code_version
+from core.words.message import Message
 
 if TYPE_CHECKING:  # who only reads answers waits for no estimator
     from core.estimation.estimate import Estimate, Identification, Verification
 
 Array = NDArray[np.float64]
 Numbers = list[float | None]
+
+
+def _read_sentence(value: object) -> object:
+    """What an earlier version wrote as a sentence, or as one with its name, as a message."""
+    match value:
+        case str(sentence) | {"sentence": str(sentence)}:
+            return Message.of("text", text=sentence)
+    return value
+
+
+Said = Annotated[Message, BeforeValidator(_read_sentence)]
 
 
 class ResultPart(BaseModel):
@@ -48,7 +59,7 @@ class EstimatePart(ResultPart):
     std: Numbers
     covariance: list[Numbers]
     determined: list[bool]
-    reasons: dict[str, str]
+    reasons: dict[str, Said]
     offset: Numbers
     offset_std: Numbers
     com_m: Numbers
@@ -136,7 +147,7 @@ class WorkpiecePart(ResultPart):
     consistent: bool
     reference: ReferencePart | None
     tools: list[ToolPart]
-    remarks: list[Remark]
+    remarks: list[Said]
 
 
 class Result(ResultPart):
@@ -144,8 +155,8 @@ class Result(ResultPart):
 
     cell: str | None
     payload: str | None
-    verdict: str
-    warnings: list[Remark]
+    verdict: Said
+    warnings: list[Said]
     reference: ReferencePart | None
     paper: PaperPart
     estimate: EstimatePart | None

@@ -9,26 +9,23 @@ from core.estimation.estimate import Identification, PaperEstimate, TimeSeries
 from core.estimation.kinematics import Poses, smooth_motion
 from core.estimation.segments import segments_of_motion, segments_of_phase
 from core.recording.recording import Recording
-from core.remark import Remark
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
 SMOOTHING_S = 0.05
-NEEDED = Remark(
-    "wrench_needed",
-    "a payload follows from joint torques only together with the arm's own parameters (link masses, first moments, inertias and friction), "
-    "or with a recording of the same motion without the payload; or record the wrench of a wrist sensor",
-)
-MOTION_NEEDED = Remark("motion_needed", "record joint positions or sensor poses beside the wrench")
 
 
 def torque_only(recording: Recording, poses: Poses | None) -> Identification:
     """The answer without estimate: the recording is read and checked, and what it lacks is named."""
     nan = np.full(10, np.nan)
     paper = PaperEstimate(nan, nan, np.full(6, np.nan))
-    lacks = "no wrench of a wrist sensor" if recording.wrench is None else "neither joints nor poses beside the wrench"
-    verdict = f"The payload is not determined: the recording has {lacks}."
-    warnings = (NEEDED,) if recording.wrench is None else (MOTION_NEEDED,)
+    lacks, needed = (
+        ("estimation-no-wrench", "estimation-wrench-needed")
+        if recording.wrench is None
+        else ("estimation-no-motion", "estimation-motion-needed")
+    )
+    verdict, warnings = Message.of("estimation-nothing-determined", reason=Message.of(lacks)), (Message.of(needed),)
     if poses is None:
         return Identification(paper, None, verdict, warnings, bounds=tuple(_torques(recording)))
     motion, speed = smooth_motion(poses, window_s=SMOOTHING_S)
@@ -41,28 +38,22 @@ def torque_only(recording: Recording, poses: Poses | None) -> Identification:
     return Identification(paper, None, verdict, warnings, segments, TimeSeries(recording.t, motion), bounds=tuple(said))
 
 
-def _motion(recording: Recording, omega: Array, alpha: Array, g: Array) -> list[str]:
+def _motion(recording: Recording, omega: Array, alpha: Array, g: Array) -> list[Message]:
     duration = float(recording.t[-1] - recording.t[0])
     rate = (len(recording) - 1) / duration if duration > 0 else 0.0
-    said = [f"{duration:.1f} s at {rate:.0f} Hz were read and are free of gaps and non-finite values"]
+    said = [Message.of("estimation-read", lasts_s=duration, rate_hz=rate)]
     if recording.q is not None:
-        span = np.degrees(np.ptp(recording.q, axis=0))
-        said.append(f"the joints move through {', '.join(f'{s:.0f}' for s in span)} deg")
-    fast = np.percentile(np.linalg.norm(omega, axis=1), 99), np.percentile(np.linalg.norm(alpha, axis=1), 99)
-    spread = np.linalg.eigvalsh(np.cov(g.T))[0] ** 0.5 / np.linalg.norm(recording.gravity)
-    enough = "enough" if spread > 0.1 and fast[1] > 1.0 else "hardly enough"
-    said.append(
-        f"the sensor frame turns with up to {fast[0]:.2f} rad/s and {fast[1]:.1f} rad/s2, gravity spreads over its weakest "
-        f"axis by {100 * spread:.0f} % of its size: with a wrist sensor this motion would be {enough} for all ten parameters"
-    )
+        spans = [Message.of("estimation-joint-span", span_rad=float(span)) for span in np.ptp(recording.q, axis=0)]
+        said.append(Message.of("estimation-joint-spans", spans=spans))
+    speed, acceleration = (float(np.percentile(np.linalg.norm(x, axis=1), 99)) for x in (omega, alpha))
+    spread = float(np.linalg.eigvalsh(np.cov(g.T))[0] ** 0.5 / np.linalg.norm(recording.gravity))
+    lively = "estimation-lively" if spread > 0.1 and acceleration > 1.0 else "estimation-hardly-lively"
+    said.append(Message.of(lively, turns_rad_s=speed, turns_rad_s2=acceleration, spread=spread))
     return said
 
 
-def _torques(recording: Recording) -> list[str]:
+def _torques(recording: Recording) -> list[Message]:
     if recording.tau is None:
         return []
-    largest = np.abs(recording.tau).max(axis=0)
-    return [
-        f"the joint torques reach {', '.join(f'{x:.1f}' for x in largest)} N m; arm, friction and payload together, "
-        "of which the payload's share cannot be told"
-    ]
+    largest = [Message.of("estimation-joint-torque", torque_n_m=float(torque)) for torque in np.abs(recording.tau).max(axis=0)]
+    return [Message.of("estimation-joint-torques", torques=largest)]

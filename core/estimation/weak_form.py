@@ -21,8 +21,9 @@ from scipy.linalg import cholesky_banded, eigh
 from scipy.linalg.lapack import dtbtrs
 from scipy.sparse import csr_array, diags_array
 
-from core.estimation.kinematics import Poses, axial, rotation_of
-from core.payload.inertia import inertia_columns, skew, symmetric
+from core.estimation.kinematics import Poses, axial
+from core.payload.inertia import inertia_columns, symmetric
+from core.payload.rotations import rotation_of, skew
 
 Array = NDArray[np.float64]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from core.export.principal_axes import principal_axes, to_quaternion
 from core.export.target import MM, Target, digits
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 
 class Abb(Target):
@@ -13,7 +14,7 @@ class Abb(Target):
     name = "abb"
     title = "ABB (RAPID loaddata)"
     file = "loaddata.mod"
-    says = "kg, mm, kg m2; principal moments about the centre of mass, along axes that a quaternion (w x y z) turns from the flange's"
+    says = Message.of("export-abb")
 
     def text(self, payload: UncertainParameters) -> str:
         """A RAPID `loaddata`: mass (kg), centre of mass (mm), quaternion of the principal axes and their moments (kg m2), flange frame."""

@@ -19,6 +19,7 @@ from core.export.universal_robots import UniversalRobots
 from core.export.urdf import Urdf
 from core.export.xarm import XArm
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 TARGETS: tuple[Target, ...] = (
     UniversalRobots(), KukaKrl(), KukaSunrise(), Abb(), Franka(), Flexiv(), XArm(), OpcUa(), MuJoCo(), Urdf(),
@@ -34,7 +35,7 @@ def target_of(name: str) -> Target:
     for target in TARGETS:
         if target.name == name:
             return target
-    raise BadInput("target", repr(name[:40]), f"one of {', '.join(target.name for target in TARGETS)}")
+    raise BadInput("target", "export-unknown-target", name=name[:40], known=[target.name for target in TARGETS])
 
 
 def payload_of(result: Result, cell: Cell | None) -> UncertainParameters:
@@ -44,7 +45,7 @@ def payload_of(result: Result, cell: Cell | None) -> UncertainParameters:
         BadPayload: nothing was identified.
     """
     if result.estimate is None:
-        raise BadPayload("estimate", "nothing that was identified", f"a result with a payload; this one says: {result.verdict}")
+        raise BadPayload("estimate", "export-nothing-identified", verdict=result.verdict)
     phi = np.array(result.estimate.phi, dtype=float)
     covariance = np.array(result.estimate.covariance, dtype=float)
     found = UncertainParameters(phi, covariance)
@@ -52,8 +53,8 @@ def payload_of(result: Result, cell: Cell | None) -> UncertainParameters:
     return found if mount is None else found.in_frame(mount.rotation, mount.translation)
 
 
-def frame_of(cell: Cell | None) -> str:
-    """In which frame `payload_of` gives it, in words."""
+def frame_of(cell: Cell | None) -> Message:
+    """In which frame `payload_of` gives it."""
     if cell is None or cell.sensor.mount is None:
-        return "the sensor's frame: the cell does not say how the sensor is mounted on the flange (sensor.mount in cell.toml)"
-    return "the flange's frame, from which the controller counts"
+        return Message.of("export-sensor-frame")
+    return Message.of("export-flange-frame")

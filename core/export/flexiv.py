@@ -6,6 +6,7 @@ import json
 
 from core.export.target import Target
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 ORDER = [0, 3, 5, 1, 2, 4]
 """Ixx Iyy Izz Ixy Ixz Iyz."""
@@ -17,7 +18,7 @@ class Flexiv(Target):
     name = "flexiv"
     title = "Flexiv (ToolParams)"
     file = "tool_params.json"
-    says = "kg, m, kg m2; inertia about the centre of mass along the flange's axes: Ixx Iyy Izz Ixy Ixz Iyz"
+    says = Message.of("export-flexiv")
 
     def text(self, payload: UncertainParameters) -> str:
         """JSON of mass (kg), centre of mass (m) and the six entries of the inertia about it (kg m2, in `ORDER`), flange frame."""

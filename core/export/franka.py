@@ -7,6 +7,7 @@ import json
 from core.export.target import Target
 from core.payload.inertia import symmetric
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 
 class Franka(Target):
@@ -15,7 +16,7 @@ class Franka(Target):
     name = "franka"
     title = "Franka (setLoad)"
     file = "set_load.json"
-    says = "kg, m, kg m2; inertia about the centre of mass along the flange's axes, nine values column by column"
+    says = Message.of("export-franka")
 
     def text(self, payload: UncertainParameters) -> str:
         """JSON of mass (kg), centre of mass (m) and the inertia about it as nine values by columns (kg m2), flange frame."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from core.export.principal_axes import principal_axes, zyx_degrees
 from core.export.target import MM, Target
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 
 class KukaKrl(Target):
@@ -13,7 +14,7 @@ class KukaKrl(Target):
     name = "kuka_krl"
     title = "KUKA KRC (KRL load data)"
     file = "load_data.dat"
-    says = "kg, mm, deg, kg m2; principal moments J about the centre of mass, along axes that A B C turn from the flange's"
+    says = Message.of("export-kuka-krl")
 
     def text(self, payload: UncertainParameters) -> str:
         """A KRL `LOAD_DATA`: mass (kg), centre of mass (mm) with A B C of the principal axes (deg), moments (kg m2), flange frame."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from core.export.target import MM, Lack, Target, inertia_lacks
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 
 class KukaSunrise(Target):
@@ -14,7 +15,7 @@ class KukaSunrise(Target):
     name = "kuka_sunrise"
     title = "KUKA Sunrise (tool template)"
     file = "tool_template.txt"
-    says = "kg, mm, kg m2; moments about the centre of mass along the flange's axes, without products"
+    says = Message.of("export-kuka-sunrise")
 
     def text(self, payload: UncertainParameters) -> str:
         """Seven lines of name, unit and value: mass (kg), centre of mass (mm), Ixx, Iyy and Izz about it (kg m2), flange frame."""

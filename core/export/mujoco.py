@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from core.export.target import Target, digits
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 ORDER = [0, 3, 5, 1, 2, 4]
 """11 22 33 12 13 23."""
@@ -15,7 +16,7 @@ class MuJoCo(Target):
     name = "mujoco"
     title = "MuJoCo (MJCF)"
     file = "inertial.xml"
-    says = "kg, m, kg m2; inertia about the centre of mass along the body's axes: 11 22 33 12 13 23"
+    says = Message.of("export-mujoco")
 
     def text(self, payload: UncertainParameters) -> str:
         """An `inertial` element of MJCF: centre of mass (m), mass (kg), inertia about the centre of mass (kg m2, `ORDER`), body frame."""

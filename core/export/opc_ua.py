@@ -8,6 +8,7 @@ from typing import Any
 from core.export.principal_axes import principal_axes, zyx_degrees
 from core.export.target import MM, Target
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 UNITS = {"kg": "KGM", "mm": "MMT", "deg": "DD", "kg m2": "B32"}
 """UNECE common codes."""
@@ -19,7 +20,7 @@ class OpcUa(Target):
     name = "opc_ua"
     title = "OPC UA for Robotics (LoadType)"
     file = "load_type.json"
-    says = "kg, mm, deg, kg m2; principal moments about the mounting point, along axes that A B C turn from the mounting point's"
+    says = Message.of("export-opc-ua")
 
     def text(self, payload: UncertainParameters) -> str:
         """JSON of mass (kg), centre of mass (mm), A B C (deg), principal moments about the mounting point (kg m2), each with its unit."""

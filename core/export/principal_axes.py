@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from core.payload.inertia import symmetric
 
@@ -47,26 +48,13 @@ def _nearest_order(axes: Array) -> list[int]:
 
 
 def zyx_degrees(rotation: Array) -> Array:
-    """(3,), A, B, C in degrees with `rotation = Rz(A) Ry(B) Rx(C)`, as KUKA and OPC UA for Robotics turn."""
-    b = np.arctan2(-rotation[2, 0], np.hypot(rotation[0, 0], rotation[1, 0]))
-    if np.hypot(rotation[0, 0], rotation[1, 0]) < 1e-9:  # B is a right angle: A and C turn about the same axis
-        return np.degrees([np.arctan2(-rotation[0, 1], rotation[1, 1]), b, 0.0])
-    return np.degrees([np.arctan2(rotation[1, 0], rotation[0, 0]), b, np.arctan2(rotation[2, 1], rotation[2, 2])])
+    """(3,), A, B, C in degrees with `rotation = Rz(A) Ry(B) Rx(C)`, as KUKA and OPC UA for Robotics turn.
+
+    One of A and C is 0 where B is a right angle: both turn about the same axis there.
+    """
+    return np.asarray(Rotation.from_matrix(rotation).as_euler("ZYX", degrees=True, suppress_warnings=True))
 
 
 def to_quaternion(rotation: Array) -> Array:
-    """(4,), w x y z with w >= 0, by the largest of the four (Shepperd 1978)."""
-    trace = np.trace(rotation)
-    squares = np.array([trace, *np.diag(rotation)])
-    k = int(np.argmax(squares))
-    R = rotation
-    q = np.array(
-        [
-            [1 + trace, R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]],
-            [R[2, 1] - R[1, 2], 1 + 2 * R[0, 0] - trace, R[0, 1] + R[1, 0], R[0, 2] + R[2, 0]],
-            [R[0, 2] - R[2, 0], R[0, 1] + R[1, 0], 1 + 2 * R[1, 1] - trace, R[1, 2] + R[2, 1]],
-            [R[1, 0] - R[0, 1], R[0, 2] + R[2, 0], R[1, 2] + R[2, 1], 1 + 2 * R[2, 2] - trace],
-        ]
-    )[k]
-    q = q / np.linalg.norm(q)
-    return np.asarray(-q if q[0] < 0.0 else q)
+    """(4,), w x y z with w >= 0."""
+    return np.asarray(Rotation.from_matrix(rotation).as_quat(canonical=True, scalar_first=True))

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from core.errors import BadPayload
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -48,14 +49,14 @@ class Target(ABC):
         name: in addresses and on the command line.
         title: for people.
         file: name of the file that is written.
-        says: frame, units and order of what is in it, in a sentence.
+        says: frame, units and order of what is in it.
         needs: rows of phi without which nothing can be written.
     """
 
     name: ClassVar[str]
     title: ClassVar[str]
     file: ClassVar[str]
-    says: ClassVar[str]
+    says: ClassVar[Message]
     needs: ClassVar[slice] = slice(0, 10)
 
     @abstractmethod
@@ -75,8 +76,7 @@ class Target(ABC):
         """
         for name, value, unit in list(zip(PHI_NAMES, payload.phi, PHI_UNITS, strict=True))[self.needs]:
             if not np.isfinite(value):
-                expected = f"a value in {unit} for {self.title}; identify with a motion that excites it"
-                raise BadPayload(name, "not determined", expected)
+                raise BadPayload(name, "export-not-determined", unit=unit, target=self.title)
         return self.text(payload)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from core.errors import BadPayload
 from core.export.target import INERTIA_NAMES, Target, digits
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 LARGEST_KG_M2 = 133.0
 ORDER = [0, 3, 5, 1, 2, 4]
@@ -19,7 +20,7 @@ class UniversalRobots(Target):
     name = "ur"
     title = "Universal Robots (URScript)"
     file = "payload.script"
-    says = "kg, m, kg m2; inertia about the centre of mass along the flange's axes: Ixx Iyy Izz Ixy Ixz Iyz"
+    says = Message.of("export-ur")
 
     def text(self, payload: UncertainParameters) -> str:
         """A URScript call with mass (kg), centre of mass (m) and the inertia about it (kg m2, in `ORDER`), flange frame.
@@ -30,6 +31,6 @@ class UniversalRobots(Target):
         inertia = payload.inertia_com
         k = int(np.argmax(np.abs(inertia)))
         if abs(inertia[k]) > LARGEST_KG_M2:
-            raise BadPayload(INERTIA_NAMES[k], f"{inertia[k]:.4g} kg m2", f"at most +-{LARGEST_KG_M2:g} kg m2, which the robot takes")
+            raise BadPayload(INERTIA_NAMES[k], "export-too-large", inertia_kg_m2=float(inertia[k]), most_kg_m2=LARGEST_KG_M2)
         call = f"set_target_payload({payload.phi[0]:.9g}, [{digits(payload.com_m)}], [{digits(inertia[ORDER])}])"
         return f"# zeroes the force/torque sensor again: nothing may touch the tool meanwhile\n{call}\n"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from core.export.target import INERTIA_NAMES, Target, digits
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 
 class Urdf(Target):
@@ -12,7 +13,7 @@ class Urdf(Target):
     name = "urdf"
     title = "URDF"
     file = "inertial.urdf.xml"
-    says = "kg, m, kg m2; inertia about the centre of mass along the link's axes: ixx ixy ixz iyy iyz izz"
+    says = Message.of("export-urdf")
 
     def text(self, payload: UncertainParameters) -> str:
         """An `inertial` element of URDF: centre of mass (m), mass (kg), inertia about the centre of mass (kg m2), link frame."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from core.export.target import INERTIA_NAMES, MM, Lack, Target, digits, inertia_lacks
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 
 class XArm(Target):
@@ -14,7 +15,7 @@ class XArm(Target):
     name = "xarm"
     title = "UFACTORY xArm (set_tcp_load)"
     file = "set_tcp_load.py"
-    says = "kg, mm; no inertia"
+    says = Message.of("export-xarm")
     needs = slice(0, 4)
 
     def text(self, payload: UncertainParameters) -> str:

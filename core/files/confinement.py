@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.errors import BadRobot
+from core.words.message import Message
 
 SECONDS = 60
 """Of computing time, for each order."""
@@ -80,7 +81,7 @@ def _digest(order: Order) -> str:
     try:
         content = hashlib.sha256(file.read_bytes()).hexdigest()
     except OSError as error:
-        raise BadRobot(order["where"], f"a file that cannot be read ({error.strerror})", "a readable file") from error
+        raise BadRobot(order["where"], "files-unreadable", reason=str(error.strerror)) from error
     asked = {key: value for key, value in order.items() if key not in {"file", "where"}}
     return f"{content} {file.suffix} {json.dumps(asked, sort_keys=True)}"
 
@@ -123,12 +124,12 @@ def _arrays(said: io.BytesIO, where: str) -> Arrays:
     """The next answer."""
     try:
         head = json.loads(said.readline())
-        if "found" not in head:
+        if "code" not in head:
             return [np.load(said, allow_pickle=False) for _ in range(head["arrays"])]
+        flaw = Message.model_validate(head)
     except (ValueError, EOFError) as error:
-        limits = f"{SECONDS} s of computing time and {MEMORY / 1e9:g} GB"
-        raise BadRobot(where, f"a file on which its reader ended, at most {limits} allowed", "a mesh of ordinary size") from error
-    raise BadRobot(where, head["found"], head["expected"])
+        raise BadRobot(where, "files-reader-ended", most_s=SECONDS, most_gb=MEMORY / 1e9) from error
+    raise BadRobot(where, flaw.code, **{name: value for name, value in flaw.parameters.items() if name != "where"})
 
 
 def answer_orders(answer: Reader) -> None:
@@ -142,7 +143,7 @@ def answer_orders(answer: Reader) -> None:
         try:
             arrays = answer(json.loads(line))
         except BadRobot as flaw:
-            whole.write(json.dumps({"found": flaw.found, "expected": flaw.expected}).encode() + b"\n")
+            whole.write(flaw.message.model_dump_json(exclude={"text"}).encode() + b"\n")
         else:
             whole.write(json.dumps({"arrays": len(arrays)}).encode() + b"\n")
             for array in arrays:

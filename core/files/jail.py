@@ -5,9 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from core.errors import BadInput
+from core.words.message import Message
+
+MOST_LETTERS = 300
+"""Of the system's own words."""
 
 
-def find_inside(folder: Path, name: str, refusal: type[BadInput], *, max_bytes: int, where: str | None = None) -> Path:
+def find_inside(folder: Path, name: str, refusal: type[BadInput], *, max_bytes: int, where: str | Message | None = None) -> Path:
     """The regular file `name` inside `folder`, symbolic links followed.
 
     Args:
@@ -22,22 +26,20 @@ def find_inside(folder: Path, name: str, refusal: type[BadInput], *, max_bytes: 
     try:
         path = (folder / name).resolve()
         if not path.is_relative_to(folder.resolve()):
-            raise refusal(where, f"{name!r}, which leads outside the folder", "a file inside it")
+            raise refusal(where, "files-leads-outside", name=name)
         if not path.is_file():
-            raise refusal(
-                where,
-                "no such file" if not path.exists() else "something that is no file",
-                f"the file {name!r} in {folder}",
-            )
+            if path.exists():
+                raise refusal(where, "files-no-regular-file", name=name, folder=str(folder))
+            raise refusal(where, "files-missing", name=name, folder=str(folder))
         size = path.stat().st_size
     except (OSError, ValueError, RuntimeError) as error:  # a loop of links, a name with NUL, no permission
-        raise refusal(where, f"a path that cannot be followed ({error})", "a file inside the folder") from error
+        raise refusal(where, "files-path-not-followed", reason=str(error)[:MOST_LETTERS]) from error
     if size > max_bytes:
-        raise refusal(where, f"{size} bytes", f"at most {max_bytes}")
+        raise refusal(where, "files-too-large", bytes=size, most=max_bytes)
     return path
 
 
-def read_inside(folder: Path, name: str, refusal: type[BadInput], *, max_bytes: int, where: str | None = None) -> str:
+def read_inside(folder: Path, name: str, refusal: type[BadInput], *, max_bytes: int, where: str | Message | None = None) -> str:
     """Text of `find_inside`, in UTF-8.
 
     Raises:
@@ -48,6 +50,7 @@ def read_inside(folder: Path, name: str, refusal: type[BadInput], *, max_bytes: 
     try:
         return path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
-        raise refusal(where, f"the byte 0x{error.object[error.start]:02x} at position {error.start}", "text in UTF-8") from error
+        byte = f"0x{error.object[error.start]:02x}"
+        raise refusal(where, "files-not-utf8", byte=byte, position=error.start) from error
     except OSError as error:
-        raise refusal(where, f"a file that cannot be read ({error.strerror})", "a readable file") from error
+        raise refusal(where, "files-unreadable", reason=str(error.strerror)) from error

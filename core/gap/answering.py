@@ -137,7 +137,7 @@ def _minor(evidence: Evidence) -> list[Minor]:
 
 
 def _describe_tie(tie: Tie, proposals: tuple[Proposal, ...]) -> Tied:
-    splitting = [it.motion.sentence for it in proposals if tie in it.ties]
+    splitting = [it.motion.sentence.text for it in proposals if tie in it.ties]
     return Tied(
         ids=(tie.first.name, tie.second.name),
         distance_sigma=tie.distance_sigma,

@@ -74,7 +74,7 @@ def read_experiment(file: Path) -> ExperimentFile:
     try:
         return ExperimentFile.model_validate_json(text)
     except ValidationError as error:
-        raise BadInput(*schema_flaw(error.errors()[0]).at(str(file))) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadInput, str(file)) from error
 
 
 def experiment_file(choice: Choice, cell: Cell, recording: Recording, folder: Path) -> ExperimentFile:

@@ -80,7 +80,7 @@ def find_effects(identifier: str) -> tuple[Effect, ...]:
         if name in read_off:
             raise BadTwin("effect", f"{name!r}, {read_off[name].title}, which does not act on the wrench", "an effect that does")
         if name not in known:
-            raise BadTwin("effect", repr(name), close_name(name, sorted(known)))
+            raise BadTwin("effect", repr(name), str(close_name(name, sorted(known))))
     if len(names) > 2:
         raise BadTwin("effect", f"{len(names)} effects at once", "one, or two joined by a plus sign; add the others afterwards")
     return tuple(known[name] for name in names)

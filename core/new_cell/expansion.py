@@ -8,14 +8,18 @@ import subprocess
 import sys
 from pathlib import Path
 
+from pydantic import ValidationError
+
 from core.cell.urdf_elements import MAX_BYTES
 from core.errors import BadRobot
 from core.files.jail import read_inside
 from core.new_cell.packages import Packages
+from core.words.message import Message
 
 CHILD = Path(__file__).with_name("xacro_child.py")
 SECONDS = 30.0
 UNWANTED = 3
+MOST_LETTERS = 300
 MOST_FILES = 1000
 """Of a package that are looked through for further packages."""
 
@@ -32,10 +36,10 @@ def description_text(packages: Packages, arguments: dict[str, str]) -> str:
     file = packages.description
     text = read_inside(packages.beside, file.name, BadRobot, max_bytes=MAX_BYTES, where=str(file))
     if "<!DOCTYPE" in text or "<!ENTITY" in text:
-        raise BadRobot(str(file), "a document type or an entity", "a URDF or xacro file without them")
+        raise BadRobot(str(file), "xacro-declaration")
     if file.suffix != ".xacro" and not _IS_XACRO.search(text):
         if arguments:
-            raise BadRobot(str(file), "a plain URDF with --xacro-arg", "a xacro file, or none of these arguments")
+            raise BadRobot(str(file), "xacro-arguments-of-urdf")
         return text
     return _expand(packages, arguments)
 
@@ -52,13 +56,24 @@ def _expand(packages: Packages, arguments: dict[str, str]) -> str:
     try:
         done = subprocess.run(command, input=json.dumps(order), capture_output=True, text=True, timeout=SECONDS, env={}, check=False)
     except subprocess.TimeoutExpired as error:
-        raise BadRobot(str(file), f"xacro that is not expanded after {SECONDS:.0f} s", "a xacro file that ends") from error
+        raise BadRobot(str(file), "xacro-too-slow", limit_s=SECONDS) from error
     if done.returncode == UNWANTED:
-        raise BadRobot(str(file), f"xacro that wants {done.stderr}", "no $(eval ...); files in its folder or a --package-path DIR")
+        raise BadRobot(str(file), "xacro-unwanted", wanted=_read_wanted(done.stderr))
     if done.returncode != 0:
-        why = done.stderr.strip().splitlines()[-1:] or [f"the process ended with {done.returncode}: time or memory"]
-        raise BadRobot(str(file), f"xacro that does not expand ({why[0][:300]})", "xacro, its arguments given as --xacro-arg NAME:=VALUE")
+        why = done.stderr.strip().splitlines()
+        if not why:
+            raise BadRobot(str(file), "xacro-ended", status=done.returncode)
+        raise BadRobot(str(file), "xacro-not-expanded", reason=why[-1][:MOST_LETTERS])
     return done.stdout
+
+
+def _read_wanted(said: str) -> Message:
+    """What the process says last: the message that it refused with."""
+    last = said.strip().rpartition("\n")[2]
+    try:
+        return Message.model_validate_json(last)
+    except ValidationError:
+        return Message.of("text", text=last[:MOST_LETTERS])
 
 
 def _find_named_packages(packages: Packages) -> list[str]:

@@ -1,4 +1,4 @@
-"""Everything that is wrong or doubtful in a cell, in words.
+"""Everything that is wrong or doubtful in a cell.
 
 What is *wrong* keeps the cell from being planned in. What is *doubtful* may be as it should be: somebody who knows the cell should look.
 """
@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Any, Literal
 
 import coal
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict
 
 from core.cell.cell import CELL_FILE, Box, Cell
 from core.cell.folder import read_cell_folder
@@ -24,6 +25,8 @@ from core.robot.bodies import Body, corners_of, link_bodies, make_fixed_body, pa
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.watched_pairs import OVERLAPPING
+from core.words.catalogue import Language
+from core.words.message import Message, Parameter
 
 Array = NDArray[np.float64]
 
@@ -36,17 +39,42 @@ FLOOR_BELOW_M = 2.0
 FULL, EMPTY = 0.8, 0.02  # of a sensor's range
 
 
-class CellFinding(NamedTuple):
+class CellFinding(BaseModel):
     """One thing that is wrong or doubtful.
 
     Args:
-        where: file and key. found: what is there. advice: what to do.
+        message: where it is, what is there, and what is right or usual.
     """
 
+    model_config = ConfigDict(frozen=True)
+
     severity: Literal["wrong", "doubtful"]
-    where: str
-    found: str
-    advice: str
+    message: Message
+
+    @property
+    def where(self) -> str:
+        """File and key."""
+        return str(self.message.parameters["where"])
+
+    @property
+    def found(self) -> str:
+        """What is there."""
+        return self.message.say_part("found")
+
+    @property
+    def advice(self) -> str:
+        """What is right or usual."""
+        return self.message.say_part("expected")
+
+    def say(self, language: Language) -> str:
+        """All of it as a sentence."""
+        if self.severity == "wrong":
+            return Message.of("newcell-wrong", flaw=self.message).say(language)
+        return Message.of("newcell-doubtful", doubt=self.message).say(language)
+
+    def _asdict(self) -> dict[str, Any]:
+        """As JSON has it."""
+        return {**self.model_dump(mode="json"), "where": self.where, "found": self.found, "advice": self.advice}
 
 
 def findings_of(folder: Path) -> list[CellFinding]:
@@ -68,70 +96,65 @@ def findings_of(folder: Path) -> list[CellFinding]:
     except BadInput as error:
         found = _wrong(error) + found
     except (ValueError, RuntimeError, IndexError, ArithmeticError) as error:  # Pinocchio's and Coal's own
-        found = [
-            CellFinding("wrong", cell.robot.urdf, f"a model that cannot be built ({str(error)[:200]})", "mend its links and meshes"),
-            *found,
-        ]
+        message = Message.of("newcell-no-model", where=cell.robot.urdf, reason=str(error)[:200])
+        found = [CellFinding(severity="wrong", message=message), *found]
     return sorted(found, key=lambda finding: finding.severity == "doubtful")
 
 
 def _wrong(error: BadInput, *, others: bool = True) -> list[CellFinding]:
     flaws = (error, *error.others) if others else (error,)
-    return [CellFinding("wrong", flaw.where, flaw.found, f"expected is {flaw.expected}") for flaw in flaws]
+    return [CellFinding(severity="wrong", message=flaw.message) for flaw in flaws]
 
 
-def _doubt(key: str, found: str, advice: str) -> CellFinding:
-    return CellFinding("doubtful", f"{CELL_FILE}: {key}", found, advice)
+def _doubt(key: str, code: str, **parameters: Parameter) -> CellFinding:
+    return _doubt_at(f"{CELL_FILE}: {key}", code, **parameters)
+
+
+def _doubt_at(where: str, code: str, **parameters: Parameter) -> CellFinding:
+    return CellFinding(severity="doubtful", message=Message.of(code, where=where, **parameters))
 
 
 def _of_values(cell: Cell) -> Iterator[CellFinding]:
     up = cell.gravity[2] / max(float(np.linalg.norm(cell.gravity)), 1e-9)
     if up > -0.999:
-        tilt = np.degrees(np.arccos(np.clip(-up, -1.0, 1.0)))
-        yield _doubt(
-            "gravity_m_s2",
-            f"{list(cell.gravity_m_s2)}, {tilt:.0f} deg off straight down",
-            "turn the robot by robot.base.rpy_rad, not gravity",
-        )
+        tilt = float(np.arccos(np.clip(-up, -1.0, 1.0)))
+        yield _doubt("gravity_m_s2", "newcell-gravity-tilted", gravity_m_s2=cell.gravity_m_s2, angle_rad=tilt)
     speed = cell.limits.cartesian_speed_m_s
     if speed > SPEED_M_S:
-        yield _doubt("limits.cartesian_speed_m_s", f"{speed:g} m/s", f"at most {SPEED_M_S:g}, where people are near")
+        yield _doubt("limits.cartesian_speed_m_s", "newcell-speed-high", speed_m_s=speed, most_m_s=SPEED_M_S)
+    least, most = ACCELERATIONS
     for value in cell.robot.acceleration_rad_s2:
-        if not ACCELERATIONS[0] <= value <= ACCELERATIONS[1]:
-            low, high = ACCELERATIONS
-            yield _doubt("robot.acceleration_rad_s2", f"{value:g} rad/s2", f"what the robot's maker states; {low:g} to {high:g} is usual")
+        if not least <= value <= most:
+            yield _doubt(
+                "robot.acceleration_rad_s2", "newcell-acceleration-unusual",
+                acceleration_rad_s2=value, least_rad_s2=least, most_rad_s2=most,
+            )  # fmt: skip
             break
     if cell.robot.friction is None:
-        yield _doubt(
-            "robot.friction", "nothing", "what is known of the drives; without it a diagnosis judges friction by the tracking error alone"
-        )
+        yield _doubt("robot.friction", "newcell-friction-unknown")
     if not cell.zones:
-        yield _doubt("zones", "none", "a [[zones]] for every place where people may be; without one nothing is kept away from them")
+        yield _doubt("zones", "newcell-zones-none")
     if not cell.payloads:
-        yield _doubt("payloads", "none", "a [payloads.NAME] to simulate a run or to compare the answer with; planning needs none")
+        yield _doubt("payloads", "newcell-payloads-none")
     for first, second in cell.robot.adjacent:
-        advice = "look at the two on the robot: nothing watches how far they are from each other"
-        yield _doubt("robot.adjacent", f"{first!r} and {second!r} left out", advice)
+        yield _doubt("robot.adjacent", "newcell-pair-unwatched", first=first, second=second)
     for link in cell.robot.visual_shapes:
-        advice = "a shape for collisions in the URDF, with cables and covers, if the visual one lacks them"
-        yield _doubt("robot.visual_shapes", f"{link!r} as it looks", advice)
+        yield _doubt("robot.visual_shapes", "newcell-link-as-it-looks", link=link)
 
 
 def _of_sensor(cell: Cell) -> Iterator[CellFinding]:
     sensor = cell.sensor
     if sensor.name.startswith(NOT_STATED):
-        yield _doubt("sensor", f"{sensor.name!r}", "noise, range and resolution of the sensor that is there: intervals count with them")
+        yield _doubt("sensor", "newcell-sensor-not-stated", name=sensor.name)
     if sensor.mount is None:
-        yield _doubt(
-            "sensor.mount", "nothing", "the sensor frame in the flange, without which a payload is exported in the sensor frame alone"
-        )
+        yield _doubt("sensor.mount", "newcell-mount-unknown")
     for name, payload in cell.payloads.items():
         weight = payload.mass_kg * G
         least = min(sensor.range[:3])
         if weight > FULL * least:
-            yield _doubt("sensor.range", f"{least:g} N for the {weight:.0f} N of {name!r}", "a sensor with room for what a motion adds")
+            yield _doubt("sensor.range", "newcell-sensor-small", range_n=least, weight_n=weight, payload=name)
         elif weight < EMPTY * least:
-            yield _doubt("sensor.range", f"{least:g} N for the {weight:.2g} N of {name!r}", "a finer sensor: its errors go with its range")
+            yield _doubt("sensor.range", "newcell-sensor-large", range_n=least, weight_n=weight, payload=name)
 
 
 def _of_efforts(cell: Cell, robot: RobotModel) -> Iterator[CellFinding]:
@@ -139,10 +162,9 @@ def _of_efforts(cell: Cell, robot: RobotModel) -> Iterator[CellFinding]:
     for name, effort, needed in zip(robot.description.joints, robot.model.upperEffortLimit, weights, strict=True):
         where = f"{cell.robot.urdf}: joint {name!r}: limit"
         if effort <= 0.0:
-            yield CellFinding("doubtful", where, f"an effort of {effort:g} N m", "the joint's greatest torque: without it none is checked")
+            yield _doubt_at(where, "newcell-effort-none", effort_n_m=effort)
         elif effort < needed:
-            found = f"an effort of {effort:g} N m, where the arm and its tools may ask {needed:.0f} N m when it is stretched out"
-            yield CellFinding("doubtful", where, found, "the joint's greatest torque and the links' masses as the maker states them")
+            yield _doubt_at(where, "newcell-effort-low", effort_n_m=effort, needed_n_m=needed)
 
 
 def _of_room(cell: Cell, robot: RobotModel, bodies: list[Body]) -> Iterator[CellFinding]:
@@ -154,28 +176,24 @@ def _of_room(cell: Cell, robot: RobotModel, bodies: list[Body]) -> Iterator[Cell
     base = [body for body in bodies if body.joint == 0]
     lowest = min((float(body.corners[:, 2].min()) for body in base), default=float(cell.robot.base.translation[2]))
     if cell.floor_z_m > lowest + 0.001:
-        yield _doubt(
-            "floor_z_m", f"{cell.floor_z_m:g} m, above the lowest point of the robot's base at {lowest:.3f} m", "the height of the floor"
-        )
+        yield _doubt("floor_z_m", "newcell-floor-above-base", floor_z_m=cell.floor_z_m, base_z_m=lowest)
     elif cell.floor_z_m < lowest - FLOOR_BELOW_M:
-        yield _doubt("floor_z_m", f"{lowest - cell.floor_z_m:.1f} m below the robot's base", "the height of the floor, in the world frame")
+        yield _doubt("floor_z_m", "newcell-floor-far-below", depth_m=lowest - cell.floor_z_m)
     shoulder = np.asarray(robot.model.jointPlacements[1].translation)
     span = reach + float(np.linalg.norm(corners_of([*bodies, payload_body(robot, cell.payload_box)]).local, axis=1).max())
     for zone in cell.zones:
         distance = _distance(make_fixed_body(zone.name, zone.shape), shoulder)
         if distance < span:
-            found = f"at most {max(distance, 0.0):.2f} m from the shoulder of an arm that reaches {span:.2f} m"
-            yield _doubt(f"zones.{zone.name}", found, "a guard that does not depend on planning, wherever people may be in it")
+            yield _doubt(f"zones.{zone.name}", "newcell-zone-within-reach", distance_m=max(distance, 0.0), reach_m=span)
 
 
 def _of_box(key: str, box: Box, reach: float) -> Iterator[CellFinding]:
     depth = box.depth(np.zeros(3))
     if depth < -FLANGE_M:
-        found = f"a box {-depth:.3f} m away from the flange face"
-        yield _doubt(key, found, "a box that begins at the sensor frame's origin: what holds the payload takes room, too")
+        yield _doubt(key, "newcell-box-off-flange", distance_m=-depth)
     longest = max(box.size_m)
     if longest > HUGE_BOX * reach:
-        yield _doubt(key, f"{longest:g} m long, for an arm of {reach:.2f} m", "the size of what hangs there: little may be left to move in")
+        yield _doubt(key, "newcell-box-long", length_m=longest, reach_m=reach)
 
 
 def _distance(body: Body, point: Array) -> float:
@@ -187,14 +205,13 @@ def _distance(body: Body, point: Array) -> float:
 def _of_home(cell: Cell, collision: CollisionModel) -> Iterator[CellFinding]:
     nearest = collision.nearest(np.array(cell.robot.home_rad))
     if nearest.distance_m < NEAR_HOME * nearest.required_m:
-        found = f"{nearest.first!r} {nearest.distance_m:.3f} m from {nearest.second!r}, of which {nearest.required_m:.3f} m are required"
-        yield _doubt("robot.home_rad", found, "a home with more room: every run begins and ends there")
+        yield _doubt(
+            "robot.home_rad", "newcell-home-narrow",
+            first=nearest.first, second=nearest.second, distance_m=nearest.distance_m, required_m=nearest.required_m,
+        )  # fmt: skip
 
 
 def _of_overlaps(collision: CollisionModel) -> Iterator[CellFinding]:
     for pair in collision.left_out:
         if pair.why == OVERLAPPING:
-            found = f"{pair.first!r} and {pair.second!r}, whose shapes overlap at every angle of the joints between them, left out"
-            yield CellFinding(
-                "doubtful", collision.cell.robot.urdf, found, "look at the two: if they can meet on the robot, mend their shapes"
-            )
+            yield _doubt_at(collision.cell.robot.urdf, "newcell-shapes-overlap", first=pair.first, second=pair.second)

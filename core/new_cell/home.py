@@ -14,6 +14,7 @@ from core.errors import BadRobot
 from core.robot.bodies import FLOOR, PAYLOAD, Body, floor_body
 from core.robot.model import RobotModel
 from core.robot.watched_pairs import CONTACT_M, FEW_JOINTS
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 Pair = tuple[str, str]
@@ -90,11 +91,8 @@ class HomeSearch:
         scores = np.array([scene.score(q, found) for q, found in zip(self._samples, distances, strict=True)])
         if scores.max() <= 0.0:
             in_the_way = int(np.argmax(((distances < required) & ~overlapping).sum(axis=0)))
-            raise BadRobot(
-                f"{where}: home",
-                f"none of {SAMPLES} configurations free, mostly for {' and '.join(map(repr, scene.names[in_the_way]))}",
-                "shapes that leave the arm room, or links behind the sensor frame declared with --behind-sensor",
-            )
+            first, second = scene.names[in_the_way]
+            raise BadRobot(Message.of("newcell-home", file=where), "newcell-no-home", count=SAMPLES, first=first, second=second)
         q = _refine(scene, np.round(self._samples[int(np.argmax(scores))], ROUND), self._low, self._high)
         found = np.where(overlapping, np.inf, scene.distances(q))
         k = int(np.argmin(found))

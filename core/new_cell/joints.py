@@ -9,6 +9,7 @@ import numpy as np
 from core.cell.urdf_elements import UrdfJoint
 from core.new_cell.frames import ArmFrames
 from core.new_cell.robot_tree import RobotTree
+from core.words.message import Message
 
 TURN = 2 * np.pi
 DEFAULT_VELOCITY = 1.0  # rad/s
@@ -16,7 +17,7 @@ ACCELERATION_PER_VELOCITY = 5.0  # 1/s: the joint's greatest speed is reached in
 ACCELERATIONS = (1.0, 10.0)  # rad/s2, least and greatest that is proposed
 
 
-def fix_others(tree: RobotTree, frames: ArmFrames, notes: list[str]) -> None:
+def fix_others(tree: RobotTree, frames: ArmFrames, notes: list[Message]) -> None:
     """Fixes every joint that is not the arm's: where it stands at 0, or at the limit nearest to it; a mimic joint where it follows."""
     own = {joint.name for joint in frames.joints}
     others = {joint.name: joint for joint in tree.checked.joints if joint.kind != "fixed" and joint.name not in own}
@@ -26,9 +27,10 @@ def fix_others(tree: RobotTree, frames: ArmFrames, notes: list[str]) -> None:
             values[name] = _follow(tree.joint(name), values)
     for name, joint in others.items():
         tree.fix(joint, values[name])
-        unit = " m" if joint.kind == "prismatic" else " rad"
-        follows = " that mimics another" if joint.mimic else ""
-        notes.append(f"Joint {name!r} ({joint.kind}{follows}) is not the arm's: fixed at {values[name]:g}{unit}.")
+        if joint.kind == "prismatic":
+            notes.append(Message.of("newcell-slide-fixed", joint=name, type=joint.kind, mimics=joint.mimic, place_m=values[name]))
+        else:
+            notes.append(Message.of("newcell-joint-fixed", joint=name, type=joint.kind, mimics=joint.mimic, angle_rad=values[name]))
 
 
 def _value(joint: UrdfJoint) -> float:
@@ -50,7 +52,7 @@ def _follow(element: ET.Element, values: dict[str, float]) -> float:
     return value if abs(value) < 1e4 else 0.0
 
 
-def complete_limits(tree: RobotTree, frames: ArmFrames, notes: list[str]) -> tuple[str, ...]:
+def complete_limits(tree: RobotTree, frames: ArmFrames, notes: list[Message]) -> tuple[str, ...]:
     """Gives every joint of the arm all its limits and tells which; returns the joints whose effort is still to be estimated."""
     without_effort = []
     for joint in frames.joints:
@@ -59,17 +61,17 @@ def complete_limits(tree: RobotTree, frames: ArmFrames, notes: list[str]) -> tup
             given = joint.lower is not None and joint.upper is not None and -TURN <= joint.lower < joint.upper <= TURN
             lower, upper = (joint.lower or 0.0, joint.upper or 0.0) if given else (-TURN, TURN)
             tree.joint(name).set("type", "revolute")
-            notes.append(f"Joint {name!r} turns without end: limited to {lower:.4g} ... {upper:.4g} rad.")
+            notes.append(Message.of("newcell-endless-limited", joint=name, lower_rad=lower, upper_rad=upper))
             tree.set_limit(name, "lower", lower)
             tree.set_limit(name, "upper", upper)
         elif joint.lower is None or joint.upper is None:
             lower = -np.pi if joint.lower is None else joint.lower
             upper = np.pi if joint.upper is None else joint.upper
-            notes.append(f"Joint {name!r} has no limits of position: {lower:.4g} ... {upper:.4g} rad taken; put in the robot's own.")
+            notes.append(Message.of("newcell-range-taken", joint=name, lower_rad=lower, upper_rad=upper))
             tree.set_limit(name, "lower", lower)
             tree.set_limit(name, "upper", upper)
         if not joint.velocity:
-            notes.append(f"Joint {name!r} has no limit of velocity: {DEFAULT_VELOCITY:g} rad/s taken; put in the robot's own.")
+            notes.append(Message.of("newcell-velocity-taken", joint=name, velocity_rad_s=DEFAULT_VELOCITY))
             tree.set_limit(name, "velocity", DEFAULT_VELOCITY)
         if not joint.effort:
             tree.set_limit(name, "effort", 1.0)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import shutil
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,7 +22,7 @@ from core.new_cell.cell_text import RANGE, CellParts, cell_text
 from core.new_cell.expansion import description_text
 from core.new_cell.frames import ArmFrames, Ask, choose_frames
 from core.new_cell.home import Home, HomeSearch
-from core.new_cell.joints import complete_limits, fix_others, propose_accelerations
+from core.new_cell.joints import ACCELERATION_PER_VELOCITY, ACCELERATIONS, complete_limits, fix_others, propose_accelerations
 from core.new_cell.masses import G, complete_efforts, complete_masses, tool_of
 from core.new_cell.meshes import choose_shapes, copy_meshes
 from core.new_cell.order import CellOrder, check_cell_order
@@ -35,6 +35,7 @@ from core.robot.bodies import Body, link_bodies, payload_body
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.watched_pairs import find_joined_links
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -52,12 +53,12 @@ class Made:
     """A new cell.
 
     Args:
-        notes: what was chosen, taken or left out, a sentence each.
+        notes: what was chosen, taken or left out.
     """
 
     folder: Path
     home: Home
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 def make_cell(order: CellOrder, ask: Ask | None = None) -> Made:
@@ -70,7 +71,7 @@ def make_cell(order: CellOrder, ask: Ask | None = None) -> Made:
         BadInput: of whatever kind: what was given cannot be used, or the folder cannot be written. Nothing is left behind.
     """
     check_cell_order(order)
-    notes: list[str] = []
+    notes: list[Message] = []
     packages = Packages(order.urdf, order.package_paths)
     tree = RobotTree(description_text(packages, order.xacro_arguments), str(order.urdf))
     frames = choose_frames(tree, order, ask, notes)
@@ -82,7 +83,7 @@ def make_cell(order: CellOrder, ask: Ask | None = None) -> Made:
         copy_meshes(tree, packages, folder)
         robot, bodies = _arm(tree, frames, visual, order, folder)
         if not any(body.joint > 0 for body in bodies):
-            raise BadRobot(str(order.urdf), "no shape on any link that moves", "links with collision or visual shapes")
+            raise BadRobot(str(order.urdf), "newcell-no-shapes")
         complete_masses(tree, frames, robot, bodies, notes)
         robot, bodies = _arm(tree, frames, visual, order, folder)
         complete_efforts(tree, frames, robot, without_effort, notes)
@@ -111,13 +112,22 @@ def make_cell(order: CellOrder, ask: Ask | None = None) -> Made:
         (folder / CELL_FILE).write_text(cell_text(parts), encoding="utf-8")
         _check_made(folder, order.folder)
         shown = [*bodies, payload_body(robot, box)]
-        draw_home(folder / PICTURE, robot, shown, home.q, tool=frames.tool, floor_z=floor_z, title=f"{order.name} at home")
-        accelerations = ", ".join(f"{value:g}" for value in parts.acceleration)
-        notes.append(f"Accelerations of {accelerations} rad/s2 taken: each joint's greatest speed in 0.2 s, between 1 and 10 rad/s2.")
-        notes += [f"{a!r} and {b!r} overlap wherever they were looked at: left out (robot.adjacent)." for a, b in parts.adjacent]
-        notes.append(f"At home {home.nearest[0]!r} and {home.nearest[1]!r} are nearest, {home.nearest_m:.3f} m apart.")
-        notes.append("The sensor's noise, range and resolution are nobody's figures: put in yours.")
+        draw_home(folder / PICTURE, robot, shown, home.q, tool=frames.tool, floor_z=floor_z, name=order.name)
+        notes += [
+            _tell_accelerations(parts.acceleration),
+            *(Message.of("newcell-pair-left-out", first=first, second=second) for first, second in parts.adjacent),
+            Message.of("newcell-nearest-at-home", first=home.nearest[0], second=home.nearest[1], distance_m=home.nearest_m),
+            Message.of("newcell-sensor-of-nobody"),
+        ]
     return Made(order.folder, home, tuple(notes))
+
+
+def _tell_accelerations(taken: Sequence[float]) -> Message:
+    least, most = ACCELERATIONS
+    return Message.of(
+        "newcell-accelerations-taken",
+        accelerations_rad_s2=taken, seconds_s=1.0 / ACCELERATION_PER_VELOCITY, least_rad_s2=least, most_rad_s2=most,
+    )  # fmt: skip
 
 
 def _sensor_sizes(tree: RobotTree, frames: ArmFrames) -> tuple[int, int]:
@@ -134,7 +144,8 @@ def _check_made(folder: Path, target: Path) -> None:
         CollisionModel(cell, RobotModel.of_cell(cell), cell.payload_box)
     except BadInput as flaw:
         key = flaw.where.rpartition(f"{folder.name}/")[2]
-        raise BadInput(str(target / key), flaw.found, flaw.expected) from flaw
+        named = {name: value for name, value in flaw.message.parameters.items() if name != "where"}
+        raise BadInput(str(target / key), flaw.message.code, **named) from flaw
 
 
 @contextmanager
@@ -149,8 +160,7 @@ def _new_folder(target: Path) -> Iterator[Path]:
         folder.rename(target)
         done = True
     except OSError as error:
-        found = f"a folder that cannot be written ({error.strerror or error})"
-        raise BadInput(str(target), found, "a disk with room, and permission") from error
+        raise BadInput(str(target), "newcell-not-written", reason=error.strerror or str(error)) from error
     finally:
         if not done:
             shutil.rmtree(folder, ignore_errors=True)
@@ -196,7 +206,9 @@ def _out_of_reach(robot: RobotModel, bodies: list[Body]) -> float:
     return -float(np.ceil(10.0 * (sum(lengths) + farthest + 3.0 * EDGE_M)) / 10.0)
 
 
-def _box_and_home(tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> tuple[Box, Home, float]:
+def _box_and_home(
+    tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], notes: list[Message]
+) -> tuple[Box, Home, float]:
     """The largest of the default payload boxes with which a home is free, that home, and the height of the floor."""
     joined = set(find_joined_links(tree.checked, {body.name for body in bodies}))
     floor_z = _floor(bodies)
@@ -205,16 +217,17 @@ def _box_and_home(tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies:
         search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
         if search.share_above_floor < STANDING:
             floor_z = _out_of_reach(robot, bodies)
-            notes.append(f"The arm hangs below its base: the floor is put out of reach, at {floor_z:g} m; put in its height.")
+            notes.append(Message.of("newcell-floor-out-of-reach", floor_z_m=floor_z))
             search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
         try:
             home = search.home(tree.where)
         except BadRobot as error:
             if (edge, gap) == ROOMS_M[-1]:
                 raise
-            notes.append(f"With a payload box {edge:g} m wide, {gap:g} m from the flange face, no home is free ({error.found}).")
+            first, second = error.message.parameters["first"], error.message.parameters["second"]
+            notes.append(Message.of("newcell-box-without-home", width_m=edge, gap_m=gap, first=first, second=second))
         else:
             break
-    sizes = " x ".join(f"{size:g}" for size in box.size_m)
-    notes.append(f"The payload box is {sizes} m, {gap:g} m from the flange face; put what really hangs there into cell.toml.")
+    x, y, z = box.size_m
+    notes.append(Message.of("newcell-payload-box", x_m=x, y_m=y, z_m=z, gap_m=gap))
     return box, home, floor_z

@@ -14,6 +14,7 @@ from core.new_cell.robot_tree import RobotTree
 from core.payload.inertia import InertialParameters
 from core.robot.bodies import Body
 from core.robot.model import RobotModel
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -24,7 +25,7 @@ EFFORT_FACTOR = 2.0
 G = 9.81
 
 
-def complete_masses(tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], notes: list[str]) -> None:
+def complete_masses(tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], notes: list[Message]) -> None:
     """Gives every moving link of the arm a mass and an inertia that a body can have, estimated from its shape where it has none."""
     links = {link.name: link for link in tree.checked.bodies}
     for joint in frames.joints:
@@ -35,9 +36,10 @@ def complete_masses(tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodie
         given = link.mass if link.mass else None
         mass, com, inertia = _of_shapes(robot, link.name, own, given)
         tree.set_inertia(link.name, mass, com, inertia)
-        what = f"Link {link.name!r} has no mass" if given is None else f"Link {link.name!r} has no inertia that a body can have"
-        how = f"{mass:.3g} kg from its shape at {DENSITY:.0f} kg/m3" if given is None else f"that of its shape with its {mass:.3g} kg"
-        notes.append(f"{what}: {how} taken; put in the robot's own, torques and the simulation count with it.")
+        if given is None:
+            notes.append(Message.of("newcell-mass-taken", link=link.name, mass_kg=mass, density_kg_m3=DENSITY))
+        else:
+            notes.append(Message.of("newcell-inertia-taken", link=link.name, mass_kg=mass))
 
 
 def _can_exist(link: UrdfLink) -> bool:
@@ -72,16 +74,13 @@ def _point(place: Array) -> Array:
     return np.asarray(place @ place * np.eye(3) - np.outer(place, place))
 
 
-def complete_efforts(tree: RobotTree, frames: ArmFrames, robot: RobotModel, without: tuple[str, ...], notes: list[str]) -> None:
+def complete_efforts(tree: RobotTree, frames: ArmFrames, robot: RobotModel, without: tuple[str, ...], notes: list[Message]) -> None:
     """A torque limit for each of these joints: twice what the arm's own weight and its tool's can ask of it, stretched out."""
     for name, torque in zip((joint.name for joint in frames.joints), weight_torques(robot, tool_of(tree, frames)), strict=True):
         if name in without:
             effort = max(1.0, float(math.ceil(EFFORT_FACTOR * torque)))
             tree.set_limit(name, "effort", effort)
-            notes.append(
-                f"Joint {name!r} has no limit of torque: {effort:g} N m taken, {EFFORT_FACTOR:g} times what the arm's own weight can ask; "
-                "put in the robot's own."
-            )
+            notes.append(Message.of("newcell-effort-taken", joint=name, effort_n_m=effort, times=EFFORT_FACTOR))
 
 
 def tool_of(tree: RobotTree, frames: ArmFrames) -> InertialParameters:

@@ -10,12 +10,13 @@ from core.cell.urdf import MAX_MESH_BYTES
 from core.errors import BadRobot
 from core.new_cell.packages import Packages
 from core.new_cell.robot_tree import RobotTree
+from core.words.message import Message
 
 FOLDER = "meshes"
 SUFFIXES = (".stl", ".dae", ".obj", ".ply")
 
 
-def choose_shapes(tree: RobotTree, notes: list[str]) -> tuple[str, ...]:
+def choose_shapes(tree: RobotTree, notes: list[Message]) -> tuple[str, ...]:
     """Leaves of each link the shapes that are checked: those for collisions, or its visual ones where it has no other.
 
     Returns:
@@ -31,7 +32,7 @@ def choose_shapes(tree: RobotTree, notes: list[str]) -> tuple[str, ...]:
                 tree.link(link).remove(shape)
         else:
             visual.append(link)
-            notes.append(f"Link {link!r} has no shape for collisions: its visual shape is taken (robot.visual_shapes).")
+            notes.append(Message.of("newcell-visual-taken", link=link))
     return tuple(visual)
 
 
@@ -46,7 +47,7 @@ def copy_meshes(tree: RobotTree, packages: Packages, cell: Path) -> None:
         name = mesh.get("filename", "")
         where = f"{tree.where}: link {link!r}: mesh"
         if Path(name).suffix.lower() not in SUFFIXES:
-            raise BadRobot(where, repr(name), f"a mesh, one of {', '.join(SUFFIXES)}")
+            raise BadRobot(where, "newcell-no-mesh", name=name, suffixes=SUFFIXES)
         file = packages.file(name, where, MAX_MESH_BYTES)
         if file not in copied:
             copied[file] = f"{FOLDER}/{_free_name(name, set(copied.values()))}"

@@ -61,13 +61,13 @@ def check_cell_order(order: CellOrder) -> None:
         BadInput: a name that is none, two sensor frames, a folder that exists already or one that does not.
     """
     if not NAME.fullmatch(order.name):
-        raise BadInput("NAME", repr(order.name), "1 to 64 letters, digits, - and _; --into DIR says where the cell's folder is made")
+        raise BadInput("NAME", "newcell-no-name", name=order.name)
     if order.sensor_frame is not None and order.mount is not None:
-        raise BadInput("--mount", "both --sensor-frame and --mount", "one of them")
+        raise BadInput("--mount", "newcell-two-sensor-frames")
     if order.folder.exists() or order.folder.is_symlink():
-        raise BadInput(str(order.folder), "something that exists already", "a new name")
+        raise BadInput(str(order.folder), "newcell-exists")
     if order.into.exists() and not order.into.is_dir():
-        raise BadInput(f"--into {order.into}", "something that is no folder", "a folder")
+        raise BadInput(f"--into {order.into}", "newcell-no-folder")
     for path in order.package_paths:
         if not path.is_dir():
-            raise BadInput(f"--package-path {path}", "no such folder", "a folder with ROS packages, or a package")
+            raise BadInput(f"--package-path {path}", "newcell-no-package-path")

@@ -14,6 +14,7 @@ from urllib.parse import unquote
 
 from core.errors import BadRobot
 from core.files.jail import find_inside
+from core.words.message import Message
 
 PACKAGE = re.compile(r"[A-Za-z0-9_.-]{1,128}", re.ASCII)
 SCHEMES = ("package://", "model://")
@@ -47,13 +48,12 @@ class Packages:
             BadRobot: no such package in the given folders or on the way up from the description.
         """
         if name not in self._found:
-            where = f"{self.description}: package {name!r}"
+            where = Message.of("newcell-package", file=str(self.description), name=name)
             if not PACKAGE.fullmatch(name) or set(name) == {"."}:
-                raise BadRobot(where, "no name of a package", "letters, digits, _, - and .")
+                raise BadRobot(where, "newcell-no-package-name")
             found = next(self._places(name), None)
             if found is None:
-                looked = ", ".join(str(path) for path in (*self._given, self.beside))
-                raise BadRobot(where, f"no such package in {looked} or above", "a folder of that name; --package-path DIR says where it is")
+                raise BadRobot(where, "newcell-no-such-package", folders=[str(path) for path in (*self._given, self.beside)])
             self._found[name] = found.resolve()
         return self._found[name]
 
@@ -79,9 +79,9 @@ class Packages:
             return find_inside(self.folder(package), inside, BadRobot, max_bytes=max_bytes, where=where)
         plain = unquote(name.removeprefix("file://")) if name.startswith("file://") else name
         if "://" in plain or "\\" in plain or "\0" in plain:
-            raise BadRobot(where, repr(name), "package://, or a path relative to the description")
+            raise BadRobot(where, "newcell-mesh-address", name=name)
         path = (self.beside / plain).resolve()
         for folder in self.open_folders:
             if path.is_relative_to(folder):
                 return find_inside(folder, str(path.relative_to(folder)), BadRobot, max_bytes=max_bytes, where=where)
-        raise BadRobot(where, f"{name!r}, which leads outside the description's folder", "--package-path DIR for a folder that may be read")
+        raise BadRobot(where, "newcell-mesh-outside", name=name)

@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 from core.report.faces import body_faces, joint_poses, place_faces
 from core.robot.bodies import PAYLOAD, Body
 from core.robot.model import RobotModel
+from core.words.catalogue import find_language
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -27,12 +29,12 @@ DPI = 130
 FLOOR_SHOWN = 0.5  # times the robot's height below it
 
 
-def draw_home(file: Path, robot: RobotModel, bodies: list[Body], q: Array, *, tool: tuple[str, ...], floor_z: float, title: str) -> None:
-    """Writes a PNG.
+def draw_home(file: Path, robot: RobotModel, bodies: list[Body], q: Array, *, tool: tuple[str, ...], floor_z: float, name: str) -> None:
+    """Writes a PNG, with words in the language of the terminal.
 
     Args:
         bodies: of the links, and the payload box.
-        q: (n,), rad. tool: links behind the sensor. floor_z: in the world, m.
+        q: (n,), rad. tool: links behind the sensor. floor_z: in the world, m. name: of the cell.
     """
     poses = joint_poses(robot, q)
     figure = Figure(figsize=(7.0, 7.0))
@@ -60,9 +62,9 @@ def draw_home(file: Path, robot: RobotModel, bodies: list[Body], q: Array, *, to
     axes.set_xlabel("x (m)")
     axes.set_ylabel("y (m)")
     axes.set_zlabel("z (m)")
-    axes.set_title(title)
-    words = "arm blue, base grey, tool green, room of the payload orange; sensor axes x red, y green, z blue"
-    figure.text(0.5, 0.02, words, ha="center", fontsize=8)
+    language = find_language()
+    axes.set_title(Message.of("newcell-picture", name=name).say(language))
+    figure.text(0.5, 0.02, Message.of("newcell-picture-colours").say(language), ha="center", fontsize=8)
     figure.savefig(file, dpi=DPI, metadata={"Software": None})
 
 

@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 
 KEPT_OF_JOINT = ("origin", "parent", "child", "axis", "limit", "mimic")
 KEPT_OF_LINK = ("inertial", "visual", "collision")
+LONGEST_NAME = 200
 
 
 class RobotTree:
@@ -43,8 +44,10 @@ class RobotTree:
                 self.root.append(element)
         self._rename_joints_like_links()
         for name in self.checked.links:
-            if not name.isprintable() or len(name) > 200:
-                raise BadRobot(f"{where}: link", repr(name[:200]), "a name of at most 200 characters that can be printed")
+            if not name.isprintable() or len(name) > LONGEST_NAME:
+                raise BadRobot(
+                    f"{where}: link", "newcell-link-name", name=name[:LONGEST_NAME].encode("unicode_escape").decode(), most=LONGEST_NAME
+                )
 
     def _rename_joints_like_links(self) -> None:
         """A joint with the name of a link is another frame of that name, which Pinocchio cannot tell from it."""
@@ -145,7 +148,7 @@ class RobotTree:
         urdf = self.checked
         joint = f"{name}_joint"
         if name in urdf.links or joint in (each.name for each in urdf.joints):
-            raise BadRobot(f"{self.where}: link", f"{name!r} already in the description", f"--sensor-frame {name} in place of --mount")
+            raise BadRobot(f"{self.where}: link", "newcell-link-exists", link=name)
         ET.SubElement(self.root, "link", name=name)
         element = ET.SubElement(self.root, "joint", name=joint, type="fixed")
         ET.SubElement(element, "origin", xyz=format_numbers(xyz), rpy=format_numbers(rpy))

@@ -23,6 +23,7 @@ MAX_CHARACTERS = 5_000_000
 SECONDS = 20
 MEMORY = 1_000_000_000
 LONGEST_EXPRESSION = 2_000
+MOST_LETTERS = 300
 INNER = ("_", "gi_", "cr_", "ag_", "f_", "tb_", "co_", "func_", "mro", "format")
 """Beginnings of attributes that lead from a value to the interpreter."""
 FORBIDDEN = ("socket.", "subprocess.", "os.", "shutil.", "ctypes.", "tempfile.", "pty.", "mmap.")
@@ -30,7 +31,16 @@ HARMLESS = ("os.listdir", "os.scandir")
 
 
 class UnwantedError(Exception):
-    """What a xacro file may not do; the sentence is for the person who gave it."""
+    """What a xacro file may not do.
+
+    Args:
+        code: of the message, for the person who gave the file. parameters: what it names.
+    """
+
+    def __init__(self, code: str, **parameters: str | int) -> None:
+        super().__init__(code)
+        shown = {name: _shorten(value) if isinstance(value, str) else value for name, value in parameters.items()}
+        self.message = {"code": code, "parameters": shown}
 
 
 def expand(order: dict[str, Any]) -> str:
@@ -40,11 +50,11 @@ def expand(order: dict[str, Any]) -> str:
 
     def find(name: str) -> str:
         if name not in packages:
-            raise UnwantedError(f"$(find {name})")
+            raise UnwantedError("xacro-wants-package", name=name)
         return packages[name]
 
     def refuse(*_arguments: Any) -> str:
-        raise UnwantedError("$(eval ...)")
+        raise UnwantedError("xacro-wants-eval")
 
     def careful(expression: str, *arguments: Any) -> Any:
         _look_at(expression)
@@ -59,12 +69,12 @@ def expand(order: dict[str, Any]) -> str:
 
 def _look_at(expression: str) -> None:
     if len(expression) > LONGEST_EXPRESSION:
-        raise UnwantedError(f"an expression of {len(expression)} characters")
+        raise UnwantedError("xacro-long-expression", characters=len(expression))
     for node in ast.walk(ast.parse(expression.strip(), mode="eval")):
         if isinstance(node, ast.Attribute) and node.attr.startswith(INNER):
-            raise UnwantedError(f"the attribute {node.attr} in an expression")
+            raise UnwantedError("xacro-wants-attribute", name=node.attr)
         if isinstance(node, ast.Name) and node.id.startswith("__"):
-            raise UnwantedError(f"the name {node.id} in an expression")
+            raise UnwantedError("xacro-wants-name", name=node.id)
 
 
 def confine_xacro(folders: list[str]) -> None:
@@ -82,27 +92,32 @@ def confine_xacro(folders: list[str]) -> None:
             reads = arguments[1] in (None, "r", "rb", "rt") or (arguments[1] is None and not arguments[2])
             is_library = path.suffix in (".py", ".pyc", ".so") and any(path.is_relative_to(each) for each in library)
             if not reads or not (is_library or any(path.is_relative_to(folder) for folder in inside)):
-                raise UnwantedError(f"the file {path}")
+                raise UnwantedError("xacro-wants-file", file=str(path))
         elif event.startswith(FORBIDDEN) and event not in HARMLESS:
-            raise UnwantedError(event)
+            raise UnwantedError("xacro-wants-system", event=event)
 
     sys.addaudithook(watch)
 
 
 def main() -> int:
-    """0 with the URDF on standard output; 3 with what it may not do, 4 with what is wrong, on standard error."""
+    """0 with the URDF on standard output; 3 with what it may not do, as JSON, 4 with what is wrong, on standard error."""
     order = json.load(sys.stdin)
     try:
         confine_xacro(order["folders"])
         text = expand(order)
         if len(text) > MAX_CHARACTERS:
-            raise UnwantedError(f"{len(text)} characters of URDF")
-    except Exception as error:  # noqa: BLE001 - whatever a stranger's program ends with becomes a sentence
+            raise UnwantedError("xacro-long-urdf", characters=len(text))
+    except Exception as error:  # noqa: BLE001 - whatever a stranger's program ends with is told
         cause = _find_unwanted(error)
-        sys.stderr.write(" ".join(str(cause or error or type(error).__name__).split())[:300])
+        sys.stderr.write(json.dumps(cause.message) if cause else _shorten(str(error) or type(error).__name__))
         return 3 if cause else 4
     sys.stdout.write(text)
     return 0
+
+
+def _shorten(text: str) -> str:
+    """In one line that can be read."""
+    return " ".join(text.split())[:MOST_LETTERS]
 
 
 def _find_unwanted(error: BaseException | None) -> UnwantedError | None:

@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict
 
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -54,7 +55,7 @@ class Comparison(BaseModel):
     offset: list[Difference]
     chance: float | None
     differ: bool
-    verdict: str
+    verdict: Message
 
 
 def compare_payloads(
@@ -112,11 +113,17 @@ def chi_square_tail(x: float, freedom: int) -> float:
     return min(tail, 1.0)
 
 
-def _verdict(parameters: list[Difference], chance: float | None, *, differ: bool) -> str:
+def _verdict(parameters: list[Difference], chance: float | None, *, differ: bool) -> Message:
     if chance is None:
-        return "The runs have no parameter in common, so they cannot be compared."
+        return Message.of("payload-runs-nothing-in-common")
     if not differ:
-        return f"No significant difference: one at least as large is seen in {chance:.0%} of repetitions with the same payload."
+        return Message.of("payload-runs-agree", chance=chance)
     largest = max(parameters, key=lambda difference: abs(difference.times_std))
-    size = f"{largest.name} by {largest.value:+.3g} {largest.unit}, {abs(largest.times_std):.1f} times its uncertainty"
-    return f"The runs differ by more than chance ({chance:.1g}), most clearly in {size}."
+    return Message.of(
+        "payload-runs-differ",
+        chance=chance,
+        parameter=largest.name,
+        difference=largest.value,
+        unit=largest.unit,
+        times=abs(largest.times_std),
+    )

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from core.errors import BadPayload
+from core.payload.rotations import skew
 
 Array = NDArray[np.float64]
 
@@ -39,15 +40,6 @@ def six_of(matrix: Array) -> Array:
     return np.asarray(matrix[..., _ROW, _COLUMN])
 
 
-def skew(v: ArrayLike) -> Array:
-    """Matrix of the cross product `v x`, shape (..., 3, 3)."""
-    v = np.asarray(v, dtype=float)
-    matrix = np.zeros((*v.shape[:-1], 3, 3))
-    matrix[..., 0, 1], matrix[..., 0, 2], matrix[..., 1, 2] = -v[..., 2], v[..., 1], -v[..., 0]
-    matrix[..., 1, 0], matrix[..., 2, 0], matrix[..., 2, 1] = v[..., 2], -v[..., 1], v[..., 0]
-    return matrix
-
-
 @dataclass(frozen=True)
 class InertialParameters:
     """The ten inertial parameters of a rigid body in one frame, SI.
@@ -61,7 +53,7 @@ class InertialParameters:
     def __post_init__(self) -> None:
         phi = np.array(self.phi, dtype=float)
         if phi.shape != (10,) or not np.isfinite(phi).all():
-            raise BadPayload("phi", f"{self.phi}", "ten finite numbers [m, mc_x, mc_y, mc_z, Ixx, Ixy, Ixz, Iyy, Iyz, Izz]")
+            raise BadPayload("phi", "payload-not-ten-numbers", values=[f"{value:g}" for value in phi.ravel()[:12]], names=PHI_NAMES)
         phi.flags.writeable = False
         object.__setattr__(self, "phi", phi)
 

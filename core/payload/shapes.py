@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from core.payload.rotations import rotation_of_rpy
+
 Array = NDArray[np.float64]
 Number = Annotated[float, Field(strict=True, ge=-1000, le=1000)]  # no quantity of a cell is larger, in SI units
 Angle = Annotated[float, Field(strict=True, ge=-2 * np.pi, le=2 * np.pi)]
@@ -23,24 +25,6 @@ class Model(BaseModel):
     """Frozen; unknown keys, NaN and infinity are refused."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
-
-
-def rotation_of_rpy(rpy: Array) -> Array:
-    """(3, 3), of roll, pitch and yaw (3,), rad: Rz Ry Rx."""
-    (cr, cp, cy), (sr, sp, sy) = np.cos(rpy), np.sin(rpy)
-    return np.array(
-        [
-            [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
-            [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
-            [-sp, cp * sr, cp * cr],
-        ]
-    )
-
-
-def rotation_about(axis: Array, angle: float) -> Array:
-    """(3, 3), by an angle, rad, about a unit axis (3,): Rodrigues' formula."""
-    cross = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
-    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * (cross @ cross))
 
 
 class Pose(Model):

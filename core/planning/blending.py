@@ -84,7 +84,4 @@ def _cut(vertex: Array, before: Array, after: Array, d: float, is_clear: Callabl
         if is_clear(np.asarray(BPoly(_corner(vertex, before, after, d)[:, None], [0.0, 1.0])(s))):
             return d
         d *= 0.5
-    raise NoPath(
-        f"a corner of the path at {np.round(vertex, 3).tolist()} rad cannot be rounded by {2 * d:.4f} rad without "
-        "coming closer than the clearance. Plan again with another seed, or give the path more room."
-    )
+    raise NoPath("planning-corner-too-tight", corner_rad=np.round(vertex, 3).tolist(), smallest_rad=2 * d)

@@ -17,6 +17,7 @@ from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile, JointTrajectory
 from core.second_opinion.opinion import JointPath
+from core.second_opinion.part_name import name_part
 from core.sessions.session import RobotState
 
 Array = NDArray[np.float64]
@@ -64,7 +65,7 @@ def compute_joint_paths(
         try:
             paths.append(JointPath(motion.name, _collect_set_points(mover, here)))
         except Stopped as error:
-            raise PlanDisputed(f"the finished plan cannot be carried out in {motion.name}. Plan again with another seed.") from error
+            raise PlanDisputed("planning-not-feasible", part=name_part(motion.name)) from error
         here = paths[-1].q[-1]
     return paths
 

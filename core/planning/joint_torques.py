@@ -21,6 +21,8 @@ from core.planning.summary import LargestTorque, PlanTorques
 from core.robot.dynamics import LinkDynamics
 from core.robot.model import RobotModel
 from core.second_opinion.opinion import JointPath
+from core.second_opinion.part_name import name_part
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -37,30 +39,32 @@ class Load:
 
     Args:
         parameters: sensor frame.
-        source: where that is from, in words.
+        source: where that is from.
     """
 
     parameters: InertialParameters
-    source: str
+    source: Message
 
 
 def find_known_load(cell: Cell, name: str | None) -> Load | None:
     """A payload that the cell knows by name; None where it knows none of that name."""
     known = cell.payloads.get(name or "")
-    return None if known is None else Load(known.parameters, f"payload {name!r} as the cell knows it")
+    return None if known is None else Load(known.parameters, Message.of("planning-load-known", payload=name or ""))
 
 
-def even_load(box: Box, mass_kg: float, source: str) -> Load:
+def even_load(box: Box, mass_kg: float, source: Message) -> Load:
     """A mass spread evenly over a box (sensor frame)."""
     size = np.array(box.size_m)
     inertia = box.pose.rotation @ np.diag(mass_kg / 12.0 * (size @ size - size**2)) @ box.pose.rotation.T
-    return Load(InertialParameters.from_com(mass_kg, box.pose.translation, inertia), f"{source}, spread evenly over the payload box")
+    return Load(InertialParameters.from_com(mass_kg, box.pose.translation, inertia), source)
 
 
 def guess_load(cell: Cell, box: Box, mass_guess_kg: float) -> Load:
     """A payload of which only the box is known: as heavy as the cell says that the robot may carry, otherwise the guess."""
     limit = cell.robot.payload_limit_kg
-    return even_load(box, mass_guess_kg, "a guessed mass") if limit is None else even_load(box, limit, "the robot's payload limit")
+    if limit is None:
+        return even_load(box, mass_guess_kg, Message.of("planning-load-guessed"))
+    return even_load(box, limit, Message.of("planning-load-payload-limit"))
 
 
 class JointTorques:
@@ -80,14 +84,14 @@ class JointTorques:
         self._viscous = np.zeros(robot.n) if friction is None else np.array(friction.viscous_n_m_s)
         masses = np.array([inertia.mass for inertia in robot.model.inertias])[-robot.n :]
         self._why = [self._explain_unjudged(j, masses) for j in range(robot.n)]
-        self._judged = np.flatnonzero([not why for why in self._why])
+        self._judged = np.flatnonzero([why is None for why in self._why])
 
-    def _explain_unjudged(self, j: int, masses: Array) -> str:
-        """Why the torque of a joint cannot be judged; nothing where it can."""
+    def _explain_unjudged(self, j: int, masses: Array) -> Message | None:
+        """Why the torque of a joint cannot be judged; None where it can."""
         if self._limits[j] <= 0.0:
-            return f"{self._joints[j]!r}: the URDF states no effort"
+            return Message.of("planning-joint-without-effort", joint=self._joints[j])
         without = next((self._joints[k] for k in range(j, len(masses)) if masses[k] <= 0.0), None)
-        return "" if without is None else f"{self._joints[j]!r}: the URDF states no mass of the link after {without!r}"
+        return None if without is None else Message.of("planning-joint-without-mass", joint=self._joints[j], after=without)
 
     def too_weak_to_hold(self, q: Array) -> tuple[str, float] | None:
         """The joint that has the largest share of its torque to give to hold still at q (n,), and that share; None where all can."""
@@ -110,7 +114,7 @@ class JointTorques:
             load=self.load.source,
             mass_kg=self.load.parameters.mass,
             largest=max(largest, key=lambda each: each.ratio, default=None),
-            not_judged=[why for why in self._why if why],
+            not_judged=[why for why in self._why if why is not None],
         )
 
     def _largest(self, path: JointPath, period: float) -> LargestTorque:
@@ -143,7 +147,12 @@ def refuse_too_heavy(torques: PlanTorques) -> None:
     most = torques.largest
     if most is not None and most.ratio > 1.0:
         raise TooHeavy(
-            f"the load of {torques.mass_kg:.3f} kg is too heavy for {most.joint!r}: it would need {most.torque_n_m:.1f} N m "
-            f"(limit {most.limit_n_m:.1f} N m), {most.holding_n_m:.1f} N m of them to hold still, {most.time_s:.3f} s after the beginning "
-            f"of {most.part}. Take a lighter payload or another home, or correct the effort in the URDF."
+            "planning-too-heavy",
+            mass_kg=torques.mass_kg,
+            joint=most.joint,
+            torque_n_m=most.torque_n_m,
+            limit_n_m=most.limit_n_m,
+            holding_n_m=most.holding_n_m,
+            time_s=most.time_s,
+            part=name_part(most.part),
         )

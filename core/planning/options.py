@@ -52,5 +52,5 @@ def scope_of(axes: str, *, holds_only: bool) -> Scope:
     """
     letters = axes.replace(",", "").replace(" ", "").lower()
     if not letters or set(letters) - set("xyz"):
-        raise BadInput("--axes", repr(axes), "some of x, y and z with commas between them")
+        raise BadInput("--axes", "planning-axes-unknown", axes=axes)
     return Scope(axes="".join(axis for axis in "xyz" if axis in letters), rotations=not holds_only)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from ompl import base, geometric, util
 
+from core.cell.body_name import name_body
 from core.cell.cell import Cell
 from core.errors import NoPath
 from core.planning.certificate import LeastMargin, least_margin
@@ -25,11 +26,15 @@ from core.planning.throw import ThrowCheck
 from core.planning.timing import MotionLimits, least_seconds
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
 SPARE_M = 0.005
 """Margin that planning keeps on top of the required clearance, for rounding corners and for the controller's tracking error."""
+
+START, GOAL = Message.of("planning-end-start"), Message.of("planning-end-goal")
+"""The ends of a path."""
 
 _STEP_RAD = 0.02
 _RANGE_RAD = 1.0
@@ -78,7 +83,7 @@ def plan_path(
     """
     start = np.array(start, dtype=float)
     throws = ThrowCheck(cell)
-    check_end("start", start, robot, collision, throws)
+    check_end(START, start, robot, collision, throws)
     ends = np.stack((start, *_possible_goals(np.atleast_2d(np.array(goal, dtype=float)), robot, collision, throws)))
     limits = MotionLimits.of_cell(cell, robot, collision)
     room = Room(robot, collision, throws, ends, SPARE_M)
@@ -133,7 +138,7 @@ def _possible_goals(goals: Array, robot: RobotModel, collision: CollisionModel, 
     possible, reasons = [], []
     for q in goals:
         try:
-            check_end("goal", q, robot, collision, throws)
+            check_end(GOAL, q, robot, collision, throws)
             possible.append(q)
         except NoPath as reason:
             reasons.append(reason)
@@ -142,48 +147,47 @@ def _possible_goals(goals: Array, robot: RobotModel, collision: CollisionModel, 
     return possible
 
 
-def check_end(name: str, q: Array, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck) -> None:
-    """Whether a path may start or end at q (n,); `name` is "start" or "goal".
+def check_end(end: Message, q: Array, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck) -> None:
+    """Whether a path may start or end at q (n,).
+
+    Args:
+        end: which end that is, `START` or `GOAL`.
 
     Raises:
         NoPath: no configuration of this robot, outside the joint limits, too close to something, or a load that comes off there falls into
             a zone.
     """
     if q.shape != (robot.n,) or not np.isfinite(q).all():
-        raise NoPath(f"the {name} of the path is {q.tolist()}, expected {robot.n} finite joint positions in rad.")
+        raise NoPath("planning-end-no-configuration", end=end, q_rad=q.tolist(), count=robot.n)
     outside = np.flatnonzero((q < robot.lower) | (q > robot.upper))
     if len(outside):
         j = int(outside[0])
         raise NoPath(
-            f"the {name} of the path has {robot.description.joints[j]} at {q[j]:.3f} rad, outside its limits "
-            f"[{robot.lower[j]:.3f}, {robot.upper[j]:.3f}] rad. Choose another {name} configuration."
-        )
+            "planning-end-outside-limits",
+            end=end, joint=robot.description.joints[j], angle_rad=q[j], lower_rad=robot.lower[j], upper_rad=robot.upper[j],
+        )  # fmt: skip
     nearest = collision.nearest(q)
     if nearest.margin_m < 0.0:
+        first, second = name_body(collision.cell, nearest.first), name_body(collision.cell, nearest.second)
         raise NoPath(
-            f"at the {name} of the path {nearest.first!r} is {nearest.distance_m:.4f} m from {nearest.second!r} "
-            f"(limit {nearest.required_m:.3f} m). Choose another {name} configuration or clear the cell.",
-            nearest.second,
-        )
-    check_drop(name, q, robot, collision, throws)
+            "planning-end-too-close",
+            end=end, first=first, second=second, distance_m=nearest.distance_m, required_m=nearest.required_m, in_the_way=nearest.second,
+        )  # fmt: skip
+    check_drop(end, q, robot, collision, throws)
 
 
-def check_drop(name: str, q: Array, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck) -> None:
+def check_drop(end: Message, q: Array, robot: RobotModel, collision: CollisionModel, throws: ThrowCheck) -> None:
     """Nothing where a load that comes off at rest at q (n,) falls into no zone.
 
     Args:
-        name: of the end of a path.
+        end: of the path, `START` or `GOAL`.
 
     Raises:
         NoPath: it falls into one.
     """
     drop = throws.drop(collision.payload_box, robot.sensor_poses(q[None]))
     if drop is not None and drop.distance_m < 0.0:
-        raise NoPath(
-            f"at the {name} of the path a load that comes off would fall {-drop.distance_m:.4f} m into zone {drop.zone!r}. "
-            f"Choose another {name} configuration, reduce the payload box, or move the zone.",
-            drop.zone,
-        )
+        raise NoPath("planning-end-drops-load", end=end, depth_m=-drop.distance_m, zone=drop.zone, in_the_way=drop.zone)
 
 
 def _find_paths(room: Room, collision: CollisionModel, ends: Array, planner: Planner, seed: int, iterations: int) -> list[Array]:
@@ -275,9 +279,14 @@ def _not_found(collision: CollisionModel, best: _Found, ends: Array, planner: Pl
     tight = min((collision.nearest(q) for q in ends), key=lambda pair: pair.margin_m)
     left, whole = (float(np.linalg.norm(ends[1:] - q, axis=1).min()) for q in (best.q[-1], ends[0]))
     return NoPath(
-        f"no path found in {iterations} iterations by {planner}: the search from the start came within {left:.2f} rad of the goal, "
-        f"{whole:.2f} rad away; the tighter end has {tight.first!r} {tight.distance_m:.3f} m from "
-        f"{tight.second!r} (limit {tight.required_m:.3f} m). "
-        "Search more (--effort), choose another start configuration, or clear the cell.",
-        tight.second,
+        "planning-no-path",
+        iterations=iterations,
+        planner=planner,
+        left_rad=left,
+        whole_rad=whole,
+        first=name_body(collision.cell, tight.first),
+        second=name_body(collision.cell, tight.second),
+        distance_m=tight.distance_m,
+        required_m=tight.required_m,
+        in_the_way=tight.second,
     )

@@ -7,7 +7,7 @@ what SNS (Algorithm 7) follows as long as no joint is at a limit, which is what 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
+from enum import Enum, auto
 
 import numpy as np
 from numba import njit
@@ -15,11 +15,12 @@ from numpy.typing import NDArray
 
 from core.cell.cell import Cell
 from core.planning.timing import MotionLimits
-from core.robot.chain import Chain, joint_frames
+from core.robot.chain import Chain, fill_jacobian, joint_frames
 from core.robot.collision import CollisionModel
-from core.robot.inverse_kinematics import _fill_damped_step, _fill_jacobian, _pose_error
+from core.robot.inverse_kinematics import _fill_damped_step
 from core.robot.model import RobotModel
 from core.robot.point_speed import point_speeds
+from core.robot.rotations import exponential, pose_error
 from core.robot.trajectory import AngularProfile
 
 Array = NDArray[np.float64]
@@ -31,13 +32,13 @@ _STEP_RAD = 0.025
 _DAMPING = 1e-10
 
 
-class Obstruction(StrEnum):
+class Obstruction(Enum):
     """Why a rotation cannot be done from a configuration."""
 
-    JOINT_LIMIT = "joint limits during the rotation"
-    JOINT_SPEED = "joint velocity during the rotation"
-    JOINT_ACCELERATION = "joint acceleration during the rotation"
-    CARTESIAN_SPEED = "Cartesian speed during the rotation"
+    JOINT_LIMIT = auto()
+    JOINT_SPEED = auto()
+    JOINT_ACCELERATION = auto()
+    CARTESIAN_SPEED = auto()
 
 
 @dataclass(frozen=True)
@@ -83,25 +84,24 @@ def _track(placements: Array, axes: Array, q0: Array, axis: Array, angle: Array,
     twist[3:] = axis
     joint_frames(placements, axes, q0, R, p)
     origin, R0 = p[n].copy(), R[n].copy()
-    K = np.zeros((3, 3))
-    K[0, 1], K[0, 2], K[1, 2] = -axis[2], axis[1], -axis[0]
-    K[1, 0], K[2, 0], K[2, 1] = axis[2], -axis[1], axis[0]
+    turn = np.empty((3, 3))
     for direction in (1, -1):
         here = q0.copy()
         k = start
         while 0 <= k < len(angle):
-            goal = R0 @ (np.eye(3) + np.sin(angle[k]) * K + (1.0 - np.cos(angle[k])) * (K @ K))
+            exponential(angle[k] * axis, turn)
+            goal = R0 @ turn
             joint_frames(placements, axes, here, R, p)  # back onto the task
-            _pose_error(R[n], p[n], goal, origin, e)
-            _fill_jacobian(R, p, axes, J)
+            pose_error(R[n], p[n], goal, origin, e)
+            fill_jacobian(R, p, axes, J)
             _fill_damped_step(J, e, _DAMPING, A, y, step)
             for j in range(n):
                 here[j] += step[j]
             joint_frames(placements, axes, here, R, p)
-            _pose_error(R[n], p[n], goal, origin, e)
+            pose_error(R[n], p[n], goal, origin, e)
             if not np.max(np.abs(e)) < 1e-5:
                 return False
-            _fill_jacobian(R, p, axes, J)
+            fill_jacobian(R, p, axes, J)
             _fill_damped_step(J, twist, _DAMPING, A, y, step)
             q[k], dq[k] = here, step
             if np.max(np.abs(step)) > 50.0:
@@ -109,7 +109,7 @@ def _track(placements: Array, axes: Array, q0: Array, axis: Array, angle: Array,
             width = angle[1] - angle[0] if len(angle) > 1 else 0.0
             middle = here + 0.5 * direction * width * step
             joint_frames(placements, axes, middle, R, p)
-            _fill_jacobian(R, p, axes, J)
+            fill_jacobian(R, p, axes, J)
             _fill_damped_step(J, twist, _DAMPING, A, y, step)
             for j in range(n):
                 here[j] += direction * width * step[j]

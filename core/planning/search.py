@@ -18,7 +18,7 @@ from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
 from core.planning.commanded_path import compute_joint_paths
 from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
 from core.planning.joint_torques import JointTorques, Load, guess_load, refuse_too_heavy
-from core.planning.path import check_end, one_turn_away
+from core.planning.path import START, check_end, one_turn_away
 from core.planning.plan import POSES, Leg, Plan, motions_of
 from core.planning.settings import Planner, Timing
 from core.planning.start_configuration import Grid, StartConfiguration, find_start_configuration
@@ -105,7 +105,7 @@ def check_standing(cell: Cell, robot: RobotModel, collision: CollisionModel, sta
         NoPath: it may not be there.
         TooHeavy: it cannot.
     """
-    check_end("start", start, robot, collision, ThrowCheck(cell))
+    check_end(START, start, robot, collision, ThrowCheck(cell))
     torques = JointTorques(cell, robot, load)
     home = np.array(cell.robot.home_rad)
     refuse_too_heavy(torques.of([JointPath("start", start[None]), JointPath("home", home[None])], period))
@@ -139,7 +139,7 @@ def confirm_plan(
     asked = torques.of(paths, home.trajectory.period)
     refuse_too_heavy(asked)
     opinion = second_opinion(cell, payload_box, paths, home.trajectory.period)
-    refuse_disputed(opinion)
+    refuse_disputed(cell, opinion)
     return Confirmation(opinion, asked)
 
 

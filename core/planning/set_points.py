@@ -88,7 +88,7 @@ def multiple(period_s: float | None, own: float) -> int:
     period_s = own if period_s is None else period_s
     every = round(period_s / own) if np.isfinite(period_s) else 0
     if not 1 <= every <= 100 or not np.isclose(every * own, period_s, rtol=1e-9):
-        raise BadInput("--period", f"{period_s:g} s", f"a multiple of {own:g} s, the period of the plan, up to {100 * own:g} s")
+        raise BadInput("--period", "planning-period-no-multiple", period_s=period_s, own_s=own, most_s=100 * own)
     return every
 
 
@@ -117,12 +117,12 @@ def check_set_points(file: Path | None, period_s: float | None, own: float) -> N
     multiple(period_s, own)
     if file is None:
         if period_s is not None:
-            raise BadInput("--period", f"{period_s:g} s without --trajectory", "--trajectory FILE, which it is for")
+            raise BadInput("--period", "planning-period-without-file", period_s=period_s)
         return
     if file.suffix not in (".csv", ".json"):
-        raise BadInput("--trajectory", str(file), "a file that ends with .csv or .json")
+        raise BadInput("--trajectory", "planning-trajectory-file-ending", file=str(file))
     if not file.absolute().parent.is_dir():
-        raise BadInput("--trajectory", f"{file}, in a folder that does not exist", "a file in an existing folder")
+        raise BadInput("--trajectory", "planning-trajectory-folder-missing", file=str(file))
 
 
 def write_set_points(file: Path, found: SetPoints) -> None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from core.estimation.determination import explain_not_excited
+from core.words.message import Message
 
 Planner = Literal["rrt_connect", "rrt_star"]
 
@@ -51,7 +52,7 @@ class Scope:
         return tuple(f"{axis}{sign}" for axis in self.axes for sign in "-+")
 
     @property
-    def not_excited(self) -> dict[str, str]:
+    def not_excited(self) -> dict[str, Message]:
         """Name of each inertial parameter that no rotation of this part shows -> why. Transfers may show it all the same."""
         return explain_not_excited(self.axes if self.rotations else "")
 

@@ -29,5 +29,5 @@ def limit_speed(cell: Cell, speed_m_s: float | None, where: str) -> Cell:
         return cell
     slowest, limit = find_speed_range(cell)
     if not slowest <= speed_m_s <= limit:
-        raise BadInput(where, f"{speed_m_s:g} m/s", f"{slowest:g} to {limit:g} m/s, the limit of the cell")
+        raise BadInput(where, "planning-speed-out-of-range", speed_m_s=speed_m_s, slowest_m_s=slowest, limit_m_s=limit)
     return cell.model_copy(update={"limits": cell.limits.model_copy(update={"cartesian_speed_m_s": speed_m_s})})

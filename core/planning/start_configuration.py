@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from core.cell.body_name import name_body
 from core.cell.cell import Cell
 from core.errors import NoStartConfiguration, TooHeavy
 from core.planning.candidates import Candidates, CandidateSearch, Weights
@@ -28,11 +29,21 @@ from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
 from core.robot.watched_pairs import ROOM_M
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
 LIMIT_MARGIN_RAD = 0.05
 """Start configurations and rotations keep this far from the joint limits."""
+
+UNREACHABLE = Message.of("planning-rejected-unreachable")
+OBSTRUCTIONS = {
+    Obstruction.JOINT_LIMIT: Message.of("planning-rejected-joint-limits"),
+    Obstruction.JOINT_SPEED: Message.of("planning-rejected-joint-speed"),
+    Obstruction.JOINT_ACCELERATION: Message.of("planning-rejected-joint-acceleration"),
+    Obstruction.CARTESIAN_SPEED: Message.of("planning-rejected-cartesian-speed"),
+}
+"""What rejects a candidate, beside what `Checks` names with a body, a joint or a zone."""
 
 
 @dataclass(frozen=True)
@@ -113,7 +124,7 @@ class Checks:
         self._rotation = None
         if rotation is not None:
             self._rotation = RotationCheck(cell, robot, collision, Turn.of(rotation, axis), limits)
-        self.rejected: Counter[str] = Counter()
+        self.rejected: Counter[Message] = Counter()
         self._with_room = 0
         self._thrown_into: Counter[str] = Counter()
         self._too_weak: list[tuple[float, str]] = []
@@ -121,7 +132,7 @@ class Checks:
     def check_candidate(self, candidates: Candidates, row: int) -> Accepted | None:
         """The candidate with its rotation, or None, which is counted."""
         outcome = self._check(candidates.q[row], candidates.clearance[row])
-        if isinstance(outcome, str):
+        if isinstance(outcome, Message):
             self.rejected[outcome] += 1
             return None
         return Accepted(row, *outcome)
@@ -139,48 +150,45 @@ class Checks:
         """
         if 2 * len(self._too_weak) > self._with_room:
             share, joint = min(self._too_weak)
-            raise TooHeavy(
-                f"no start configuration with sensor axis {axis} along gravity: the load is too heavy, to hold it still {joint!r} would "
-                f"need {100 * share:.0f} % of its torque at least (limit {100 * HOLDING_SHARE:.0f} %). Take a lighter payload, give the "
-                "robot more room, or correct the effort in the URDF."
-            )
+            raise TooHeavy("planning-too-heavy-to-hold", axis=axis, joint=joint, share=share, most_share=HOLDING_SHARE)
 
-    def _check(self, q: Array, clearance: float) -> tuple[Array, Throw | None] | str:
+    def _check(self, q: Array, clearance: float) -> tuple[Array, Throw | None] | Message:
         """The path of the rotation (K, n) and the worst throw, or the reason for the refusal."""
         if clearance < self._cell.limits.clearance_m + ROOM_M:
-            return f"too close to {self._collision.obstacle_distance(q).second!r}"
+            return Message.of("planning-rejected-obstacle", body=name_body(self._cell, self._collision.obstacle_distance(q).second))
         if self._collision.self_room(q) < ROOM_M:
-            return _too_close(self._collision, q[None])
+            first, second = self._tightest(q[None])
+            return Message.of("planning-rejected-bodies", first=first, second=second)
         self._with_room += 1
         throw = self._throw_with_load(q)
-        if isinstance(throw, str):
+        if isinstance(throw, Message):
             return throw
         path = q[None] if self._rotation is None else self._rotation(q)
         if isinstance(path, Obstruction):
-            return str(path)
+            return OBSTRUCTIONS[path]
         if len(path) > 1 and not is_clear(self._margins, path, ROOM_M):
-            return f"no room for the rotation: {_too_close(self._collision, path)}"
+            first, second = self._tightest(path)
+            return Message.of("planning-rejected-rotation-bodies", first=first, second=second)
         return path, throw
 
-    def _throw_with_load(self, q: Array) -> Throw | str | None:
+    def _throw_with_load(self, q: Array) -> Throw | Message | None:
         """The worst throw from q (n,), or why the load may not be there."""
         weak = None if self._torques is None else self._torques.too_weak_to_hold(q)
         if weak is not None:
             joint, share = weak
             self._too_weak.append((share, joint))
-            return f"{joint!r} too weak to hold the load"
+            return Message.of("planning-rejected-joint-too-weak", joint=joint)
         pose = self._robot.sensor_pose(q)
         throw = self._throw.nearest(self._loads, pose.rotation, pose.position)
         if throw is not None and throw.distance_m < 0.0:
             self._thrown_into[throw.zone] += 1
-            return f"a released load would fly into zone {throw.zone!r}"
+            return Message.of("planning-rejected-throw", zone=throw.zone)
         return throw
 
-
-def _too_close(collision: CollisionModel, path: Array) -> str:
-    """The two bodies with the least margin on a path (K, n)."""
-    nearest = min((collision.nearest(q) for q in path), key=lambda pair: pair.margin_m)
-    return f"{nearest.first!r} too close to {nearest.second!r}"
+    def _tightest(self, path: Array) -> tuple[Message, Message]:
+        """The two bodies with the least margin on a path (K, n)."""
+        nearest = min((self._collision.nearest(q) for q in path), key=lambda pair: pair.margin_m)
+        return name_body(self._cell, nearest.first), name_body(self._cell, nearest.second)
 
 
 def find_start_configuration(
@@ -296,12 +304,13 @@ def _describe_start(axis: str, candidates: Candidates, accepted: Accepted, colli
 
 
 def _refusal(axis: str, everything: list[Candidates], checks: Checks, collision: CollisionModel) -> NoStartConfiguration:
-    """The error with its reasons; "unreachable" are those for which the inverse kinematics has no solution."""
+    """The error with its reasons; unreachable are those for which the inverse kinematics has no solution."""
     unreachable = sum(candidates.tried - len(candidates) for candidates in everything)
-    reasons = {**checks.rejected, **({"unreachable": unreachable} if unreachable else {})}
+    reasons = {**checks.rejected, **({UNREACHABLE: unreachable} if unreachable else {})}
     reached = [candidates for candidates in everything if len(candidates)]
     if not reached:
         return NoStartConfiguration(axis, reasons)
     best = max(reached, key=lambda candidates: candidates.clearance.max())
     nearest = collision.obstacle_distance(best.q[np.argmax(best.clearance)])
-    return NoStartConfiguration(axis, reasons, nearest.distance_m, nearest.second, in_the_way=checks.thrown_into)
+    in_the_way = checks.thrown_into or nearest.second
+    return NoStartConfiguration(axis, reasons, nearest.distance_m, name_body(collision.cell, nearest.second), in_the_way)

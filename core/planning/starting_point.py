@@ -20,7 +20,6 @@ Array = NDArray[np.float64]
 
 OPTION = "--from"
 MAX_BYTES = 100_000
-EXPECTED = 'joint positions like "0.1,-1.2,...", the folder of a recording, or a JSON file with "q_rad"'
 
 
 class RobotStands(BaseModel):
@@ -44,14 +43,13 @@ def starting_point(text: str | None, cell: Cell, robot: RobotModel) -> Array:
     if text is None:
         return np.array(cell.robot.home_rad)
     if not text.strip():
-        raise BadInput(OPTION, "nothing", EXPECTED)
+        raise BadInput(OPTION, "planning-start-empty")
     path = Path(text)
     q = _numbers(text)
     if q is None:
         q = _last_of(path, cell, robot) if path.is_dir() else _read(path)
     if len(q) != robot.n or not np.isfinite(q).all():
-        names = ", ".join(robot.description.joints)
-        raise BadInput(OPTION, f"{q.tolist()}", f"{robot.n} finite joint positions in rad, for {names}")
+        raise BadInput(OPTION, "planning-start-joints", q_rad=q.tolist(), count=robot.n, joints=robot.description.joints)
     return q
 
 
@@ -69,18 +67,18 @@ def _last_of(folder: Path, cell: Cell, robot: RobotModel) -> Array:
     check_same_robot(recording, robot.description, cell.gravity_in_base)
     q = recording.q if recording.q_cmd is None else recording.q_cmd
     if q is None:
-        raise BadInput(f"{OPTION} {folder}", "a recording without joint positions", "one with q or q_cmd")
+        raise BadInput(f"{OPTION} {folder}", "planning-start-recording-without-joints")
     return np.array(q[-1])
 
 
 def _read(file: Path) -> Array:
     try:
         if file.stat().st_size > MAX_BYTES:
-            raise BadInput(f"{OPTION} {file}", "a file that is too long", f"at most {MAX_BYTES} bytes")
+            raise BadInput(f"{OPTION} {file}", "planning-start-file-too-long", most_bytes=MAX_BYTES)
         return np.array(RobotStands.model_validate(json.loads(file.read_text(encoding="utf-8"))).q_rad)
     except (OSError, UnicodeDecodeError) as error:
-        raise BadInput(OPTION, repr(str(file)), EXPECTED) from error
+        raise BadInput(OPTION, "planning-start-unreadable", text=str(file)) from error
     except (json.JSONDecodeError, RecursionError) as error:
-        raise BadInput(f"{OPTION} {file}", "no JSON", EXPECTED) from error
+        raise BadInput(f"{OPTION} {file}", "planning-start-no-json") from error
     except ValidationError as error:
-        raise BadInput(*schema_flaw(error.errors()[0]).at(f"{OPTION} {file}")) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadInput, f"{OPTION} {file}") from error

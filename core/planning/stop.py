@@ -11,6 +11,7 @@ from pydantic import Field
 
 from core.payload.shapes import Model
 from core.recording.recording import Recording
+from core.words.message import Message
 
 if TYPE_CHECKING:  # who only reads a proposal waits for no estimator
     from core.estimation.segments import Segment
@@ -71,10 +72,10 @@ class Stop(Model):
 
 
 class CandidateMotion(Model):
-    """A candidate: its identifier, what it is in words, and its stops; no stops for what is no motion."""
+    """A candidate: its identifier, what it is, and its stops; no stops for what is no motion."""
 
     id: Annotated[str, Field(max_length=64)]
-    sentence: Annotated[str, Field(max_length=400)]
+    sentence: Message
     stops: Annotated[tuple[Stop, ...], Field(max_length=12)]
 
 
@@ -89,26 +90,22 @@ def candidates(recording: Recording, segments: tuple[Segment, ...], g: Array) ->
     down = _unit(g[0] if first is None else g[first.rows].mean(axis=0))
     for about in (0, 1, 2):
         yield _swings(about, (about + 1) % 3)
-    yield CandidateMotion(id="tilted_holds", sentence="holds with gravity along four diagonals of the sensor frame", stops=_diagonals())
-    yield CandidateMotion(id="revisit", sentence="the first hold once more", stops=(Stop(down=down),))
-    yield CandidateMotion(id="both_sides", sentence="the first hold, approached from one side and from the other", stops=_both_sides(down))
+    yield CandidateMotion(id="tilted_holds", sentence=Message.of("experiment-tilted-holds"), stops=_diagonals())
+    yield CandidateMotion(id="revisit", sentence=Message.of("experiment-revisit"), stops=(Stop(down=down),))
+    yield CandidateMotion(id="both_sides", sentence=Message.of("experiment-both-sides"), stops=_both_sides(down))
     for name, low, high, seconds in (("slow", 0.3, 5.0, 10.0), ("fast", 5.0, 15.0, 20.0)):
         wave = Wave(lowest_hz=low, highest_hz=high, seconds=seconds)
-        sentence = f"a wide-band motion about all axes at once, {low:g} to {high:g} Hz"
+        sentence = Message.of("experiment-wide-band", lowest_hz=low, highest_hz=high)
         yield CandidateMotion(id=f"wide_band_{name}", sentence=sentence, stops=(Stop(down=_diagonal(1, 1), wave=wave),))
     if recording.q is not None:
         q = recording.q[0 if first is None else first.stop - 1]
         elsewhere = Stop(down=down, away_from_rad=tuple(q.tolist()))
-        yield CandidateMotion(id="other_posture", sentence="the first hold in another posture of the arm", stops=(elsewhere,))
+        yield CandidateMotion(id="other_posture", sentence=Message.of("experiment-other-posture"), stops=(elsewhere,))
 
 
 def second_payload(best_sigma: float) -> CandidateMotion:
     """What is left where no motion tells two explanations apart: the best one reaches `best_sigma`."""
-    sentence = (
-        "the same run with a second payload whose mass and centre of mass are known: no motion with this one "
-        f"gets the explanations further apart than {best_sigma:.1f} standard deviations"
-    )
-    return CandidateMotion(id=SECOND_PAYLOAD, sentence=sentence, stops=())
+    return CandidateMotion(id=SECOND_PAYLOAD, sentence=Message.of("experiment-second-payload", best_sigma=best_sigma), stops=())
 
 
 def _swings(about: int, vertical: int) -> CandidateMotion:
@@ -116,7 +113,7 @@ def _swings(about: int, vertical: int) -> CandidateMotion:
     axis, down = AXES[about], AXES[vertical]
     return CandidateMotion(
         id=f"swings_about_horizontal_{axis}",
-        sentence=f"rotation about the sensor's {axis} axis, held horizontal with {down} pointing down: gravity sweeps through the sensor",
+        sentence=Message.of("experiment-swings", axis=axis, down=down),
         stops=(Stop(down=_unit(np.eye(3)[vertical]), swings=Swings(about=axis)),),
     )
 

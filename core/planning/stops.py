@@ -14,6 +14,7 @@ from core.planning.sequence import PlanRequest
 from core.planning.stop import Stop
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
+from core.words.message import Message
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,7 @@ class Stops:
             BadInput: there are none.
         """
         if not stops:
-            raise BadInput("the experiment", "no stops", "a motion; a second payload is put on by hand and run with `heft run`")
+            raise BadInput(Message.of("experiment-name"), "experiment-without-stops")
         return cls(tuple(stops))
 
     @property

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pydantic import BaseModel, ConfigDict
 
+from core.words.message import Message
+
 
 class PlannedPose(BaseModel):
     """One pose of a plan, for JSON."""
@@ -89,17 +91,17 @@ class PlanTorques(BaseModel):
     """What a plan asks of the joints with the load that is stated, for JSON.
 
     Args:
-        load: where mass and inertia of the load are from, in words.
+        load: where mass and inertia of the load are from.
         largest: None where no joint can be judged.
-        not_judged: joints with the reason, in words.
+        not_judged: joints with the reason.
     """
 
     model_config = ConfigDict(frozen=True)
 
-    load: str
+    load: Message
     mass_kg: float
     largest: LargestTorque | None
-    not_judged: list[str]
+    not_judged: list[Message]
 
 
 class NearestFlight(BaseModel):
@@ -126,7 +128,7 @@ class LeftOutPair(BaseModel):
 
     first: str
     second: str
-    why: str
+    why: Message
 
 
 class PlanSummary(BaseModel):

@@ -88,7 +88,7 @@ def time_curve(curve: PPoly, robot: RobotModel, limits: MotionLimits, *, period:
         if excess <= 1.0:
             return trajectory
         slow /= 1.0001 * excess
-    raise NoPath(f"no timing of the path keeps the limits: {excess:.3f} times a limit after {_ROUNDS} rounds. Plan again.")
+    raise NoPath("planning-no-timing", excess=excess, rounds=_ROUNDS)
 
 
 def limit_usage(trajectory: JointTrajectory, robot: RobotModel, limits: MotionLimits) -> float:

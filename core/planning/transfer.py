@@ -11,12 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
+from core.cell.body_name import name_body
 from core.cell.cell import Cell
 from core.errors import NoPath
 from core.planning.blending import round_corners
 from core.planning.certificate import least_margin
 from core.planning.effort import PATH_ITERATIONS
-from core.planning.path import SPARE_M, check_drop, nearest_names, plan_path
+from core.planning.path import SPARE_M, START, check_drop, nearest_names, plan_path
 from core.planning.room import Room
 from core.planning.settings import Planner
 from core.planning.throw import ThrowCheck
@@ -87,7 +88,7 @@ def plan_transfer(
     """
     throws = ThrowCheck(cell)
     if any(np.array_equal(start, q) for q in np.atleast_2d(goal)):
-        check_drop("start", np.array(start, dtype=float), robot, collision, throws)
+        check_drop(START, np.array(start, dtype=float), robot, collision, throws)
         return _stand_still(collision, start, period)
     limits = MotionLimits.of_cell(cell, robot, collision)
     limits = replace(limits, cartesian_speed_m_s=SPEED_FRACTION * limits.cartesian_speed_m_s)
@@ -103,11 +104,9 @@ def plan_transfer(
         if least.bound_m >= 0.0:
             names = nearest_names(collision, least)
             return Transfer(trajectory, least.margin_m, least.bound_m, names, path.length_rad)
-        failure = NoPath(
-            f"the timed path comes {-least.margin_m:.4f} m too close ({nearest_names(collision, least)}) where its corners are rounded. "
-            "Plan again with another seed, or give the path more room.",
-            collision.nearest(least.q).second,
-        )
+        near = collision.nearest(least.q)
+        first, second = name_body(cell, near.first), name_body(cell, near.second)
+        failure = NoPath("planning-rounding-too-close", depth_m=-least.margin_m, first=first, second=second, in_the_way=near.second)
     raise failure
 
 
@@ -126,10 +125,9 @@ def _time_clear_of_zones(
         if throw is None:
             return trajectory
         failure = NoPath(
-            f"a load that comes off {throw.time_s:.3f} s after the beginning of the path, at {throw.speed_m_s:.3f} m/s, would fly "
-            f"{-throw.distance_m:.4f} m into zone {throw.zone!r}. Plan again with another seed, reduce the payload box, or move the zone.",
-            throw.zone,
-        )
+            "planning-transfer-throws-load",
+            time_s=throw.time_s, speed_m_s=throw.speed_m_s, depth_m=-throw.distance_m, zone=throw.zone, in_the_way=throw.zone,
+        )  # fmt: skip
     raise failure
 
 
@@ -144,10 +142,10 @@ def _stand_still(collision: CollisionModel, q: Array, period: float) -> Transfer
     """The transfer of a robot that is there already."""
     nearest = collision.nearest(q)
     if nearest.margin_m < 0.0:
+        first, second = name_body(collision.cell, nearest.first), name_body(collision.cell, nearest.second)
         raise NoPath(
-            f"the robot stands with {nearest.first!r} {nearest.distance_m:.4f} m from {nearest.second!r} "
-            f"(limit {nearest.required_m:.3f} m). Clear the cell.",
-            nearest.second,
-        )
+            "planning-stands-too-close",
+            first=first, second=second, distance_m=nearest.distance_m, required_m=nearest.required_m, in_the_way=nearest.second,
+        )  # fmt: skip
     trajectory = JointTrajectory(period, np.array([q], dtype=float))
     return Transfer(trajectory, nearest.margin_m, nearest.margin_m, f"{nearest.first} - {nearest.second}", 0.0)

@@ -54,10 +54,7 @@ def fit_wave(cell: Cell, robot: RobotModel, collision: CollisionModel, q: Array,
         if _is_allowed(trajectory, robot, collision, limits, margins, throw):
             return trajectory
         s *= SHRINK
-    raise NoPath(
-        f"no room for a wide-band motion: even joint swings of {1e3 * s * np.abs(shape).max():.1f} mrad leave the limits, come too "
-        "close to something, or could throw a load into a zone. Choose another motion, or give the robot more room."
-    )
+    raise NoPath("planning-no-room-for-wave", swing_rad=s * np.abs(shape).max())
 
 
 def _is_allowed(

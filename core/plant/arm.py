@@ -18,6 +18,7 @@ from core.cell.urdf_tree import UrdfTree, axis_of, end_of, origin_of
 from core.errors import BadPayload, BadRobot
 from core.payload.inertia import InertialParameters
 from core.plant.principal import principal_inertia
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -113,7 +114,7 @@ def arm_of_cell(cell: Cell) -> Arm:
                 lower=hinge.lower,
                 upper=hinge.upper,
                 velocity=hinge.velocity,
-                effort=_torque_limit(effort[hinge.name], f"{where}: joint {hinge.name!r}"),
+                effort=_torque_limit(effort[hinge.name], Message.of("plant-effort-of-joint", file=where, joint=hinge.name)),
             )
         )
         previous = np.eye(4)
@@ -125,11 +126,14 @@ def _body(tree: UrdfTree, hinge: Hinge, carried: tuple[str, ...], where: str) ->
     try:
         principal_inertia(body)
     except BadPayload as error:
-        raise BadRobot(f"{where}: links on joint {hinge.name!r}", error.found, error.expected) from error
+        on_joint = Message.of("plant-links-on-joint", file=where, joint=hinge.name)
+        raise BadRobot(on_joint, "plant-no-rigid-body", phi=body.phi.tolist()) from error
     return body
 
 
-def _torque_limit(effort: float | None, where: str) -> float:
-    if effort is None or effort <= 0:
-        raise BadRobot(f"{where}: limit effort", str(effort), "a torque above 0 N m for the simulated drive")
+def _torque_limit(effort: float | None, where: Message) -> float:
+    if effort is None:
+        raise BadRobot(where, "plant-no-effort")
+    if effort <= 0:
+        raise BadRobot(where, "plant-effort-not-positive", effort_n_m=effort)
     return effort

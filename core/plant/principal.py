@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from core.errors import BadPayload
 from core.payload.inertia import InertialParameters
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -34,4 +35,4 @@ def principal_inertia(parameters: InertialParameters) -> PrincipalInertia:
         (A, B, C), axes = np.linalg.eigh(parameters.inertia_com)
         if A > 0 and (1 + ROUNDING) * (A + B) >= C:
             return PrincipalInertia(np.array([A, B, min(C, A + B)]), axes * np.sign(np.linalg.det(axes)))
-    raise BadPayload("inertial parameters", f"{parameters.phi.tolist()}", "those that a rigid body can have")
+    raise BadPayload(Message.of("plant-inertial-parameters"), "plant-no-rigid-body", phi=parameters.phi.tolist())

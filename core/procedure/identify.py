@@ -122,8 +122,9 @@ def move_and_estimate(
         raise
     except KeyboardInterrupt:
         yield from _write_log(log, out)
-        where = "" if out is None else f" and the recording so far closed in {out}"
-        raise Interrupted(f"interrupted after {log.seconds:.1f} s of motion; the robot was stopped{where}.") from None
+        if out is None:
+            raise Interrupted("procedure-interrupted", moved_s=log.seconds) from None
+        raise Interrupted("procedure-interrupted-recorded", moved_s=log.seconds, folder=str(out)) from None
     yield from _write_log(log, out)
     recording = log.recording()
     began = time.perf_counter()

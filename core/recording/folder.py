@@ -24,13 +24,15 @@ from core.recording.manifest import FILE as MANIFEST
 from core.recording.manifest import RobotPart, manifest_of, read_manifest
 from core.recording.recording import Recording, RobotDescription
 from core.recording.samples import FILES as SAMPLES
-from core.recording.samples import MAX_BYTES, Samples, write_samples
+from core.recording.samples import MAX_BYTES, Samples, cut_text, name_column, write_samples
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
 QUATERNION = ("qx", "qy", "qz", "qw")
 POSITION = ("px", "py", "pz")
 WRENCH = ("fx", "fy", "fz", "tx", "ty", "tz")
+IN_MEMORY = Message.of("recording-itself")
 PHASE = re.compile(r"transfer|hold:[xyz][+-]|hold:free|rotate:[xyz]")
 
 
@@ -44,12 +46,12 @@ def read_recording(folder: Path) -> Recording:
         the recording, its wrench in the paper's sign whatever `sensor.sign` says.
 
     Raises:
-        BadRecording: anything that `recording/1` does not allow; one sentence with the file, the key, column and row.
+        BadRecording: anything that `recording/1` does not allow; it names the file, the key, column and row.
         BadRobot: the URDF is malformed or hostile.
     """
     folder = Path(folder)
     if not folder.is_dir():
-        raise BadRecording(str(folder), "no such folder", f"a folder with {MANIFEST} and samples")
+        raise BadRecording(str(folder), "recording-no-folder")
     manifest = read_manifest(folder)
     reference = manifest.payload_reference
     robot = _read_robot(folder, manifest.robot) if manifest.robot else None
@@ -59,7 +61,7 @@ def read_recording(folder: Path) -> Recording:
     q = _joint_columns(samples, "q", n, optional=robot is None)
     tau = _joint_columns(samples, "tau", n)
     if wrench is None and tau is None:
-        raise BadRecording(samples.where, "neither a wrench (fx .. tz) nor joint torques (tau_1 ..)", "at least one of them")
+        raise BadRecording(samples.where, "recording-neither-wrench-nor-torques")
     phase = samples.texts("phase") if "phase" in samples else None
     return Recording(
         t=_read_time(samples),
@@ -94,7 +96,7 @@ def write_recording(recording: Recording, folder: Path) -> None:
     """
     folder = Path(folder)
     if folder.exists() and not (folder.is_dir() and not any(folder.iterdir())):
-        raise BadInput(str(folder), "something that is already there", "a new or empty folder; a recording is never overwritten")
+        raise BadInput(str(folder), "recording-there-already")
     columns = _columns_of(recording)
     manifest = manifest_of(recording).model_dump_json(indent=1, exclude_none=True)
     partial = folder.with_name(f".{folder.name}.{uuid.uuid4().hex[:8]}.partial")
@@ -108,7 +110,7 @@ def write_recording(recording: Recording, folder: Path) -> None:
         try:
             partial.rename(folder)
         except OSError as error:
-            raise BadInput(str(folder), f"a folder that cannot be made ({error.strerror})", "a new folder") from error
+            raise BadInput(str(folder), "recording-folder-not-made", reason=str(error.strerror)) from error
     finally:
         shutil.rmtree(partial, ignore_errors=True)
 
@@ -121,7 +123,7 @@ def recording_sha256(folder: Path) -> str:
     """
     folder = Path(folder)
     if not folder.is_dir():
-        raise BadRecording(str(folder), "no such folder", f"a folder with {MANIFEST} and samples")
+        raise BadRecording(str(folder), "recording-no-folder")
     manifest = read_manifest(folder)
     names = [MANIFEST, *(name for name in SAMPLES if (folder / name).exists()), *([manifest.robot.urdf] if manifest.robot else [])]
     digest = sha256()
@@ -141,21 +143,14 @@ def _read_robot(folder: Path, robot: RobotPart) -> RobotDescription:
     known = [joint.name for joint in urdf.joints]
     unknown = [name for name in robot.joints if name not in known]
     if unknown:
-        raise BadRecording(f"{folder / MANIFEST}: robot.joints", f"{unknown[0]!r}", f"joints of the URDF, {known}")
+        raise BadRecording(f"{folder / MANIFEST}: robot.joints", "recording-unknown-joint", joint=cut_text(unknown[0]), joints=known)
     for key in ("base_frame", "sensor_frame"):
         if getattr(robot, key) not in urdf.links:
-            raise BadRecording(
-                f"{folder / MANIFEST}: robot.{key}",
-                repr(getattr(robot, key)),
-                f"a link of the URDF, {list(urdf.links)}",
-            )
+            where = f"{folder / MANIFEST}: robot.{key}"
+            raise BadRecording(where, "recording-unknown-link", link=cut_text(getattr(robot, key)), links=list(urdf.links))
     chain = urdf.chain(robot.base_frame, robot.sensor_frame)
     if robot.joints != chain:
-        raise BadRecording(
-            f"{folder / MANIFEST}: robot.joints",
-            str(list(robot.joints)),
-            f"the chain's joints in its order, {list(chain)}",
-        )
+        raise BadRecording(f"{folder / MANIFEST}: robot.joints", "recording-other-chain", joints=robot.joints, chain=chain)
     return RobotDescription(text, chain, robot.base_frame, robot.sensor_frame)
 
 
@@ -167,7 +162,8 @@ def _joint_columns(samples: Samples, prefix: str, n: int, *, optional: bool = Tr
     """Columns (N, n) of the n joints; all of them, or none where they are optional."""
     extra = f"{prefix}_{n + 1}"
     if n and extra in samples:
-        raise BadRecording(f"{samples.where}: column {extra!r}", "more columns than joints", f"{prefix}_1 to {prefix}_{n}")
+        where = name_column(samples.where, extra)
+        raise BadRecording(where, "recording-more-columns-than-joints", first=f"{prefix}_1", last=f"{prefix}_{n}")
     names = _names(prefix, n)
     return None if optional and not samples.any_of(names) else samples.numbers(*names)
 
@@ -178,24 +174,23 @@ def _read_time(samples: Samples) -> Array:
     return t
 
 
-def _check_time(t: Array, where: str) -> None:
+def _check_time(t: Array, where: str | Message) -> None:
     late = np.flatnonzero(np.diff(t) <= 0)
     if len(late):
         k = int(late[0]) + 1
-        raise BadRecording(f"{where}: column 't', row {k + 1}", f"{t[k]:.9g} s after {t[k - 1]:.9g} s", "time that strictly increases")
+        raise BadRecording(name_column(where, "t", k + 1), "recording-time-not-increasing", time_s=float(t[k]), before_s=float(t[k - 1]))
 
 
 def _orientation(samples: Samples) -> Array:
     """Rotation matrices (N, 3, 3) of the quaternions, normalised."""
     if not samples.any_of(QUATERNION):
-        found = "joint positions without a robot" if "q_1" in samples else "neither joint positions (q_1 ..) nor poses (qx qy qz qw)"
-        raise BadRecording(samples.where, found, "joints with `robot` in recording.json, or poses")
+        raise BadRecording(samples.where, "recording-joints-without-robot" if "q_1" in samples else "recording-neither-joints-nor-poses")
     quaternions = samples.numbers(*QUATERNION)
     norms = np.linalg.norm(quaternions, axis=1)
     wrong = np.flatnonzero(np.abs(norms - 1.0) > 0.01)
     if len(wrong):
         k = int(wrong[0])
-        raise BadRecording(f"{samples.where}: columns qx qy qz qw, row {k + 1}", f"a norm of {norms[k]:.4g}", "a unit quaternion")
+        raise BadRecording(name_column(samples.where, " ".join(QUATERNION), k + 1), "recording-no-unit-quaternion", norm=float(norms[k]))
     return np.asarray(Rotation.from_quat(quaternions).as_matrix())
 
 
@@ -205,8 +200,7 @@ def _check_phase(phase: NDArray[np.str_] | None, where: str) -> NDArray[np.str_]
     for label in np.unique(phase):
         if not PHASE.fullmatch(str(label)):
             row = int(np.flatnonzero(phase == label)[0]) + 1
-            expected = "transfer, hold:<axis><sign>, hold:free or rotate:<axis>"
-            raise BadRecording(f"{where}: column 'phase', row {row}", repr(str(label))[:60], expected)
+            raise BadRecording(name_column(where, "phase", row), "recording-unknown-phase", phase=cut_text(label, 60))
     return phase
 
 
@@ -230,11 +224,11 @@ def _columns_of(recording: Recording) -> dict[str, Array | NDArray[np.str_]]:
         columns["temperature"] = recording.temperature
     for name, values in columns.items():
         if len(values) != len(recording.t):
-            raise BadRecording(f"column {name!r}", f"{len(values)} values", f"{len(recording.t)}, as many as times")
+            raise BadRecording(name_column(IN_MEMORY, name), "recording-other-length", count=len(values), times=len(recording.t))
         bad = np.flatnonzero(~np.isfinite(values))
         if len(bad):
-            raise BadRecording(f"column {name!r}, row {bad[0] + 1}", str(values[bad[0]]), "a finite number")
-    _check_time(recording.t, "recording")
+            raise BadRecording(name_column(IN_MEMORY, name, int(bad[0]) + 1), "recording-not-finite", value=str(values[bad[0]]))
+    _check_time(recording.t, IN_MEMORY)
     if recording.phase is not None:
         columns["phase"] = np.asarray(recording.phase, dtype=np.str_)
     return columns

@@ -17,6 +17,7 @@ from core.files.schema_flaw import schema_flaw
 from core.payload.inertia import InertialParameters, pseudo_inertia
 from core.payload.known_tool import KnownTool
 from core.recording.recording import FrictionDescription, Recording, SensorDescription
+from core.recording.samples import cut_text
 
 FORMAT: Literal["recording/1"] = "recording/1"
 FILE = "recording.json"
@@ -134,8 +135,10 @@ def read_manifest(folder: Path) -> Manifest:
     """
     where = str(folder / FILE)
     content = _json_object(read_inside(folder, FILE, BadRecording, max_bytes=MAX_BYTES), where)
-    if content.get("format") != FORMAT:
-        raise BadRecording(f"{where}: format", repr(content.get("format"))[:80], repr(FORMAT))
+    if "format" not in content:
+        raise BadRecording(f"{where}: format", "recording-no-format", known=FORMAT)
+    if content["format"] != FORMAT:
+        raise BadRecording(f"{where}: format", "recording-unknown-format", format=cut_text(content["format"]), known=FORMAT)
     _refuse_misspelt(content, Manifest, where)
     for key, part in PARTS.items():
         if isinstance(content.get(key), dict):
@@ -148,9 +151,9 @@ def read_manifest(folder: Path) -> Manifest:
     try:
         manifest = Manifest.model_validate(content)
     except ValidationError as error:
-        raise BadRecording(*schema_flaw(error.errors()[0]).at(where)) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadRecording, where) from error
     if not 9.0 < float(np.linalg.norm(manifest.gravity)) < 10.5:
-        raise BadRecording(f"{where}: gravity", f"{list(manifest.gravity)}", "about 9.81 m/s2, in the base frame")
+        raise BadRecording(f"{where}: gravity", "recording-gravity-not-of-the-earth", gravity_m_s2=manifest.gravity)
     if manifest.robot and manifest.robot.friction:
         _check_friction(manifest.robot.friction, len(manifest.robot.joints), f"{where}: robot.friction")
     if manifest.payload_reference:
@@ -193,7 +196,7 @@ def manifest_of(recording: Recording) -> Manifest:
     try:
         return Manifest.model_validate(content)
     except ValidationError as error:
-        raise BadRecording(*schema_flaw(error.errors()[0]).at("recording")) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadRecording, "recording") from error
 
 
 def _tool_content(tool: KnownTool) -> dict[str, Any]:
@@ -207,9 +210,9 @@ def _json_object(text: str, where: str) -> dict[str, Any]:
     try:
         content = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise BadRecording(where, f"JSON that does not parse ({str(error)[:120]})", "JSON") from error
+        raise BadRecording(where, "recording-broken-json", reason=str(error)[:120]) from error
     if not isinstance(content, dict):
-        raise BadRecording(where, f"JSON of the type {type(content).__name__}", "a JSON object")
+        raise BadRecording(where, "recording-no-json-object")
     return content
 
 
@@ -218,13 +221,13 @@ def _refuse_misspelt(content: dict[str, Any], part: type[ManifestPart], where: s
     for key in content:
         close = difflib.get_close_matches(key, absent, n=1, cutoff=0.75) if key not in part.model_fields else []
         if close:
-            raise BadRecording(f"{where}: {key}", "an unknown key", f"{close[0]!r}, if that is what was meant")
+            raise BadRecording(f"{where}: {key}", "recording-misspelt-key", meant=close[0])
 
 
 def _check_friction(friction: FrictionPart, n: int, where: str) -> None:
     for key, values in friction:
         if len(values) != n:
-            raise BadRecording(f"{where}.{key}", f"{len(values)} values", f"{n}, one for each joint")
+            raise BadRecording(f"{where}.{key}", "recording-friction-of-other-joints", count=len(values), joints=n)
 
 
 def _check_reference(reference: InertialParameters, where: str) -> None:
@@ -232,7 +235,7 @@ def _check_reference(reference: InertialParameters, where: str) -> None:
     P = pseudo_inertia(reference.phi)
     scale = np.sqrt(np.maximum(np.diag(P), 1e-12))
     if np.linalg.eigvalsh(P / np.outer(scale, scale))[0] < -0.01:
-        raise BadRecording(where, str(reference.phi.tolist()), "mass, first moment and inertia that a rigid body can have")
+        raise BadRecording(where, "recording-no-rigid-body", phi=reference.phi.tolist())
 
 
 def _software_version() -> str:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from core.errors import BadRecording
 from core.payload.inertia import InertialParameters
 from core.payload.known_tool import KnownTool, add_tools
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -117,9 +118,10 @@ def check_same_robot(first: Recording, robot: RobotDescription | None, gravity: 
         BadRecording: another robot, or another direction of gravity.
     """
     if first.robot != robot:
-        raise BadRecording("what is appended", "another robot", "the robot of the recording")
+        raise BadRecording(Message.of("recording-appended"), "recording-other-robot")
     if not np.allclose(first.gravity, gravity, atol=1e-6):
-        raise BadRecording("what is appended: gravity", f"{gravity.tolist()}", f"that of the recording, {first.gravity.tolist()}")
+        where = Message.of("recording-appended-gravity")
+        raise BadRecording(where, "recording-other-gravity", gravity_m_s2=gravity.tolist(), before_m_s2=first.gravity.tolist())
 
 
 def append_recording(first: Recording, then: Recording) -> Recording:

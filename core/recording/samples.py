@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from core.errors import BadRecording
 from core.files.jail import find_inside
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 Column: TypeAlias = "pa.ChunkedArray[Any]"
@@ -40,15 +41,17 @@ class Samples:
 
     def __init__(self, folder: Path) -> None:
         present = [name for name in FILES if (folder / name).exists() or (folder / name).is_symlink()]
-        if len(present) != 1:
-            raise BadRecording(str(folder), " and ".join(present) or "no samples", f"exactly one of {', '.join(FILES)}")
+        if not present:
+            raise BadRecording(str(folder), "recording-no-samples", files=FILES)
+        if len(present) > 1:
+            raise BadRecording(str(folder), "recording-several-samples", present=present, files=FILES)
         self.file = find_inside(folder, present[0], BadRecording, max_bytes=MAX_BYTES)
         self.where = str(folder / present[0])
         self.table = self._read_parquet() if present[0].endswith("parquet") else self._read_csv()
         names = self.table.column_names
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
-            raise BadRecording(f"{self.where}: column {twice[0]!r}", f"{names.count(twice[0])} of them", "one")
+            raise BadRecording(name_column(self.where, cut_text(twice[0])), "recording-column-repeated", count=names.count(twice[0]))
         self._check_length(len(self.table))
 
     def __contains__(self, name: str) -> bool:
@@ -79,14 +82,15 @@ class Samples:
         if pa.types.is_dictionary(column.type):
             column = column.cast(column.type.value_type)
         if not (pa.types.is_string(column.type) or pa.types.is_large_string(column.type)):
-            self._refuse(name, f"values of the type {column.type}", "text")
+            raise BadRecording(name_column(self.where, name), "recording-no-texts", type=str(column.type))
         if column.null_count:
-            self._refuse(name, "no value", "text", row=_first_null(column))
+            raise BadRecording(name_column(self.where, name, _first_null(column)), "recording-no-text")
         return np.asarray(column.to_pylist(), dtype=np.str_)
 
     def _column(self, name: str) -> Column:
         if name not in self:
-            self._refuse(name, "no such column", f"it beside {self.table.column_names}")
+            columns = [cut_text(each) for each in self.table.column_names]
+            raise BadRecording(name_column(self.where, name), "recording-no-column", columns=columns)
         return self.table.column(name)
 
     def _number_column(self, name: str) -> Array:
@@ -94,13 +98,13 @@ class Samples:
         if pa.types.is_string(column.type) or pa.types.is_large_string(column.type) or pa.types.is_dictionary(column.type):
             self._refuse_text(name, column)
         if not (pa.types.is_floating(column.type) or pa.types.is_integer(column.type)):
-            self._refuse(name, f"values of the type {column.type}", "numbers")
+            raise BadRecording(name_column(self.where, name), "recording-no-numbers", type=str(column.type))
         if column.null_count:
-            self._refuse(name, "no value", "a finite number", row=_first_null(column))
+            raise BadRecording(name_column(self.where, name, _first_null(column)), "recording-no-number")
         values = np.asarray(column.to_numpy(), dtype=float)
         bad = np.flatnonzero(~np.isfinite(values))
         if len(bad):
-            self._refuse(name, str(values[bad[0]]), "a finite number", row=int(bad[0]) + 1)
+            raise BadRecording(name_column(self.where, name, int(bad[0]) + 1), "recording-not-finite", value=str(values[bad[0]]))
         return values
 
     def _refuse_text(self, name: str, column: Column) -> NoReturn:
@@ -108,15 +112,12 @@ class Samples:
             try:
                 float(str(value))
             except ValueError:
-                self._refuse(name, f"the text {str(value)[:40]!r}", "a number", row=row)
-        self._refuse(name, "numbers written as text", "numbers")
-
-    def _refuse(self, column: str, found: str, expected: str, *, row: int | None = None) -> NoReturn:
-        raise BadRecording(f"{self.where}: column {column!r}" + (f", row {row}" if row else ""), found, expected)
+                raise BadRecording(name_column(self.where, name, row), "recording-text-for-number", text=cut_text(value, 40)) from None
+        raise BadRecording(name_column(self.where, name), "recording-numbers-as-text")
 
     def _check_length(self, rows: int) -> None:
         if not 2 <= rows <= MAX_SAMPLES:
-            raise BadRecording(self.where, f"{rows} rows", f"2 to {MAX_SAMPLES}")
+            raise BadRecording(self.where, "recording-rows", rows=rows, most=MAX_SAMPLES)
 
     def _read_parquet(self) -> pa.Table:
         try:
@@ -124,7 +125,7 @@ class Samples:
                 self._check_length(parquet.metadata.num_rows)
                 return parquet.read()
         except (pa.ArrowException, OSError) as error:
-            raise BadRecording(self.where, f"Parquet that cannot be read ({_one_line(error)})", "a complete Parquet file") from error
+            raise BadRecording(self.where, "recording-broken-parquet", reason=_one_line(error)) from error
 
     def _read_csv(self) -> pa.Table:
         wrong_rows: list[pa_csv.InvalidRow] = []
@@ -143,11 +144,11 @@ class Samples:
                 convert_options=pa_csv.ConvertOptions(null_values=[""], strings_can_be_null=True),
             )
         except (pa.ArrowException, OSError, EOFError, ValueError) as error:
-            raise BadRecording(self.where, f"CSV that cannot be read ({_one_line(error)})", "CSV in UTF-8 with a header") from error
+            raise BadRecording(self.where, "recording-broken-csv", reason=_one_line(error)) from error
         if wrong_rows:
             row = wrong_rows[0]
-            number = f": row {row.number - 1}" if row.number else ""
-            raise BadRecording(f"{self.where}{number}", f"{row.actual_columns} values", f"{row.expected_columns}, one for each column")
+            where = Message.of("recording-row", file=self.where, row=row.number - 1) if row.number else self.where
+            raise BadRecording(where, "recording-values-of-row", count=row.actual_columns, columns=row.expected_columns)
         return table
 
     def _csv_bytes(self) -> bytes:
@@ -156,8 +157,20 @@ class Samples:
         with gzip.open(self.file) as stream:
             content = stream.read(MAX_BYTES + 1)
         if len(content) > MAX_BYTES:
-            raise BadRecording(self.where, f"more than {MAX_BYTES} bytes when unpacked", "a recording of a plausible size")
+            raise BadRecording(self.where, "recording-unpacks-too-large", most_bytes=MAX_BYTES)
         return content
+
+
+def name_column(file: str | Message, column: str, row: int | None = None) -> Message:
+    """A column of a file or of a recording in memory, or the place in it in that row."""
+    if row is None:
+        return Message.of("recording-column", file=file, column=column)
+    return Message.of("recording-column-row", file=file, column=column, row=row)
+
+
+def cut_text(value: object, most: int = 80) -> str:
+    """The beginning of what a file says, with spaces for what cannot be printed."""
+    return "".join(letter if letter.isprintable() else " " for letter in str(value)[:most])
 
 
 def write_samples(file: Path, columns: Mapping[str, Array | NDArray[np.str_]]) -> None:

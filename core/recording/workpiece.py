@@ -12,7 +12,7 @@ from core.cell.tool import STD
 from core.payload.inertia import is_consistent
 from core.payload.known_tool import KnownTool
 from core.payload.uncertain_parameters import UncertainParameters
-from core.remark import Remark
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -41,27 +41,11 @@ class Workpiece(UncertainParameters):
         return {name: keys for name, keys in missing.items() if keys}
 
     @property
-    def remarks(self) -> tuple[Remark, ...]:
+    def remarks(self) -> tuple[Message, ...]:
         """What has to be known of the numbers."""
-        found = []
-        for name, keys in self.unstated.items():
-            found.append(
-                Remark(
-                    "tool_without_std",
-                    f"The uncertainty of the tool {name} is unknown ({', '.join(keys)} not stated): the workpiece's intervals have no "
-                    "share from it and may be too narrow.",
-                    {"tool": name, "keys": ", ".join(keys)},
-                )
-            )
+        found = [Message.of("workpiece-tool-without-std", tool=name, keys=keys) for name, keys in self.unstated.items()]
         if not self.consistent:
-            found.append(
-                Remark(
-                    "no_workpiece",
-                    "What is left without the tools is no rigid body: the workpiece is too light to be told from nothing, or a tool is not "
-                    "what is stated of it.",
-                    {},
-                )
-            )
+            found.append(Message.of("workpiece-no-rigid-body"))
         return tuple(found)
 
 

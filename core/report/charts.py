@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Mapping, Sequence
+from html import escape
 from itertools import pairwise
 from typing import Any
 
@@ -18,6 +19,8 @@ from numpy.typing import NDArray
 from core.estimation.segments import Segment
 from core.gap.limits import GAP
 from core.payload.inertia import Motion
+from core.words.ticks import mark_ticks
+from core.words.wording import Wording
 
 Array = NDArray[np.float64]
 
@@ -38,7 +41,7 @@ STYLE: dict[Any, Any] = {
 }  # fmt: skip
 
 
-def wrench_chart(t: Array, measured: Array, reconstructed: Array, noise_std: Array, rotating: Sequence[Segment]) -> str:
+def wrench_chart(t: Array, measured: Array, reconstructed: Array, noise_std: Array, rotating: Sequence[Segment], words: Wording) -> str:
     """Fig. 8-9 of the paper over the whole run: wrench measured (without offset) and reconstructed, residual in sigmas.
 
     Args:
@@ -56,12 +59,12 @@ def wrench_chart(t: Array, measured: Array, reconstructed: Array, noise_std: Arr
             _line(upper, t, reconstructed[:, k], INK)
             upper.set_ylabel(f"{channel}, {unit}")
             upper.tick_params(labelbottom=False)
-            _residual(lower, t, (measured[:, k] - reconstructed[:, k]) / noise_std[k])
+            _residual(lower, t, (measured[:, k] - reconstructed[:, k]) / noise_std[k], words)
             lower.set_xlabel("t, s" if row == 4 else "")
-        return _svg(figure, "wrench")
+        return _svg(figure, "wrench", words.say("report-wrench"), words)
 
 
-def rotation_chart(t: Array, motion: Motion, measured: Array, reconstructed: Array, rotating: Sequence[Segment]) -> str:
+def rotation_chart(t: Array, motion: Motion, measured: Array, reconstructed: Array, rotating: Sequence[Segment], words: Wording) -> str:
     """Fig. 6-9 of the paper in the rotations: angular velocity and acceleration, and the torque about the same axis.
 
     Args:
@@ -79,15 +82,15 @@ def rotation_chart(t: Array, motion: Motion, measured: Array, reconstructed: Arr
                     _line(axes[row, column], time, turning[part.rows, i], MUTED, width=0.8, alpha=0.6)
                 _line(axes[row, column], time, turning[part.rows, k], INK)
                 axes[row, column].set_ylabel(name if column == 0 else "")
-            axes[0, column].set_title(f"about sensor axis {part.axis}")
+            axes[0, column].set_title(words.say("report-about-axis", axis=part.axis or ""))
             _line(axes[2, column], time, measured[part.rows, 3 + k], MUTED, width=2.4, alpha=0.55)
             _line(axes[2, column], time, reconstructed[part.rows, 3 + k], INK)
             axes[2, column].set_ylabel(f"t{part.axis}, N m")
-            axes[2, column].set_xlabel("time in the rotation, s")
-        return _svg(figure, "rotation")
+            axes[2, column].set_xlabel(words.say("report-rotation-time"))
+        return _svg(figure, "rotation", words.say("report-rotations"), words)
 
 
-def distance_chart(t: Array, distance_m: Array, limit_m: float) -> str:
+def distance_chart(t: Array, distance_m: Array, limit_m: float, words: Wording) -> str:
     """Smallest distance to obstacles and protected zones against the limit; alarm colour below it.
 
     Args:
@@ -101,20 +104,20 @@ def distance_chart(t: Array, distance_m: Array, limit_m: float) -> str:
         if np.isfinite(low).any():
             axes.plot(t, low, color=ALARM, linewidth=2.5)
         axes.axhline(limit_m, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
-        axes.annotate(f"limit {limit_m:.3f} m", (1, limit_m), (-2, 3), xycoords=("axes fraction", "data"),
+        axes.annotate(words.say("report-distance-limit", limit_m=limit_m), (1, limit_m), (-2, 3), xycoords=("axes fraction", "data"),
                       textcoords="offset points", ha="right", fontsize=8)  # fmt: skip
         k = int(np.nanargmin(distance_m))
         axes.plot(t[k], distance_m[k], "o", color=INK, markersize=4)
         above = max(float(distance_m[k]), limit_m)
-        axes.annotate(f"{distance_m[k]:.3f} m", (t[k], above), (0, 9), textcoords="offset points",
+        axes.annotate(words.mark(f"{distance_m[k]:.3f} m"), (t[k], above), (0, 9), textcoords="offset points",
                       ha="center" if 0.15 < (t[k] - t[0]) / np.ptp(t) < 0.85 else "left", fontsize=8)  # fmt: skip
         axes.set_ylim(0.0, max(1.15 * float(np.nanmax(distance_m)), 1.5 * limit_m))
         axes.set_xlabel("t, s")
-        axes.set_ylabel("distance, m")
-        return _svg(figure, "distance")
+        axes.set_ylabel(words.say("report-distance-axis"))
+        return _svg(figure, "distance", words.say("report-distance"), words)
 
 
-def gap_chart(gaps: Mapping[str, tuple[float, float]], floor: float) -> str:
+def gap_chart(gaps: Mapping[str, tuple[float, float]], floor: float, words: Wording) -> str:
     """The gap of each channel before and after the effect was added, in standard deviations of the noise; alarm colour where it matters.
 
     Args:
@@ -129,18 +132,21 @@ def gap_chart(gaps: Mapping[str, tuple[float, float]], floor: float) -> str:
             for value, offset, height, colour in ((before, -0.19, 0.3, MUTED), (after, 0.19, 0.3, INK)):
                 abnormal = value > GAP * floor and colour == INK
                 axes.barh(row + offset, value, height, color=ALARM if abnormal else colour, alpha=0.55 if colour == MUTED else 1.0)
-                axes.annotate(f"{value:.2f}", (value, row + offset), (4, 0), textcoords="offset points", va="center", fontsize=8)
+                axes.annotate(
+                    words.mark(f"{value:.2f}"), (value, row + offset), (4, 0), textcoords="offset points", va="center", fontsize=8
+                )
         axes.axvline(floor, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
-        axes.annotate("noise", (floor, 1), (0, 3), xycoords=("data", "axes fraction"), textcoords="offset points", ha="center", fontsize=8)
+        axes.annotate(words.say("report-gap-noise"), (floor, 1), (0, 3), xycoords=("data", "axes fraction"),
+                      textcoords="offset points", ha="center", fontsize=8)  # fmt: skip
         axes.set_yticks(range(len(gaps)), list(gaps))
         axes.tick_params(axis="y", length=0)
         axes.set_ylim(len(gaps) - 0.45, -0.55)
         axes.set_xlim(0.0, 1.07 * top)
-        axes.set_xlabel("gap, noise = 1")
-        return _svg(figure, "gap")
+        axes.set_xlabel(words.say("report-gap-axis"))
+        return _svg(figure, "gap", words.say("report-gap-by-channel"), words)
 
 
-def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_std: Array, channels: Sequence[int]) -> str:
+def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_std: Array, channels: Sequence[int], words: Wording) -> str:
     """Measured wrench over one motion with the simulation before and after the effect was added; below, what each leaves in sigmas.
 
     Args:
@@ -162,9 +168,9 @@ def overlay_chart(t: Array, measured: Array, before: Array, after: Array, noise_
             upper.set_ylabel(f"{CHANNELS[k]}, {UNITS[k]}")
             upper.tick_params(labelbottom=False)
             lower.margins(y=0.15)
-            lower.set_ylabel("rest, σ" if column == 0 else "")
+            lower.set_ylabel(words.say("report-gap-rest-axis") if column == 0 else "")
             lower.set_xlabel("t, s")
-        return _svg(figure, "overlay")
+        return _svg(figure, "overlay", words.say("report-gap-overlay"), words)
 
 
 def _draw_simulation(upper: Axes, lower: Axes, t: Array, values: Array, sigmas: Array, *, dashed: bool) -> None:
@@ -199,7 +205,7 @@ def _line(axes: Axes, t: Array, values: Array, colour: str, *, width: float = 1.
     )
 
 
-def _residual(axes: Axes, t: Array, sigmas: Array) -> None:
+def _residual(axes: Axes, t: Array, sigmas: Array, words: Wording) -> None:
     """Residual in standard deviations of the noise with the band where it belongs; in alarm colour far outside."""
     axes.axhspan(-3, 3, color=BAND, linewidth=0)
     _line(axes, t, sigmas, INK, width=0.6)
@@ -210,7 +216,7 @@ def _residual(axes: Axes, t: Array, sigmas: Array) -> None:
         axes.plot(x[::step], y[::step], ".", color=ALARM, markersize=2)
     reach = max(4.0, 1.1 * float(np.max(np.abs(sigmas))))
     axes.set_ylim(-reach, reach)
-    axes.set_ylabel("residual, σ", fontsize=8)
+    axes.set_ylabel(words.say("report-residual-sigma"), fontsize=8)
 
 
 def _mark(axes: Axes, t: Array, rotating: Sequence[Segment], *, labels: bool) -> None:
@@ -223,8 +229,14 @@ def _mark(axes: Axes, t: Array, rotating: Sequence[Segment], *, labels: bool) ->
                           textcoords="offset points", ha="center", fontsize=8)  # fmt: skip
 
 
-def _svg(figure: Figure, name: str) -> str:
-    """The figure as an SVG element of an HTML page; `name` keeps its identifiers apart from those of other figures."""
+def _svg(figure: Figure, name: str, label: str, words: Wording) -> str:
+    """The figure as an SVG element of an HTML page.
+
+    Args:
+        name: keeps its identifiers apart from those of other figures.
+        label: what it shows, for those who cannot see it.
+    """
+    mark_ticks(figure, words)
     FigureCanvasSVG(figure)
     stream = io.StringIO()
     with mpl.rc_context({"svg.hashsalt": name}):
@@ -238,7 +250,7 @@ def _svg(figure: Figure, name: str) -> str:
     text = text[text.index("<svg") :]
     text = re.sub(
         r'<svg[^>]*viewBox="([^"]*)"[^>]*>',
-        rf'<svg class="chart" viewBox="\1" role="img" aria-label="{name}">',
+        rf'<svg class="chart" viewBox="\1" role="img" aria-label="{escape(label)}">',
         text,
         count=1,
     )

@@ -9,33 +9,52 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.gap.answer import SIDES, Also, Diagnosis, GapPart, JointGap, Minor, Tied, Where
+from core.effects.sides import Side
+from core.gap.answer import Also, Diagnosis, GapPart, JointGap, Minor, Tied, Where
 from core.gap.limits import GAP
 from core.report.charts import CHANNELS, gap_chart, overlay_chart
 from core.report.diagnosis_rows import (
     explanation_rows,
     find_leading_explanation,
     heat_map,
-    parameter_texts,
     payload_rows,
     percent,
     rest_sentences,
     title_of,
+    titles_of,
 )
 from core.report.html_file import write_html
+from core.report.motions import name_motion
+from core.report.parameter_words import parameter_texts
 from core.report.rows import Fact, sentence
 from core.version import code_version
+from core.words.catalogue import Language
+from core.words.wording import Wording
 
 Array = NDArray[np.float64]
 
 HEADLINES = {
-    "no_gap": "No gap that matters",
-    "explained": "Gap explained",
-    "ambiguous": "Gap explained in more than one way",
-    "unknown": "Gap of unknown cause",
-    "not_enough": "Too little to say anything",
+    "no_gap": "report-gap-none",
+    "explained": "report-gap-explained",
+    "ambiguous": "report-gap-ambiguous",
+    "unknown": "report-gap-unknown",
+    "not_enough": "report-gap-not-enough",
 }
-DIRECTIONS = {"positive": "turning positively", "negative": "turning negatively", "still": "standing still"}
+DIRECTIONS = {"positive": "report-gap-positive", "negative": "report-gap-negative", "still": "report-gap-still"}
+STAGES = {
+    "sensor": "report-gap-stage-sensor",
+    "timing": "report-gap-stage-timing",
+    "mounting": "report-gap-stage-mounting",
+    "kinematics": "report-gap-stage-kinematics",
+    "payload": "report-gap-stage-payload",
+    "environment": "report-gap-stage-environment",
+    "actuation": "report-gap-stage-actuation",
+}
+SIDES: dict[Side, str] = {
+    "joints": "report-gap-side-joints",
+    "reading": "report-gap-side-reading",
+    "reference": "report-gap-side-reference",
+}
 LIKELY = 0.1
 """Probability from which an explanation that is not settled has its advice."""
 NAMED = 3
@@ -63,179 +82,200 @@ class Overlay:
     noise_std: Array
 
 
-def write_diagnosis(file: Path, *, diagnosis: Diagnosis, overlay: Overlay | None) -> None:
+def write_diagnosis(file: Path, *, diagnosis: Diagnosis, overlay: Overlay | None, language: Language = "en") -> None:
     """Writes the report; the file appears complete or not at all, and replaces an older one of the same name.
 
     Args:
         diagnosis: the answer, whose parts may be lacking.
         overlay: what the worst motion is drawn from; None where there is nothing to draw.
+        language: of the page.
     """
-    write_html(file, "diagnosis.html", _content(diagnosis, overlay))
+    words = Wording(language)
+    write_html(file, "diagnosis.html", _content(diagnosis, overlay, words), words)
 
 
-def _content(diagnosis: Diagnosis, overlay: Overlay | None) -> dict[str, Any]:
-    titles = {effect.id: effect.title for effect in diagnosis.effects}
+def _content(diagnosis: Diagnosis, overlay: Overlay | None, words: Wording) -> dict[str, Any]:
+    titles = titles_of(diagnosis, words)
     return {
-        "headline": HEADLINES[diagnosis.verdict],
+        "headline": words.say(HEADLINES[diagnosis.verdict]),
         "verdict": diagnosis.verdict,
-        "summary": sentence(diagnosis.summary),
-        "facts": _facts(diagnosis),
-        "to_do": _to_do(diagnosis),
-        "consequence": sentence(diagnosis.consequence),
-        "where": None if diagnosis.where is None else _where(diagnosis.where),
+        "summary": sentence(diagnosis.summary, words),
+        "facts": _facts(diagnosis, words),
+        "to_do": _to_do(diagnosis, titles, words),
+        "consequence": sentence(diagnosis.consequence, words),
+        "where": None if diagnosis.where is None else _where(diagnosis.where, words),
         "has_closures": bool(diagnosis.effects or diagnosis.pairs),
-        "explanations": [] if diagnosis.verdict == "not_enough" else explanation_rows(diagnosis, titles),
-        "rest": rest_sentences(diagnosis, titles),
-        "ties": [_tie(tie, titles) for tie in diagnosis.indistinguishable],
-        "also": [_also(also) for also in diagnosis.also],
-        "minor": [_minor(minor, titles) for minor in diagnosis.minor],
-        "gap": None if diagnosis.gap is None else _gap(diagnosis.gap),
-        "overlay": None if overlay is None else _overlay(overlay),
-        "payload": [] if diagnosis.payload is None else payload_rows(diagnosis.payload),
+        "explanations": [] if diagnosis.verdict == "not_enough" else explanation_rows(diagnosis, titles, words),
+        "rest": rest_sentences(diagnosis, titles, words),
+        "ties": [_tie(tie, titles, words) for tie in diagnosis.indistinguishable],
+        "also": [_also(also, words) for also in diagnosis.also],
+        "minor": [_minor(minor, titles, words) for minor in diagnosis.minor],
+        "gap": None if diagnosis.gap is None else _gap(diagnosis.gap, words),
+        "overlay": None if overlay is None else _overlay(overlay, words),
+        "payload": [] if diagnosis.payload is None else payload_rows(diagnosis.payload, words),
         "payload_moved": diagnosis.payload is not None and diagnosis.payload.before != diagnosis.payload.after,
-        "experiment": _experiment(diagnosis, titles),
-        "twin": ", ".join(title_of(name, titles) for name in diagnosis.twin),
-        "limits": [_limit(limit, titles) for limit in diagnosis.limits if limit not in diagnosis.summary],
-        "seconds": f"{diagnosis.seconds:.1f}",
+        "experiment": _experiment(diagnosis, titles, words),
+        "twin": [title_of(name, titles, words) for name in diagnosis.twin],
+        "limits": [_limit(limit, titles, words) for limit in diagnosis.limits if words.quote(limit) not in words.quote(diagnosis.summary)],
+        "seconds": diagnosis.seconds,
         "version": code_version(),
     }
 
 
-def _facts(diagnosis: Diagnosis) -> list[Fact]:
+def _facts(diagnosis: Diagnosis, words: Wording) -> list[Fact]:
     gap, where = diagnosis.gap, diagnosis.where
     found = []
-    first = find_leading_explanation(diagnosis)
+    first = find_leading_explanation(diagnosis, words)
     if gap is not None:
-        found.append(Fact("Gap", f"{gap.before:.2f}", "noise alone is 1", alarm=gap.before > GAP * gap.floor))
+        note = words.say("report-gap-noise-is-one")
+        found.append(Fact(words.say("report-gap"), words.mark(f"{gap.before:.2f}"), note, alarm=gap.before > GAP * gap.floor))
         if first is not None:
-            name = "Gap with the effect added" if diagnosis.verdict == "explained" else "Gap with the best effect"
-            found.append(Fact(name, f"{gap.after:.2f}", "on unseen motions", alarm=gap.after > GAP * gap.floor))
+            explained = diagnosis.verdict == "explained"
+            name = words.say("report-gap-with-effect") if explained else words.say("report-gap-with-best-effect")
+            note = words.say("report-gap-on-unseen")
+            found.append(Fact(name, words.mark(f"{gap.after:.2f}"), note, alarm=gap.after > GAP * gap.floor))
     if first is not None:
         unknown = diagnosis.verdict == "unknown"
-        of = "of an unknown effect" if unknown else f"of {first.title}"
-        found.append(Fact("Probability", percent(diagnosis.unknown_probability if unknown else first.probability), of))
-        interval = "" if first.interval is None else f"95 %: {100 * first.interval[0]:.0f} to {100 * first.interval[1]:.0f} %"
-        found.append(Fact("Closure", f"{100 * first.closure:.0f} %", interval))
+        note = words.say("report-gap-of-unknown") if unknown else words.say("report-gap-of-effect", effect=first.title)
+        probability = diagnosis.unknown_probability if unknown else first.probability
+        found.append(Fact(words.say("report-gap-probability"), percent(probability, words), note))
+        low, high = first.interval or (0.0, 0.0)
+        interval = "" if first.interval is None else words.say("report-gap-closure-interval", low=low, high=high)
+        found.append(Fact(words.say("report-gap-closure"), f"{100 * first.closure:.0f} %", interval))
     if where is not None and diagnosis.verdict != "no_gap":
+        phase = name_motion(where.phase, words)
+        stage = words.say(STAGES[where.stage]) if where.stage in STAGES else words.quote(where.stage)
         known = diagnosis.verdict in ("explained", "ambiguous")
-        found.append(Fact("Largest in", where.channel, f"during {where.phase}" + (f"; stage: {where.stage}" if known else "")))
+        at = words.say("report-gap-during-at-stage", phase=phase, stage=stage) if known else words.say("report-gap-during", phase=phase)
+        found.append(Fact(words.say("report-gap-largest-in"), where.channel, at))
     return found
 
 
-def _to_do(diagnosis: Diagnosis) -> list[str]:
+def _to_do(diagnosis: Diagnosis, titles: dict[str, str], words: Wording) -> list[str]:
     """What a person should do, most urgent first; about the wrench, then about what is seen elsewhere and matters."""
-    return [*_to_do_about_the_wrench(diagnosis), *(sentence(also.advice) for also in diagnosis.also if also.material)]
+    beside = (sentence(also.advice, words) for also in diagnosis.also if also.material)
+    return [*_to_do_about_the_wrench(diagnosis, titles, words), *beside]
 
 
-def _to_do_about_the_wrench(diagnosis: Diagnosis) -> list[str]:
+def _to_do_about_the_wrench(diagnosis: Diagnosis, titles: dict[str, str], words: Wording) -> list[str]:
     if diagnosis.verdict == "no_gap":
-        return ["Nothing needs to be added to the simulation."]
+        return [words.say("report-gap-do-nothing")]
     if diagnosis.verdict == "not_enough":
-        return ["Record again, with what is lacking."]
+        return [words.say("report-gap-record-again")]
     if diagnosis.verdict == "unknown":
-        where = "" if diagnosis.where is None else f" Look at {diagnosis.where.channel} during {diagnosis.where.phase} first."
-        return ["Add no effect to the simulation: none of them is the cause." + where]
-    first = find_leading_explanation(diagnosis)
+        where = diagnosis.where
+        if where is None:
+            return [words.say("report-gap-add-none")]
+        return [words.say("report-gap-add-none-look", channel=where.channel, phase=name_motion(where.phase, words))]
+    first = find_leading_explanation(diagnosis, words)
     ids = () if first is None else first.ids
     if diagnosis.verdict == "explained":
-        return [sentence(effect.advice) for effect in diagnosis.effects if effect.id in ids]
+        return [sentence(effect.advice, words) for effect in diagnosis.effects if effect.id in ids]
     tied = {name for tie in diagnosis.indistinguishable for joined in tie.ids for name in joined.split("+")}
     likely = [effect for effect in diagnosis.effects if effect.id in tied or effect.id in ids or effect.probability > LIKELY]
-    return [_settle(diagnosis), *(f"If it is {effect.title}: {sentence(effect.advice)}" for effect in likely[:NAMED])]
+    advice = [(titles[effect.id], sentence(effect.advice, words)) for effect in likely[:NAMED]]
+    return [_settle(diagnosis, words), *(words.say("report-gap-if-it-is", effect=title, advice=what) for title, what in advice)]
 
 
-def _settle(diagnosis: Diagnosis) -> str:
+def _settle(diagnosis: Diagnosis, words: Wording) -> str:
     if diagnosis.next_experiment is not None:
-        return "Settle first which it is: see the next experiment below."
+        return words.say("report-gap-settle-by-motion")
     if diagnosis.indistinguishable:
-        return sentence(f"Settle first which it is: {diagnosis.indistinguishable[0].splits}")
-    return "Settle first which it is."
+        return sentence(words.say("report-gap-settle-by", splits=words.quote(diagnosis.indistinguishable[0].splits)), words)
+    return words.say("report-gap-settle")
 
 
-def _where(where: Where) -> dict[str, Any]:
-    phases, blocks = heat_map(where.cells)
+def _where(where: Where, words: Wording) -> dict[str, Any]:
+    phases, blocks = heat_map(where.cells, words)
     most = max(where.by_time, default=0.0) or 1.0
     squares = {**where.by_direction, **where.by_pose}
-    loud = {DIRECTIONS.get(name, _pose(name)): float(np.sqrt(max(0.0, square))) for name, square in squares.items()}
+    loud = {_name_direction(name, words): float(np.sqrt(max(0.0, square))) for name, square in squares.items()}
     loudest = max(loud.values(), default=0.0) or 1.0
     return {
-        "sentence": sentence(where.sentence),
+        "sentence": sentence(where.sentence, words),
         "phases": phases,
         "blocks": blocks,
         "listed": len(where.cells),
-        "share": f"{100 * sum(cell.share for cell in where.cells):.0f} %",
+        "share": sum(cell.share for cell in where.cells),
         "time": [(f"{100 * share:.0f}", f"{100 * max(0.0, share) / most:.1f}") for share in where.by_time],
-        "direction": [(name, f"{value:.1f}", f"{100 * value / loudest:.1f}") for name, value in loud.items()],
-        "joints": [_joint(joint) for joint in where.joints],
+        "direction": [(name, words.mark(f"{value:.1f}"), f"{100 * value / loudest:.1f}") for name, value in loud.items()],
+        "joints": [_joint(joint, words) for joint in where.joints],
     }
 
 
-def _pose(name: str) -> str:
-    """`x+` in words."""
-    return f"{name[0]} {'down' if name[1:] == '+' else 'up'}"
+def _name_direction(name: str, words: Wording) -> str:
+    """A sense of turning, or a pose such as `x+`, in words."""
+    if name in DIRECTIONS:
+        return words.say(DIRECTIONS[name])
+    return words.say("report-gap-axis-down", axis=name[0]) if name[1:] == "+" else words.say("report-gap-axis-up", axis=name[0])
 
 
-def _joint(joint: JointGap) -> tuple[str, str, str]:
+def _joint(joint: JointGap, words: Wording) -> tuple[str, str, str]:
     """Name, tracking error and torque of one joint, in everyday units."""
-    tracking = "" if joint.tracking_rms_rad is None else f"{1e3 * joint.tracking_rms_rad:.3f} mrad"
-    torque = "" if joint.torque_rms_n_m is None else f"{joint.torque_rms_n_m:.2f} N m"
+    tracking = "" if joint.tracking_rms_rad is None else words.mark(f"{1e3 * joint.tracking_rms_rad:.3f} mrad")
+    torque = "" if joint.torque_rms_n_m is None else words.mark(f"{joint.torque_rms_n_m:.2f} N m")
     return joint.joint, tracking, torque
 
 
-def _tie(tie: Tied, titles: dict[str, str]) -> dict[str, str]:
+def _tie(tie: Tied, titles: dict[str, str], words: Wording) -> dict[str, str]:
+    names = f" {words.say('report-or')} ".join(title_of(name, titles, words) for name in tie.ids)
     return {
-        "names": sentence(" or ".join(title_of(name, titles) for name in tie.ids)),
-        "distance": f"{tie.distance_sigma:.1f} σ apart",
-        "why": sentence(tie.why),
-        "splits": sentence(tie.splits),
+        "names": sentence(names, words),
+        "distance": words.say("report-gap-apart", sigma=tie.distance_sigma),
+        "why": sentence(tie.why, words),
+        "splits": sentence(tie.splits, words),
     }
 
 
-def _limit(limit: str, titles: dict[str, str]) -> str:
-    """`effect: reason` with the effect in words; any other text as it is."""
-    name, colon, reason = limit.partition(": ")
-    return sentence(f"{title_of(name, titles)}: {reason}" if colon and name.isidentifier() else limit)
+def _limit(limit: object, titles: dict[str, str], words: Wording) -> str:
+    """`effect: reason` with the effect in words; any other text, and a message, as it is."""
+    text = words.quote(limit)
+    name, colon, reason = text.partition(": ")
+    if colon and name.isidentifier():
+        return sentence(words.say("report-gap-limit-of-effect", effect=title_of(name, titles, words), reason=reason), words)
+    return sentence(text, words)
 
 
-def _minor(minor: Minor, titles: dict[str, str]) -> dict[str, Any]:
+def _minor(minor: Minor, titles: dict[str, str], words: Wording) -> dict[str, Any]:
     return {
-        "title": sentence(title_of(minor.id, titles)).rstrip("."),
-        "sentence": sentence(minor.sentence),
-        "parameters": parameter_texts(minor.parameters),
+        "title": sentence(title_of(minor.id, titles, words), words).rstrip("."),
+        "sentence": sentence(minor.sentence, words),
+        "parameters": parameter_texts(minor.parameters, words),
     }
 
 
-def _also(also: Also) -> dict[str, Any]:
+def _also(also: Also, words: Wording) -> dict[str, Any]:
+    side, times = words.say(SIDES[also.side]), also.times_expected
     return {
-        "title": sentence(also.title).rstrip("."),
-        "where": SIDES[also.side],
+        "title": sentence(also.title, words).rstrip("."),
+        "where": side if times is None else words.say("report-gap-times-expected", side=side, times=times),
         "material": also.material,
-        "times": "" if also.times_expected is None else f"{also.times_expected:.1f} times what is stated or tolerated",
-        "sentence": sentence(also.sentence),
-        "parameters": parameter_texts(also.parameters),
+        "sentence": sentence(also.sentence, words),
+        "parameters": parameter_texts(also.parameters, words),
     }
 
 
-def _gap(gap: GapPart) -> dict[str, Any]:
+def _gap(gap: GapPart, words: Wording) -> dict[str, Any]:
     gaps = {name: (change.before, change.after) for name, change in gap.by_channel.items()}
     return {
-        "before": f"{gap.before:.2f}",
-        "after": f"{gap.after:.2f}",
-        "held_out": ", ".join(gap.held_out),
-        "chart": gap_chart(gaps, gap.floor) if gaps else None,
+        "before": gap.before,
+        "after": gap.after,
+        "moved": f"{gap.before:.2f}" != f"{gap.after:.2f}",
+        "held_out": [name_motion(motion, words) for motion in gap.held_out],
+        "chart": gap_chart(gaps, gap.floor, words) if gaps else None,
     }
 
 
-def _overlay(overlay: Overlay) -> dict[str, Any]:
+def _overlay(overlay: Overlay, words: Wording) -> dict[str, Any]:
     rows = worst_motion(overlay)
     excess = np.mean(((overlay.measured[rows] - overlay.before[rows]) / overlay.noise_std) ** 2, axis=0)
     channels = [int(k) for k in np.sort(np.argsort(-excess)[:DRAWN])]
     parts = (overlay.t, overlay.measured, overlay.before, overlay.after)
     t, measured, before, after = (part[rows] for part in parts)
     return {
-        "chart": overlay_chart(t, measured, before, after, overlay.noise_std, channels),
-        "phase": str(overlay.phase[rows][0]),
-        "channels": " and ".join(CHANNELS[k] for k in channels),
+        "chart": overlay_chart(t, measured, before, after, overlay.noise_std, channels, words),
+        "phase": name_motion(str(overlay.phase[rows][0]), words),
+        "channels": f" {words.say('report-and')} ".join(CHANNELS[k] for k in channels),
         "changed": not np.array_equal(before, after),
     }
 
@@ -248,15 +288,20 @@ def worst_motion(overlay: Overlay) -> slice:
     return max(motions, key=lambda rows: float(left[rows].sum()))
 
 
-def _experiment(diagnosis: Diagnosis, titles: dict[str, str]) -> dict[str, Any] | None:
+def _experiment(diagnosis: Diagnosis, titles: dict[str, str], words: Wording) -> dict[str, Any] | None:
     experiment = diagnosis.next_experiment
     if experiment is None:
         return None
-    splits = [" from ".join(title_of(name, titles) for name in pair) for pair in experiment.splits]
+    pairs = [[title_of(name, titles, words) for name in pair] for pair in experiment.splits]
+    if experiment.planned:
+        planned = words.say("report-gap-planned")
+    else:
+        planned = sentence(words.say("report-gap-not-planned", reason=words.quote(experiment.refused)), words)
     return {
-        "motion": sentence(experiment.motion),
-        "seconds": f"{experiment.seconds:.0f} s" if experiment.seconds > 0.0 else "",
-        "splits": "; ".join(splits),
-        "sigma": f"{experiment.sigma_before:.1f} σ now, {experiment.sigma_after:.0f} σ expected with both recordings",
-        "planned": "It is planned in the cell." if experiment.planned else sentence(f"It is not yet planned: {experiment.refused}"),
+        "motion": sentence(experiment.motion, words),
+        "seconds": experiment.seconds,
+        "pairs": "; ".join(words.say("report-gap-pair", first=first, second=second) for first, second in pairs),
+        "sigma_before": experiment.sigma_before,
+        "sigma_after": experiment.sigma_after,
+        "planned": planned,
     }

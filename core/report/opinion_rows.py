@@ -2,10 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from core.second_opinion.left_out import describe_left_out
+from core.report.motions import name_motion
 from core.second_opinion.opinion import Opinion
+from core.second_opinion.pairs import AccountedPair, PairKind
+from core.words.wording import ENGLISH, Wording
+
+KINDS = {
+    PairKind.ENVIRONMENT: "report-pair-environment",
+    PairKind.FIRST_LINK: "report-pair-first-link",
+    PairKind.MOUNT: "report-pair-mount",
+    PairKind.PAYLOAD: "report-pair-payload",
+    PairKind.LINKS: "report-pair-links",
+    PairKind.NEAR: "report-pair-near",
+    PairKind.JOINED: "report-pair-joined",
+}
 
 
 @dataclass(frozen=True)
@@ -32,23 +45,49 @@ class OpinionTable:
     left_out: list[str]
 
 
-def opinion_table(opinion: Opinion) -> OpinionTable:
+def opinion_table(opinion: Opinion, words: Wording = ENGLISH) -> OpinionTable:
     """A row for each kind of pair, one for the fastest point, and one for a load that comes off where there is a protected zone."""
     rows = [
         OpinionRow(
-            each.kind,
-            f"{each.distance_m:.3f} m",
-            f"{each.first} - {each.second}",
-            f"{each.required_m:.3f} m",
-            f"{each.part}, {each.time_s:.1f} s",
+            words.say(KINDS[each.kind]),
+            words.mark(f"{each.distance_m:.3f} m"),
+            f"{words.quote(each.first)} - {words.quote(each.second)}",
+            words.mark(f"{each.required_m:.3f} m"),
+            _say_when(each.part, each.time_s, words),
         )
         for each in opinion.approaches
     ]
     fast = opinion.fastest
-    limit, where = f"{fast.limit_m_s:.3f} m/s", f"{fast.part}, {fast.time_s:.1f} s"
-    rows.append(OpinionRow("fastest point", f"{fast.speed_m_s:.3f} m/s", f"a corner of {fast.body}", limit, where))
+    rows.append(
+        OpinionRow(
+            words.say("report-opinion-fastest"),
+            words.mark(f"{fast.speed_m_s:.3f} m/s"),
+            words.say("report-opinion-corner", body=words.quote(fast.body)),
+            words.mark(f"{fast.limit_m_s:.3f} m/s"),
+            _say_when(fast.part, fast.time_s, words),
+        )
+    )
     lost = opinion.lost_load
     if lost is not None:
-        where = f"{lost.part}, {lost.time_s:.1f} s"
-        rows.append(OpinionRow("a load that comes off", f"{lost.distance_m:.3f} m", f"its flight - zone {lost.zone}", "0.000 m", where))
-    return OpinionTable(opinion.samples, rows, describe_left_out(opinion.left_out))
+        rows.append(
+            OpinionRow(
+                words.say("report-opinion-lost-load"),
+                words.mark(f"{lost.distance_m:.3f} m"),
+                words.say("report-opinion-flight", zone=lost.zone),
+                words.mark("0.000 m"),
+                _say_when(lost.part, lost.time_s, words),
+            )
+        )
+    return OpinionTable(opinion.samples, rows, _say_left_out(opinion.left_out, words))
+
+
+def _say_when(part: object, time_s: float, words: Wording) -> str:
+    return words.say("report-opinion-when", part=name_motion(part, words), time_s=time_s)
+
+
+def _say_left_out(pairs: Sequence[AccountedPair], words: Wording) -> list[str]:
+    """A line for each reason, with all pairs that have it."""
+    by_reason: dict[str, list[str]] = {}
+    for pair in pairs:
+        by_reason.setdefault(words.quote(pair.why), []).append(f"{words.quote(pair.first)} - {words.quote(pair.second)}")
+    return [f"{', '.join(names)}: {why}" for why, names in by_reason.items()]

@@ -19,49 +19,55 @@ from core.report.scene import scene
 from core.report.workpiece_rows import workpiece_block
 from core.robot.model import RobotModel
 from core.version import code_version
+from core.words.catalogue import Language
+from core.words.wording import Wording
 
 
-def write_report(file: Path, *, recording: Recording, identification: Identification, run: RunSummary | None = None) -> None:
+def write_report(
+    file: Path, *, recording: Recording, identification: Identification, run: RunSummary | None = None, language: Language = "en"
+) -> None:
     """Writes the report; the file appears complete or not at all, and replaces an older one of the same name.
 
     Args:
         recording: what was identified.
         identification: the answer.
         run: what the guard and the plan saw; None for a recording from elsewhere.
+        language: of the page.
     """
-    write_html(file, "template.html", _content(recording, identification, run))
+    words = Wording(language)
+    write_html(file, "template.html", _content(recording, identification, run, words), words)
 
 
-def _content(recording: Recording, identification: Identification, run: RunSummary | None) -> dict[str, Any]:
-    rows = parameter_rows(identification, recording.reference_of_whole)
+def _content(recording: Recording, identification: Identification, run: RunSummary | None, words: Wording) -> dict[str, Any]:
+    rows = parameter_rows(identification, recording.reference_of_whole, words)
     payload = run.payload if run is not None else recording.payload
     return {
-        "title": f"Payload {payload.replace('_', ' ')}" if payload else "Payload",
-        "subtitle": run.cell.title if run is not None else (recording.cell or "from a recording"),
-        "verdict": sentence(identification.verdict),
-        "warnings": [sentence(warning.sentence) for warning in identification.warnings],
-        "bounds": [sentence(bound) for bound in identification.bounds],
-        "facts": facts(identification, run),
+        "title": words.say("report-title", payload=payload.replace("_", " ")) if payload else words.say("report-title-unnamed"),
+        "subtitle": run.cell.title if run is not None else (recording.cell or words.say("report-from-recording")),
+        "verdict": sentence(identification.verdict, words),
+        "warnings": [sentence(warning, words) for warning in identification.warnings],
+        "bounds": [sentence(bound, words) for bound in identification.bounds],
+        "facts": facts(identification, run, words),
         "parameters": rows if any(row.known or row.paper or row.reference for row in rows) else [],
         "has_reference": recording.reference is not None,
         "has_reasons": any(row.reason for row in rows),
         "has_outside": any(row.outside for row in rows),
         "reference_source": recording.source_of_whole,
-        "workpiece": workpiece_block(identification, recording),
-        "channels": channel_rows(identification.estimate) if identification.estimate is not None else [],
-        "unseen": unseen_rows(identification),
-        "drift": sentence(identification.estimate.drift.description) if identification.estimate is not None else "",
-        **_charts(identification),
-        "starts": [] if run is None else _starts(run),
-        "distance_chart": None if run is None else _distances(run),
-        "opinion": None if run is None or run.opinion is None else opinion_table(run.opinion),
-        "origin": origin_facts(recording, run),
+        "workpiece": workpiece_block(identification, recording, words),
+        "channels": channel_rows(identification.estimate, words) if identification.estimate is not None else [],
+        "unseen": unseen_rows(identification, words),
+        "drift": sentence(identification.estimate.drift.description, words) if identification.estimate is not None else "",
+        **_charts(identification, words),
+        "starts": [] if run is None else _starts(run, words),
+        "distance_chart": None if run is None else _distances(run, words),
+        "opinion": None if run is None or run.opinion is None else opinion_table(run.opinion, words),
+        "origin": origin_facts(recording, run, words),
         "source": recording.source,
         "version": code_version(),
     }
 
 
-def _charts(identification: Identification) -> dict[str, str | None]:
+def _charts(identification: Identification, words: Wording) -> dict[str, str | None]:
     series, estimate = identification.series, identification.estimate
     if series is None or series.measured is None or series.reconstructed is None or estimate is None:
         return {"wrench_chart": None, "rotation_chart": None}
@@ -69,26 +75,26 @@ def _charts(identification: Identification) -> dict[str, str | None]:
     rotating = [part for part in identification.segments if part.phase.startswith("rotate")]
     first_of_axis = {part.axis or "": part for part in reversed(rotating)}
     first = [first_of_axis[axis] for axis in sorted(first_of_axis)]
-    turning = rotation_chart(t, series.motion, series.measured, series.reconstructed, first) if first else None
-    wrench = wrench_chart(t, series.measured, series.reconstructed, estimate.noise_std, rotating)
+    turning = rotation_chart(t, series.motion, series.measured, series.reconstructed, first, words) if first else None
+    wrench = wrench_chart(t, series.measured, series.reconstructed, estimate.noise_std, rotating, words)
     return {"wrench_chart": wrench, "rotation_chart": turning}
 
 
-def _starts(run: RunSummary) -> list[dict[str, Any]]:
+def _starts(run: RunSummary, words: Wording) -> list[dict[str, Any]]:
     robot = RobotModel.of_cell(run.cell)
     parts = arm_parts(run.cell, robot)
     return [
         {
-            "scene": scene(run.cell, robot, run.payload_box, start, parts),
+            "scene": scene(run.cell, robot, run.payload_box, start, parts, words),
             "axis": start.axis.replace("-", "−"),
-            "lines": start_lines(start),
+            "lines": start_lines(start, words),
         }
         for start in run.starts
     ]
 
 
-def _distances(run: RunSummary) -> str | None:
+def _distances(run: RunSummary, words: Wording) -> str | None:
     """None where there is nothing to keep away from."""
     if len(run.t) < 2 or not np.isfinite(run.distance_m).all():
         return None
-    return distance_chart(run.t, run.distance_m, run.cell.limits.clearance_m)
+    return distance_chart(run.t, run.distance_m, run.cell.limits.clearance_m, words)

@@ -14,6 +14,7 @@ from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
 from core.report.charts import CHANNELS, UNITS
 from core.report.verification_words import HOLDS_UP_TO, verification_sentence
+from core.words.wording import ENGLISH, Wording
 
 Array = NDArray[np.float64]
 
@@ -74,18 +75,18 @@ def round_to_uncertainty(value: float, uncertainty: float | None = None) -> str:
     return f"{value:.{min(digits, 9)}f}"
 
 
-def sentence(text: str) -> str:
+def sentence(said: object, words: Wording) -> str:
     """The words of another part of the program as a sentence of the page."""
-    text = text.strip().replace("+-", "±")
+    text = words.quote(said).strip().replace("+-", "±")
     return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) or not text else ".")
 
 
-def parameter_rows(identification: Identification, reference: InertialParameters | None) -> list[ParameterRow]:
+def parameter_rows(identification: Identification, reference: InertialParameters | None, words: Wording = ENGLISH) -> list[ParameterRow]:
     """All ten parameters: reference, the paper's estimate, ours with its interval, the errors of both."""
-    return [_parameter_row(identification, reference, k) for k in range(10)]
+    return [_parameter_row(identification, reference, k, words) for k in range(10)]
 
 
-def _parameter_row(identification: Identification, reference: InertialParameters | None, k: int) -> ParameterRow:
+def _parameter_row(identification: Identification, reference: InertialParameters | None, k: int, words: Wording) -> ParameterRow:
     paper, estimate = identification.paper, identification.estimate
     known = estimate is not None and bool(estimate.determined[k])
     value, half = (np.nan, np.nan) if estimate is None else (float(estimate.phi[k]), INTERVAL * float(estimate.std[k]))
@@ -93,16 +94,16 @@ def _parameter_row(identification: Identification, reference: InertialParameters
     return ParameterRow(
         name=LABELS[k],
         unit=PHI_UNITS[k].replace("m2", "m²"),
-        reference=round_to_uncertainty(truth),
-        paper=round_to_uncertainty(float(paper.phi[k]), float(paper.std[k])),
-        paper_std=two_digits(float(paper.std[k])),
-        ours=round_to_uncertainty(value, half) if known else "not determined",
-        interval=two_digits(half) if known else "",
-        paper_error=error_of(float(paper.phi[k]), truth),
-        error=error_of(value, truth) if known else "",
+        reference=words.mark(round_to_uncertainty(truth)),
+        paper=words.mark(round_to_uncertainty(float(paper.phi[k]), float(paper.std[k]))),
+        paper_std=words.mark(two_digits(float(paper.std[k]))),
+        ours=words.mark(round_to_uncertainty(value, half)) if known else words.say("report-not-determined"),
+        interval=words.mark(two_digits(half)) if known else "",
+        paper_error=words.mark(error_of(float(paper.phi[k]), truth)),
+        error=words.mark(error_of(value, truth)) if known else "",
         known=known,
         outside=known and bool(abs(value - truth) > half),
-        reason="" if known or estimate is None else estimate.reasons.get(PHI_NAMES[k], ""),
+        reason="" if known or estimate is None else words.quote(estimate.reasons.get(PHI_NAMES[k], "")),
     )
 
 
@@ -118,7 +119,7 @@ def error_of(value: float, truth: float) -> str:
     return f"{value - truth:+.2g}" if truth == 0 else f"{100 * (value / truth - 1):+.2f} %"
 
 
-def channel_rows(estimate: Estimate) -> list[ChannelRow]:
+def channel_rows(estimate: Estimate, words: Wording) -> list[ChannelRow]:
     """Offset, residual and noise of each channel."""
     rows = []
     for k, (name, unit) in enumerate(zip(CHANNELS, UNITS, strict=True)):
@@ -128,11 +129,11 @@ def channel_rows(estimate: Estimate) -> list[ChannelRow]:
             ChannelRow(
                 name,
                 unit,
-                round_to_uncertainty(float(estimate.offset[k]), half),
-                two_digits(half),
-                two_digits(float(estimate.residual_rms[k])),
-                two_digits(float(estimate.noise_std[k])),
-                f"{ratio:.2f}",
+                words.mark(round_to_uncertainty(float(estimate.offset[k]), half)),
+                words.mark(two_digits(half)),
+                words.mark(two_digits(float(estimate.residual_rms[k]))),
+                words.mark(two_digits(float(estimate.noise_std[k]))),
+                words.mark(f"{ratio:.2f}"),
                 ratio > LOUD,
             )
         )
@@ -147,52 +148,54 @@ class UnseenRow:
     alarm: bool
 
 
-def unseen_rows(identification: Identification) -> list[UnseenRow]:
+def unseen_rows(identification: Identification, words: Wording = ENGLISH) -> list[UnseenRow]:
     """How well each rotation is predicted by a fit to all the rest."""
     return [
-        UnseenRow(verification_sentence(each.phase, each.rms, each.expected, each.ratio), each.ratio > HOLDS_UP_TO)
+        UnseenRow(verification_sentence(each.phase, each.rms, each.expected, each.ratio, words), each.ratio > HOLDS_UP_TO)
         for each in identification.verification
     ]
 
 
-def facts(identification: Identification, run: RunSummary | None) -> list[Fact]:
+def facts(identification: Identification, run: RunSummary | None, words: Wording = ENGLISH) -> list[Fact]:
     """What one wants to know first."""
     estimate = identification.estimate
-    found = [] if estimate is None else [*_payload_facts(estimate), *_mounting_facts(estimate)]
-    accounted = Fact("Effects accounted for", ", ".join(identification.accounted), "as the cell's twin has them")
-    return [*found, *([accounted] if identification.accounted else []), *([] if run is None else _safety_facts(run))]
+    found = [] if estimate is None else [*_payload_facts(estimate, words), *_mounting_facts(estimate, words)]
+    if identification.accounted:
+        found.append(Fact(words.say("report-accounted"), ", ".join(identification.accounted), words.say("report-accounted-note")))
+    return found if run is None else [*found, *_safety_facts(run, words)]
 
 
-def _payload_facts(estimate: Estimate) -> list[Fact]:
+def _payload_facts(estimate: Estimate, words: Wording) -> list[Fact]:
     found = []
     if estimate.determined[0]:
         half_kg = INTERVAL * float(estimate.std[0])
-        found.append(Fact("Mass", f"{round_to_uncertainty(float(estimate.phi[0]), half_kg)} kg", f"± {two_digits(half_kg)} kg (95 %)"))
+        value = words.mark(f"{round_to_uncertainty(float(estimate.phi[0]), half_kg)} kg")
+        found.append(Fact(words.say("report-mass"), value, words.mark(f"± {two_digits(half_kg)} kg (95 %)")))
     if estimate.determined[:4].all():
         half = 1000 * INTERVAL * estimate.com_std
-        com = ", ".join(round_to_uncertainty(float(1000 * c), float(h)) for c, h in zip(estimate.com_m, half, strict=True))
-        note = "sensor frame; ± " + ", ".join(two_digits(float(h)) for h in half) + " mm (95 %)"
-        found.append(Fact("Centre of mass", f"{com} mm", note))
+        com = words.list_numbers(round_to_uncertainty(float(1000 * c), float(h)) for c, h in zip(estimate.com_m, half, strict=True))
+        note = words.say("report-com-note", half_widths=words.list_numbers(two_digits(float(h)) for h in half))
+        found.append(Fact(words.say("report-com"), f"{com} mm", note))
     if estimate.determined.all():
         moments = np.linalg.eigvalsh(symmetric(estimate.inertia_com))
-        text = ", ".join(f"{1000 * moment:.3g}" for moment in moments)
-        note = "g m², about the centre of mass" + ("" if estimate.consistent else "; no rigid body has these parameters")
-        found.append(Fact("Principal moments", text, note, alarm=not estimate.consistent))
+        text = words.list_numbers(f"{1000 * moment:.3g}" for moment in moments)
+        note = words.say("report-moments-note") if estimate.consistent else words.say("report-moments-impossible")
+        found.append(Fact(words.say("report-moments"), text, note, alarm=not estimate.consistent))
     return found
 
 
-def _mounting_facts(estimate: Estimate) -> list[Fact]:
+def _mounting_facts(estimate: Estimate, words: Wording) -> list[Fact]:
     found = []
     tilt, tilt_std = estimate.base_tilt_rad, estimate.base_tilt_std
     if tilt is not None:
         half = np.degrees(np.zeros(2) if tilt_std is None else INTERVAL * tilt_std)
-        value = ", ".join(_format_signed(float(np.degrees(a)), float(h)) + "°" for a, h in zip(tilt, half, strict=True))
-        note = "about base x and y, against nominal gravity; ± " + ", ".join(f"{two_digits(float(h))}°" for h in half)
-        found.append(Fact("Tilt of the base", value, note))
+        value = words.list_numbers(_format_signed(float(np.degrees(a)), float(h)) + "°" for a, h in zip(tilt, half, strict=True))
+        note = words.say("report-base-tilt-note", half_widths=words.list_numbers(f"{two_digits(float(h))}°" for h in half))
+        found.append(Fact(words.say("report-base-tilt"), value, note))
     if estimate.delay_s is not None:
         half_ms = 0.0 if estimate.delay_std is None else 1000 * INTERVAL * estimate.delay_std
-        note = f"against the joints; ± {two_digits(half_ms)} ms (95 %)"
-        found.append(Fact("Delay of the wrench", f"{_format_signed(1000 * estimate.delay_s, half_ms)} ms", note))
+        note = words.say("report-delay-note", half_width=words.mark(two_digits(half_ms)))
+        found.append(Fact(words.say("report-delay"), words.mark(f"{_format_signed(1000 * estimate.delay_s, half_ms)} ms"), note))
     return found
 
 
@@ -200,46 +203,54 @@ def _format_signed(value: float, uncertainty: float) -> str:
     return ("+" if value >= 0 else "") + round_to_uncertainty(value, uncertainty)
 
 
-def _safety_facts(run: RunSummary) -> list[Fact]:
+def _safety_facts(run: RunSummary, words: Wording) -> list[Fact]:
     limits = run.cell.limits
     found = []
     if run.min_distance_m is not None:
-        note = f"to {run.nearest}; limit {limits.clearance_m:.3f} m"
-        if run.beyond_first_m is not None and run.beyond_first_m > run.min_distance_m:
-            note += f"; {run.beyond_first_m:.3f} m without the links that only the first joint moves"
+        nearest, limit_m, beyond_m = words.quote(run.nearest), limits.clearance_m, run.beyond_first_m
+        if beyond_m is not None and beyond_m > run.min_distance_m:
+            note = words.say("report-nearest-beyond-first", name=nearest, limit_m=limit_m, beyond_m=beyond_m)
+        else:
+            note = words.say("report-nearest", name=nearest, limit_m=limit_m)
         low = run.min_distance_m < limits.clearance_m
-        found.append(Fact("Smallest distance", f"{run.min_distance_m:.3f} m", note, alarm=low))
+        found.append(Fact(words.say("report-smallest-distance"), words.mark(f"{run.min_distance_m:.3f} m"), note, alarm=low))
     fast = run.max_speed_m_s > limits.cartesian_speed_m_s
-    note = f"of any point; limit {limits.cartesian_speed_m_s:.3f} m/s"
-    found.append(Fact("Largest speed", f"{run.max_speed_m_s:.3f} m/s", note, alarm=fast))
-    stopped = "the guard stopped the robot" if run.restarts else "the guard never stopped the robot"
-    return [*found, Fact("Restarts", str(run.restarts), stopped, alarm=run.restarts > 0)]
+    note = words.say("report-largest-speed-note", limit_m_s=limits.cartesian_speed_m_s)
+    found.append(Fact(words.say("report-largest-speed"), words.mark(f"{run.max_speed_m_s:.3f} m/s"), note, alarm=fast))
+    stopped = words.say("report-restarts-some") if run.restarts else words.say("report-restarts-none")
+    return [*found, Fact(words.say("report-restarts"), str(run.restarts), stopped, alarm=run.restarts > 0)]
 
 
-def origin_facts(recording: Recording, run: RunSummary | None) -> list[Fact]:
+def origin_facts(recording: Recording, run: RunSummary | None, words: Wording) -> list[Fact]:
     """How the answer came about."""
-    span = float(recording.t[-1] - recording.t[0])
-    rate = (len(recording) - 1) / span
-    found = [Fact("Recording", f"{len(recording)} samples", f"{span:.1f} s, {rate:.4g} per second on average")]
-    kind = "joint positions" if recording.q is not None else "poses of the sensor"
-    columns = (("wrist wrench", recording.wrench), ("joint torques", recording.tau))
+    span_s = float(recording.t[-1] - recording.t[0])
+    rate = words.say("report-rate", span_s=span_s, rate_hz=(len(recording) - 1) / span_s)
+    found = [Fact(words.say("report-recording"), words.say("report-samples", count=len(recording)), rate)]
+    motion = words.say("report-with-joints") if recording.q is not None else words.say("report-with-poses")
+    columns = ((words.say("report-wrist-wrench"), recording.wrench), (words.say("report-joint-torques"), recording.tau))
     measured = [name for name, values in columns if values is not None]
-    found.append(Fact("Measured", " and ".join(measured), f"with {kind}"))
+    found.append(Fact(words.say("report-measured"), f" {words.say('report-and')} ".join(measured), motion))
     if run is not None:
-        seconds = (("Planning", run.plan_s), ("Robot time", run.robot_s), ("Estimation", run.estimate_s))
-        found += [Fact(name, f"{value:.1f} s") for name, value in seconds]
-        found.append(Fact("Seed", str(run.seed), "of planning and simulation"))
+        names = words.say("report-planning"), words.say("report-robot-time"), words.say("report-estimation")
+        seconds = zip(names, (run.plan_s, run.robot_s, run.estimate_s), strict=True)
+        found += [Fact(name, words.mark(f"{value:.1f} s")) for name, value in seconds]
+        found.append(Fact(words.say("report-seed"), str(run.seed), words.say("report-seed-note")))
     return found
 
 
-def start_lines(start: StartConfiguration) -> list[str]:
+def start_lines(start: StartConfiguration, words: Wording) -> list[str]:
     """A start configuration in words, one line each."""
-    clear = f"{start.clearance_m:.3f} m clear"
+    nearest, clearance_m, manipulability = words.quote(start.nearest), start.clearance_m, start.manipulability
     if start.axis.endswith("+"):
-        clear += f", {start.least_clearance_m:.3f} m in the rotation"
-    lines = [f"{clear} (nearest: {start.nearest}), manipulability {start.manipulability:.3f}"]
-    lines.append("joints " + " ".join(f"{v:.0f}°" for v in np.degrees(start.q)))
+        clear = words.say(
+            "report-start-clear-turning",
+            clearance_m=clearance_m, turning_m=start.least_clearance_m, nearest=nearest, manipulability=manipulability,
+        )  # fmt: skip
+    else:
+        clear = words.say("report-start-clear", clearance_m=clearance_m, nearest=nearest, manipulability=manipulability)
+    angles = " ".join(f"{v:.0f}°" for v in np.degrees(start.q))
+    lines = [clear, words.say("report-start-joints", angles=angles)]
     if start.throw is not None:
-        throw = start.throw
-        lines.append(f"a load that comes off passes {throw.zone} at {throw.distance_m:.2f} m ({throw.speed_m_s:.2f} m/s)")
+        zone, distance_m, speed_m_s = start.throw.zone, start.throw.distance_m, start.throw.speed_m_s
+        lines.append(words.say("report-start-throw", zone=zone, distance_m=distance_m, speed_m_s=speed_m_s))
     return lines

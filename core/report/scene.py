@@ -17,6 +17,7 @@ from core.cell.tools import tool_boxes
 from core.planning.start_configuration import StartConfiguration
 from core.report.faces import Faces, Part, arm_faces, box_faces, place_faces, shape_faces
 from core.robot.model import RobotModel, SensorPose
+from core.words.wording import ENGLISH, Wording
 
 Array = NDArray[np.float64]
 
@@ -64,7 +65,14 @@ class Projection:
         return np.asarray(right_up * [1, -1] + [WIDTH / 2, HEIGHT / 2])
 
 
-def scene(cell: Cell, robot: RobotModel, payload_box: Box, start: StartConfiguration, robot_parts: list[Part] | None = None) -> str:
+def scene(
+    cell: Cell,
+    robot: RobotModel,
+    payload_box: Box,
+    start: StartConfiguration,
+    robot_parts: list[Part] | None = None,
+    words: Wording = ENGLISH,
+) -> str:
     """SVG of the robot in a start configuration among obstacles and zones, with the sensor's axes and the throw.
 
     Args:
@@ -83,9 +91,9 @@ def scene(cell: Cell, robot: RobotModel, payload_box: Box, start: StartConfigura
     view = _least_hidden(seen, body)
     behind, before = _split(seen, body, view)
     parts = [*behind, *_solids(arm, load, view), *before, *_labels(seen, body, view)]
-    parts += _sensor_axes(sensor, view) + _throw(start, payload_box, sensor, view)
+    parts += _sensor_axes(sensor, view) + _throw(start, payload_box, sensor, view, words)
     parts += _gravity(cell, view)
-    label = f"Robot in start configuration {start.axis}, {start.clearance_m:.3f} m from {start.nearest}"
+    label = words.say("report-scene", axis=start.axis, clearance_m=start.clearance_m, nearest=words.quote(start.nearest))
     head = f'<svg class="scene" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{escape(label)}">'
     return f"{head}{''.join(parts)}</svg>"
 
@@ -213,7 +221,7 @@ def _sensor_axes(sensor: SensorPose, view: Projection) -> list[str]:
     return [_arrow(sensor.position, tip, view, "axis", letter) for tip, letter in zip(tips, "xyz", strict=True)]
 
 
-def _throw(start: StartConfiguration, box: Box, sensor: SensorPose, view: Projection) -> list[str]:
+def _throw(start: StartConfiguration, box: Box, sensor: SensorPose, view: Projection, words: Wording) -> list[str]:
     """Where the load's centre would fly if it came off at the start, for either sense of the rotation."""
     about = start.about or start.axis[0]
     if start.throw is None or about not in "xyz":
@@ -224,7 +232,10 @@ def _throw(start: StartConfiguration, box: Box, sensor: SensorPose, view: Projec
     if speed < 1e-6:  # the box is centred on the axis
         return []
     flight = ARROW_M * velocity / speed
-    return [_arrow(sensor.position, sensor.position + sign * flight, view, "throw", text) for sign, text in ((1.0, "throw"), (-1.0, ""))]
+    return [
+        _arrow(sensor.position, sensor.position + sign * flight, view, "throw", text)
+        for sign, text in ((1.0, words.say("report-throw")), (-1.0, ""))
+    ]
 
 
 def _gravity(cell: Cell, view: Projection) -> list[str]:

@@ -7,13 +7,18 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from core.report.motions import name_motion
+from core.words.wording import ENGLISH, Wording
+
 Array = NDArray[np.float64]
 
 HOLDS_UP_TO = 1.5
 """Times what is expected. Eight windows of six channels alone make a ratio uncertain by 0.1, so this is no chance."""
 
 
-def verification_sentence(phase: str, rms: Sequence[float] | Array, expected: Sequence[float] | Array, ratio: float) -> str:
+def verification_sentence(
+    phase: str, rms: Sequence[float] | Array, expected: Sequence[float] | Array, ratio: float, words: Wording = ENGLISH
+) -> str:
     """What was predicted, how far off it was, and whether the result holds on it.
 
     Args:
@@ -21,15 +26,15 @@ def verification_sentence(phase: str, rms: Sequence[float] | Array, expected: Se
         rms, expected: (6,), of measured minus predicted, as it is and as noise and the prediction's uncertainty make it; N and N m.
         ratio: of the two, over all channels.
     """
-    motion = phase.replace("rotate:", "rotation about ")
-    holds = "the result holds on it" if ratio <= HOLDS_UP_TO else "the result does not hold on it, something acts that the model leaves out"
-    return (
-        f"A {motion} that was left out is predicted to {_sizes(rms)} (rms), {ratio:.2f} times the {_sizes(expected)} "
-        f"that noise and the prediction's own uncertainty make one expect: {holds}."
-    )
+    kind, _, axis = phase.partition(":")
+    motion = words.say("report-rotation-about", axis=axis) if kind == "rotate" else name_motion(phase, words)
+    seen, likely = _say_sizes(rms, words), _say_sizes(expected, words)
+    if ratio <= HOLDS_UP_TO:
+        return words.say("report-unseen-holds", motion=motion, rms=seen, expected=likely, ratio=ratio)
+    return words.say("report-unseen-fails", motion=motion, rms=seen, expected=likely, ratio=ratio)
 
 
-def _sizes(wrench: Sequence[float] | Array) -> str:
+def _say_sizes(wrench: Sequence[float] | Array, words: Wording) -> str:
     """Force and torque of (6,), rms over their axes."""
     force, torque = np.sqrt(np.mean(np.reshape(wrench, (2, 3)) ** 2, axis=1))
-    return f"{force:.2g} N and {torque:.2g} N m"
+    return words.say("report-force-and-torque", force_n=float(force), torque_n_m=float(torque))

@@ -11,6 +11,7 @@ from core.payload.inertia import PHI_UNITS
 from core.recording.recording import Recording
 from core.recording.workpiece import Workpiece, workpiece_alone
 from core.report.rows import INTERVAL, LABELS, error_of, round_to_uncertainty, sentence, two_digits
+from core.words.wording import Wording
 
 
 @dataclass(frozen=True)
@@ -42,31 +43,33 @@ class WorkpieceBlock:
     remarks: list[str]
 
 
-def workpiece_block(identification: Identification, recording: Recording) -> WorkpieceBlock | None:
+def workpiece_block(identification: Identification, recording: Recording, words: Wording) -> WorkpieceBlock | None:
     """The workpiece without the tools; None where there are no tools or nothing was identified."""
     if identification.estimate is None or not recording.tools:
         return None
     found = workpiece_alone(identification.estimate, recording.tools)
     reference = np.full(10, np.nan) if recording.reference is None else recording.reference.phi
     return WorkpieceBlock(
-        tools=" and ".join(f"{tool.title} ({tool.parameters.mass:.4g} kg)" for tool in recording.tools),
-        rows=[_row(found, float(reference[k]), k) for k in range(10)],
+        tools=f" {words.say('report-and')} ".join(
+            words.say("report-tool", title=tool.title, mass_kg=float(tool.parameters.mass)) for tool in recording.tools
+        ),
+        rows=[_row(found, float(reference[k]), k, words) for k in range(10)],
         has_reference=recording.reference is not None,
         reference_source=recording.reference_source,
-        remarks=[sentence(remark.sentence) for remark in found.remarks],
+        remarks=[sentence(remark, words) for remark in found.remarks],
     )
 
 
-def _row(found: Workpiece, truth: float, k: int) -> WorkpieceRow:
+def _row(found: Workpiece, truth: float, k: int, words: Wording) -> WorkpieceRow:
     value, half = float(found.phi[k]), INTERVAL * float(found.std[k])
     known = bool(np.isfinite(value))
     return WorkpieceRow(
         name=LABELS[k],
         unit=PHI_UNITS[k].replace("m2", "m²"),
-        reference=round_to_uncertainty(truth),
-        value=round_to_uncertainty(value, half) if known else "not determined",
-        interval=two_digits(half) if known else "",
-        error=error_of(value, truth),
+        reference=words.mark(round_to_uncertainty(truth)),
+        value=words.mark(round_to_uncertainty(value, half)) if known else words.say("report-not-determined"),
+        interval=words.mark(two_digits(half)) if known else "",
+        error=words.mark(error_of(value, truth)),
         known=known,
         outside=known and bool(abs(value - truth) > half),
     )

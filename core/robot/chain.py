@@ -82,24 +82,28 @@ def _forward_many(placements: Array, axes: Array, q: Array) -> Array:
 
 
 @njit(cache=True)
+def fill_jacobian(R: Array, p: Array, axes: Array, J: Array) -> None:
+    """Fills J (6, n): velocity of the sensor in its own axes, linear over angular, from the joints' frames."""
+    n = len(axes)
+    for j in range(n):
+        w0 = R[j, 0, 0] * axes[j, 0] + R[j, 0, 1] * axes[j, 1] + R[j, 0, 2] * axes[j, 2]
+        w1 = R[j, 1, 0] * axes[j, 0] + R[j, 1, 1] * axes[j, 1] + R[j, 1, 2] * axes[j, 2]
+        w2 = R[j, 2, 0] * axes[j, 0] + R[j, 2, 1] * axes[j, 1] + R[j, 2, 2] * axes[j, 2]
+        d0, d1, d2 = p[n, 0] - p[j, 0], p[n, 1] - p[j, 1], p[n, 2] - p[j, 2]
+        v0, v1, v2 = w1 * d2 - w2 * d1, w2 * d0 - w0 * d2, w0 * d1 - w1 * d0
+        for c in range(3):
+            J[c, j] = R[n, 0, c] * v0 + R[n, 1, c] * v1 + R[n, 2, c] * v2
+            J[3 + c, j] = R[n, 0, c] * w0 + R[n, 1, c] * w1 + R[n, 2, c] * w2
+
+
+@njit(cache=True)
 def _jacobian(placements: Array, axes: Array, q: Array) -> Array:
     n = len(q)
     R = np.empty((n + 1, 3, 3))
     p = np.empty((n + 1, 3))
     joint_frames(placements, axes, q, R, p)
     J = np.empty((6, n))
-    w = np.empty(3)
-    v = np.empty(3)
-    for j in range(n):
-        for r in range(3):
-            w[r] = R[j, r, 0] * axes[j, 0] + R[j, r, 1] * axes[j, 1] + R[j, r, 2] * axes[j, 2]
-        dx, dy, dz = p[n, 0] - p[j, 0], p[n, 1] - p[j, 1], p[n, 2] - p[j, 2]
-        v[0] = w[1] * dz - w[2] * dy
-        v[1] = w[2] * dx - w[0] * dz
-        v[2] = w[0] * dy - w[1] * dx
-        for c in range(3):
-            J[c, j] = R[n, 0, c] * v[0] + R[n, 1, c] * v[1] + R[n, 2, c] * v[2]
-            J[3 + c, j] = R[n, 0, c] * w[0] + R[n, 1, c] * w[1] + R[n, 2, c] * w[2]
+    fill_jacobian(R, p, axes, J)
     return J
 
 

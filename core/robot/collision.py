@@ -32,6 +32,7 @@ from core.robot.bodies import (
 from core.robot.model import RobotModel
 from core.robot.pair_group import Nearest, PairGroup, measure_distance
 from core.robot.watched_pairs import CONTACT_M, LeftOut, OwnPairs, Rule, Watch, may_be_near, rule_of_standing
+from core.words.message import Message
 
 MOUNT_M = 0.002
 """A base this near to something is mounted on it."""
@@ -68,7 +69,7 @@ class CollisionModel:
         self.points = corners_of(bodies)
         self.reach = reach_of(robot, self.points)
         """(n,), the largest distance from axis i of any point behind joint i over all configurations, m."""
-        self._why: dict[tuple[str, str], str] = {}
+        self._why: dict[tuple[str, str], Message] = {}
         standing = [(body, thing) for body in bodies if body.joint > 0 for thing in things]
         first_links = [pair for pair in standing if may_be_near(pair[0])]
         near = [pair for pair in first_links if not self._is_zone(pair[1])]
@@ -183,7 +184,7 @@ class CollisionModel:
             BadCell: there is no obstacle or zone of that name.
         """
         if name not in self._things:
-            raise BadCell(f"{self.cell.folder.name}/cell.toml: obstacles and zones", repr(name), f"one of {list(self._things)}")
+            raise BadCell(f"{self.cell.folder.name}/cell.toml", "robot-nothing-of-that-name", name=name, names=list(self._things))
         thing, placement = self._things[name], pin.SE3(pose.rotation, pose.translation)
         for group in (*self._standing.values(), self._clear):
             group.move(thing, placement)
@@ -223,7 +224,7 @@ class CollisionModel:
 
     def _note(self, pair: tuple[Body, Body], rule: Rule) -> None:
         """Why nobody watches a pair."""
-        if rule.watch is Watch.NOTHING:
+        if rule.why is not None:
             self._why[pair[0].name, pair[1].name] = rule.why
 
 
@@ -239,9 +240,11 @@ def _check_base(cell: Cell, bodies: list[Body], things: list[Body]) -> None:
             if distance < -BASE_IN_OBSTACLE:
                 raise BadCell(
                     f"{cell.folder.name}/cell.toml: {thing.name}",
-                    f"{base.name!r} of the robot {-distance:.3f} m inside it",
-                    f"the robot's base outside (at most {BASE_IN_OBSTACLE} m sunk into what it is mounted on)",
-                    thing.name,
+                    "robot-base-inside",
+                    link=base.name,
+                    depth_m=-distance,
+                    most_m=BASE_IN_OBSTACLE,
+                    in_the_way=thing.name,
                 )
 
 
@@ -250,16 +253,20 @@ def _check_home(cell: Cell, collision: CollisionModel) -> None:
     if nearest.margin_m < 0.0:
         raise BadCell(
             f"{cell.folder.name}/cell.toml: robot.home_rad",
-            f"{nearest.first!r} {nearest.distance_m:.3f} m from {nearest.second!r}",
-            _describe_requirement_at_home(cell, nearest),
-            nearest.second,
+            "robot-home-too-close",
+            first=nearest.first,
+            distance_m=nearest.distance_m,
+            second=nearest.second,
+            required_m=nearest.required_m,
+            keys=_name_keys_of_requirement(cell, nearest),
+            in_the_way=nearest.second,
         )
 
 
-def _describe_requirement_at_home(cell: Cell, nearest: Nearest) -> str:
-    """The distance required of that pair at home, m, with the keys of cell.toml that would change it."""
+def _name_keys_of_requirement(cell: Cell, nearest: Nearest) -> Message:
+    """The keys of cell.toml that would change the distance required of that pair."""
     if nearest.second in {FLOOR, *(item.name for item in _list_obstacles_and_zones(cell))}:
-        return f"at least {nearest.required_m:.3f} m at home (limits.clearance_m)"
+        return Message.of("robot-keys-of-clearance")
     if nearest.first in {PAYLOAD, *cell.tools, *(link for tool in cell.tools.values() for link in tool.links or ())}:
-        return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or a smaller box of payload or tool)"
-    return f"at least {nearest.required_m:.3f} m at home (limits.self_clearance_m, or the pair in robot.adjacent)"
+        return Message.of("robot-keys-of-carried")
+    return Message.of("robot-keys-of-links")

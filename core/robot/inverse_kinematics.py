@@ -11,7 +11,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from core.robot.chain import Chain, joint_frames
+from core.robot.chain import Chain, fill_jacobian, joint_frames
+from core.robot.rotations import pose_error
 
 Array = NDArray[np.float64]
 
@@ -34,43 +35,6 @@ class Solutions:
 
     q: Array
     solved: NDArray[np.bool_]
-
-
-@njit(cache=True)
-def _pose_error(R: Array, p: Array, rotation: Array, position: Array, e: Array) -> None:
-    """Fills e (6,) with the way from the pose (R, p) to the wanted one, in the axes of R: translation, then rotation vector."""
-    trace = 0.0
-    for i in range(3):
-        s = 0.0
-        for r in range(3):
-            s += R[r, i] * (position[r] - p[r])
-        e[i] = s
-    E = np.empty((3, 3))
-    for i in range(3):
-        for k in range(3):
-            E[i, k] = R[0, i] * rotation[0, k] + R[1, i] * rotation[1, k] + R[2, i] * rotation[2, k]
-        trace += E[i, i]
-    e[3], e[4], e[5] = 0.5 * (E[2, 1] - E[1, 2]), 0.5 * (E[0, 2] - E[2, 0]), 0.5 * (E[1, 0] - E[0, 1])
-    sine = np.sqrt(e[3] * e[3] + e[4] * e[4] + e[5] * e[5])
-    if sine > 1e-9:
-        factor = np.arctan2(sine, 0.5 * (trace - 1.0)) / sine
-        for i in range(3, 6):
-            e[i] *= factor
-
-
-@njit(cache=True)
-def _fill_jacobian(R: Array, p: Array, axes: Array, J: Array) -> None:
-    """Fills J (6, n): velocity of the sensor in its own axes, linear over angular, from the joints' frames."""
-    n = len(axes)
-    for j in range(n):
-        w0 = R[j, 0, 0] * axes[j, 0] + R[j, 0, 1] * axes[j, 1] + R[j, 0, 2] * axes[j, 2]
-        w1 = R[j, 1, 0] * axes[j, 0] + R[j, 1, 1] * axes[j, 1] + R[j, 1, 2] * axes[j, 2]
-        w2 = R[j, 2, 0] * axes[j, 0] + R[j, 2, 1] * axes[j, 1] + R[j, 2, 2] * axes[j, 2]
-        d0, d1, d2 = p[n, 0] - p[j, 0], p[n, 1] - p[j, 1], p[n, 2] - p[j, 2]
-        v0, v1, v2 = w1 * d2 - w2 * d1, w2 * d0 - w0 * d2, w0 * d1 - w1 * d0
-        for c in range(3):
-            J[c, j] = R[n, 0, c] * v0 + R[n, 1, c] * v1 + R[n, 2, c] * v2
-            J[3 + c, j] = R[n, 0, c] * w0 + R[n, 1, c] * w1 + R[n, 2, c] * w2
 
 
 @njit(cache=True)
@@ -116,7 +80,7 @@ def _solve(placements: Array, axes: Array, lower: Array, upper: Array, q: Array,
         watched = np.inf
         for iteration in range(ITERATIONS):
             joint_frames(placements, axes, q[i], R, p)
-            _pose_error(R[n], p[n], rotations[i], positions[i], e)
+            pose_error(R[n], p[n], rotations[i], positions[i], e)
             largest, E = 0.0, 0.0
             for r in range(6):
                 largest = max(largest, abs(e[r]))
@@ -128,7 +92,7 @@ def _solve(placements: Array, axes: Array, lower: Array, upper: Array, q: Array,
                 if 0.25 * watched < E:
                     break
                 watched = E
-            _fill_jacobian(R, p, axes, J)
+            fill_jacobian(R, p, axes, J)
             _fill_damped_step(J, e, 0.05 * E + 1e-9, A, y, dq)
             longest = 0.0
             for j in range(n):

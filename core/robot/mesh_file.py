@@ -42,17 +42,17 @@ def read_mesh(content: bytes, name: str, scale: Array, where: str) -> tuple[Arra
         BadRobot: not such a mesh, empty, too many triangles, vertices that are no numbers or too far away.
     """
     if (scale <= 0.0).any():
-        raise BadRobot(where, f"the scale {' '.join(f'{factor:g}' for factor in scale)}", "positive factors")
+        raise BadRobot(where, "mesh-scale-not-positive", scale=" ".join(f"{factor:g}" for factor in scale))
     if not content:
-        raise BadRobot(where, "an empty file", "a mesh")
+        raise BadRobot(where, "mesh-file-empty")
     read = {".stl": _stl, ".obj": _obj, ".dae": _dae}.get(PurePath(name).suffix.lower())
     if read is None:
-        raise BadRobot(where, f"a file of the kind {PurePath(name).suffix!r}", f"one of {', '.join(KINDS)}")
+        raise BadRobot(where, "mesh-unknown-kind", kind=PurePath(name).suffix, kinds=KINDS)
     try:
         with np.errstate(all="ignore"):  # what is no number is looked for below
             corners = read(content, where) * scale
     except (ValueError, IndexError, OverflowError, RuntimeError) as error:  # RuntimeError: an element that is not there
-        raise BadRobot(where, f"a mesh that cannot be read ({str(error)[:100]})", "a sound STL, OBJ or DAE file") from error
+        raise BadRobot(where, "mesh-unreadable", reason=str(error)[:100]) from error
     _check(corners, where)
     vertices, numbers = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
     return vertices, numbers.reshape(-1, 3).astype(np.int64)
@@ -60,18 +60,18 @@ def read_mesh(content: bytes, name: str, scale: Array, where: str) -> tuple[Arra
 
 def _check(corners: Array, where: str) -> None:
     if len(corners) == 0:
-        raise BadRobot(where, "no triangle", "a mesh with triangles")
+        raise BadRobot(where, "mesh-empty")
     _check_count(len(corners), where)
     if not np.isfinite(corners).all():
-        raise BadRobot(where, "a vertex that is no number (NaN or infinite)", "finite coordinates")
+        raise BadRobot(where, "mesh-not-finite")
     size = float(np.abs(corners).max())
     if size > LARGEST_M:
-        raise BadRobot(where, f"a vertex {size:.4g} m from the origin", f"at most {LARGEST_M:g} m; millimetres have the scale 0.001")
+        raise BadRobot(where, "mesh-too-large", distance_m=size, most_m=LARGEST_M)
 
 
 def _check_count(count: int, where: str) -> None:
     if count > MOST_TRIANGLES:
-        raise BadRobot(where, f"{count} triangles", f"at most {MOST_TRIANGLES}")
+        raise BadRobot(where, "mesh-too-many-triangles", triangles=count, most=MOST_TRIANGLES)
 
 
 def _stl(content: bytes, where: str) -> Array:
@@ -80,11 +80,11 @@ def _stl(content: bytes, where: str) -> Array:
     if content.lstrip()[:5] == b"solid" and b"\0" not in content[:400] and len(content) != 84 + 50 * said:
         words = _VERTEX.findall(content)
         if len(words) % 3:
-            raise BadRobot(where, f"{len(words)} vertices", "three for each triangle of an ASCII STL file")
+            raise BadRobot(where, "mesh-incomplete-triangle", vertices=len(words))
         _check_count(len(words) // 3, where)
         return np.array(words).astype(np.float64).reshape(-1, 3, 3)
     if len(content) < 84 + 50 * said or said < 0:
-        raise BadRobot(where, f"an STL file that breaks off at {len(content)} bytes", "84 bytes, and 50 for each of its triangles")
+        raise BadRobot(where, "mesh-stl-breaks-off", bytes=len(content))
     _check_count(said, where)
     rows = np.frombuffer(content, np.uint8, 50 * said, 84).reshape(-1, 50)
     return rows[:, 12:48].copy().view("<f4").reshape(-1, 3, 3).astype(np.float64)
@@ -107,7 +107,7 @@ def _obj(content: bytes, where: str) -> Array:
 
 def _corners(vertices: Array, triangles: Triangles, where: str) -> Array:
     if len(triangles) and not 0 <= triangles.min() <= triangles.max() < len(vertices):
-        raise BadRobot(where, "a face of vertices that there are not", f"numbers of its {len(vertices)} vertices")
+        raise BadRobot(where, "mesh-no-such-vertex", vertices=len(vertices))
     return np.asarray(vertices[triangles])
 
 
@@ -125,17 +125,17 @@ class _Collada:
         """What a link such as #name refers to."""
         name = (link or "").removeprefix("#")
         if name not in self.named:
-            raise BadRobot(self.where, f"a link to {name[:60]!r}, which there is not", "a DAE file that is complete in itself")
+            raise BadRobot(self.where, "mesh-dae-dead-link", name=name[:60])
         return self.named[name]
 
     def triangles_below(self, node: ET.Element, placement: Array, depth: int = 0) -> Iterator[Array]:
         """(m, 3, 3) each, of a node and the nodes in it, where `placement` (4, 4) puts it."""
         if depth > MOST_DEPTH:
-            raise BadRobot(self.where, f"nodes nested more than {MOST_DEPTH} deep", "a scene without rings")
+            raise BadRobot(self.where, "mesh-dae-too-deep", most=MOST_DEPTH)
         for element in node:
             self.elements += 1
             if self.elements > MOST_ELEMENTS:
-                raise BadRobot(self.where, f"more than {MOST_ELEMENTS} elements in its scene", "a scene of fewer")
+                raise BadRobot(self.where, "mesh-dae-too-many-elements", most=MOST_ELEMENTS)
             match element.tag:
                 case "matrix" | "translate" | "rotate" | "scale":
                     placement = placement @ _transform(element.tag, _numbers(element))
@@ -180,11 +180,11 @@ class _Collada:
 def _dae(content: bytes, where: str) -> Array:
     for declaration in ("<!DOCTYPE", "<!ENTITY"):
         if any(declaration.encode(code) in content for code in ("utf-8", "utf-16-le", "utf-16-be")):
-            raise BadRobot(where, f"the declaration {declaration}", "a DAE file without document types and entities")
+            raise BadRobot(where, "mesh-dae-declaration", declaration=declaration)
     try:
         root = ET.fromstring(content)
     except (ET.ParseError, ValueError, LookupError) as error:
-        raise BadRobot(where, f"XML that does not parse ({error})", "a DAE file") from error
+        raise BadRobot(where, "mesh-dae-does-not-parse", reason=str(error)[:100]) from error
     for element in root.iter():
         element.tag = str(element.tag).rpartition("}")[2]
     file = _Collada(root, {element.get("id", ""): element for element in root.iter()}, where)

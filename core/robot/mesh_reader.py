@@ -25,15 +25,15 @@ def read_parts(order: Order) -> Arrays:
     try:
         content = file.read_bytes()
     except OSError as error:
-        raise BadRobot(where, f"a file that cannot be read ({error.strerror})", "a readable file") from error
+        raise BadRobot(where, "files-unreadable", reason=str(error.strerror)) from error
     vertices, triangles = read_mesh(content, file.name, np.array(order["scale"]), where)
     if not order["solid"]:
         whole = hull_points(vertices)
         return [vertices, triangles] if whole is None else [vertices, triangles, whole]
     parts = convex_parts(vertices, triangles)
     if not parts:
-        size = " x ".join(f"{length:.3g}" for length in np.ptp(vertices, axis=0))
-        raise BadRobot(where, f"{len(vertices)} vertices in one plane, {size} m", "a solid, of four vertices or more that are in no plane")
+        x_m, y_m, z_m = (float(length) for length in np.ptp(vertices, axis=0))
+        raise BadRobot(where, "mesh-flat", vertices=len(vertices), x_m=x_m, y_m=y_m, z_m=z_m)
     return [vertices, triangles, *parts]
 
 

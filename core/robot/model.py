@@ -55,12 +55,12 @@ class RobotModel:
     ) -> None:
         chain = check_urdf(description.urdf, where).chain(description.base_frame, description.sensor_frame)
         if description.joints != chain:
-            raise BadRobot(f"{where}: joints", str(list(description.joints)), f"the chain's joints in its order, {list(chain)}")
+            raise BadRobot(f"{where}: joints", "robot-joints-not-of-chain", joints=description.joints, chain=chain)
         self.description = description
         try:
             full = pin.buildModelFromXML(without_inertia(description.urdf, UrdfTree(description.urdf).behind(description.sensor_frame)))
         except (ValueError, RuntimeError) as error:
-            raise BadRobot(where, f"a URDF that Pinocchio does not take ({error})", "a robot") from error
+            raise BadRobot(where, "robot-urdf-not-taken", reason=str(error)[:300]) from error
         others = [full.getJointId(name) for name in full.names[1:] if name not in description.joints]
         model = pin.buildReducedModel(full, others, pin.neutral(full))
         data = model.createData()
@@ -82,7 +82,7 @@ class RobotModel:
         self.data = model.createData()
         self.sensor_frame_id = model.getFrameId(description.sensor_frame)
         if model.frames[self.sensor_frame_id].parentJoint != model.njoints - 1:
-            raise BadRobot(f"{where}: sensor frame", repr(description.sensor_frame), "a frame behind the last joint")
+            raise BadRobot(f"{where}: sensor_frame", "robot-sensor-frame-elsewhere", frame=description.sensor_frame)
 
     @classmethod
     def of_cell(cls, cell: Cell) -> RobotModel:

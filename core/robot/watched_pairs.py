@@ -19,6 +19,7 @@ from core.cell.cell import Cell
 from core.cell.urdf import Urdf, check_urdf
 from core.robot.bodies import Body, corners_of, reach_of
 from core.robot.model import RobotModel
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -56,10 +57,10 @@ class Watch(Enum):
 
 
 class Rule(NamedTuple):
-    """What a pair has to keep, and why where that is less than the cell's clearance."""
+    """What a pair has to keep, and why where that is nothing."""
 
     watch: Watch
-    why: str = ""
+    why: Message | None = None
 
 
 class LeftOut(NamedTuple):
@@ -67,11 +68,11 @@ class LeftOut(NamedTuple):
 
     first: str
     second: str
-    why: str
+    why: Message
 
 
 KEPT = Rule(Watch.CLEARANCE)
-OVERLAPPING = "their shapes overlap whatever the joints between them do: by construction"
+OVERLAPPING = Message.of("robot-pair-overlapping")
 
 
 class OwnPairs:
@@ -87,18 +88,18 @@ class OwnPairs:
         names = frozenset((first.name, second.name))
         between = first.joint - second.joint
         if between == 0:
-            return Rule(Watch.NOTHING, "no joint between them: they do not move against each other")
+            return Rule(Watch.NOTHING, Message.of("robot-pair-no-joint-between"))
         if not first.carried and names in self._declared:
-            return Rule(Watch.NOTHING, "declared in the cell: robot.adjacent")
+            return Rule(Watch.NOTHING, Message.of("robot-pair-declared"))
         if not first.carried and names in self._joined:
-            return Rule(Watch.NOTHING, "neighbours: one joint joins them")
+            return Rule(Watch.NOTHING, Message.of("robot-pair-neighbours"))
         return KEPT if between > FEW_JOINTS else self._rule_of_near((first, second), distance)
 
     def _rule_of_near(self, pair: tuple[Body, Body], distance: Distance) -> Rule:
         """Of two bodies that can be looked at in all their positions against each other."""
         least, most = _range(self._robot, pair, distance, np.inf)
         if least >= CONTACT_M and keeps(self._robot, pair, distance, CONTACT_M):
-            return Rule(Watch.NOTHING, "they cannot touch, whatever the joints between them do")
+            return Rule(Watch.NOTHING, Message.of("robot-pair-cannot-touch"))
         if not pair[0].carried and most < CONTACT_M:
             return Rule(Watch.NOTHING, OVERLAPPING)
         if not pair[0].carried and most < self._cell.limits.self_clearance_m:
@@ -113,14 +114,14 @@ def rule_of_standing(robot: RobotModel, pair: tuple[Body, Body], distance: Dista
     """
     body = pair[0]
     if body.joint == 1 and keeps(robot, pair, distance, clearance_m):
-        return Rule(Watch.NOTHING, "only the first joint moves it, and it keeps the clearance at every angle")
+        return Rule(Watch.NOTHING, Message.of("robot-pair-first-joint-only"))
     if not (is_mount and may_be_near(body)):
         return KEPT
     least, most = _range(robot, pair, distance, clearance_m + 2.0 * ROOM_M)
     if most >= clearance_m:
         return KEPT if most >= clearance_m + 2.0 * ROOM_M else Rule(Watch.TIGHT)
     if least >= CONTACT_M and keeps(robot, pair, distance, CONTACT_M):
-        return Rule(Watch.NOTHING, "always nearer than the clearance, and they cannot touch: the robot is mounted there")
+        return Rule(Watch.NOTHING, Message.of("robot-pair-mounted-there"))
     return Rule(Watch.CONTACT)
 
 

@@ -33,8 +33,7 @@ def read_surface(order: Order) -> Arrays:
         is_convex = mesh.is_volume and mesh.volume >= CONVEX * mesh.convex_hull.volume
         vertices, triangles = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64)
     except Exception as error:  # trimesh and pycollada say in many ways that a file is none of theirs
-        found = f"a mesh that the second opinion on plans cannot read ({str(error)[:100]})"
-        raise BadRobot(str(order["where"]), found, "an STL, OBJ or DAE file") from error
+        raise BadRobot(str(order["where"]), "mesh-unreadable-for-second-opinion", reason=str(error)[:100]) from error
     return [vertices, triangles, np.array(is_convex)]
 
 

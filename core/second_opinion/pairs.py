@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from core.cell.cell import Cell, Obstacle, Zone
 from core.second_opinion.arm import ArmBody, Frames, SolidArm, frame_of_pose
 from core.second_opinion.solids import PlacedSolid, Solid, box, distance, place, solid_of_shape
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -26,7 +27,7 @@ MOUNT_M = 0.002
 ANGLES = 24
 """Of each of two joints, to tell how near and how far solids with these joints between them can be."""
 
-OVERLAP = "their shapes overlap at every angle: by construction"
+OVERLAP = Message.of("opinion-pair-overlapping")
 """Why nothing is asked of links with few joints between them."""
 
 FEW_JOINTS = 2
@@ -70,6 +71,22 @@ class PairKind(StrEnum):
         """Whether few joints are between its pairs, which move little against each other however far the arm moves."""
         return self == PairKind.NEAR
 
+    @property
+    def in_words(self) -> Message:
+        """It for people."""
+        return _IN_WORDS[self]
+
+
+_IN_WORDS = {
+    PairKind.ENVIRONMENT: Message.of("opinion-kind-environment"),
+    PairKind.FIRST_LINK: Message.of("opinion-kind-first-link"),
+    PairKind.MOUNT: Message.of("opinion-kind-mount"),
+    PairKind.PAYLOAD: Message.of("opinion-kind-payload"),
+    PairKind.LINKS: Message.of("opinion-kind-links"),
+    PairKind.NEAR: Message.of("opinion-kind-near"),
+    PairKind.JOINED: Message.of("opinion-kind-joined"),
+}
+
 
 @dataclass(frozen=True)
 class Placed:
@@ -94,7 +111,7 @@ class AccountedPair:
     Args:
         first, second: names.
         required_m: least signed distance; 0 where the kind is not judged.
-        why: that is asked, or nothing, in words.
+        why: that is asked, or nothing.
         bodies: their places in the list of the arm's bodies followed by what stands in the cell.
     """
 
@@ -102,7 +119,7 @@ class AccountedPair:
     second: str
     kind: PairKind
     required_m: float
-    why: str
+    why: Message
     bodies: tuple[int, int]
 
 
@@ -149,11 +166,15 @@ def _is_mount(arm: SolidArm, thing: Placed) -> bool:
     return any(distance(base, at) <= MOUNT_M for base in bases)
 
 
-def _classify_against_standing(cell: Cell, arm: SolidArm, body: ArmBody, thing: Placed, *, is_mount: bool) -> tuple[PairKind, float, str]:
+Asked = tuple[PairKind, float, Message]
+"""What two solids are to each other, what they have to keep, and why."""
+
+
+def _classify_against_standing(cell: Cell, arm: SolidArm, body: ArmBody, thing: Placed, *, is_mount: bool) -> Asked:
     clearance = cell.limits.clearance_m
     if is_mount and body.joint <= FEW_JOINTS and not body.carried and _range(arm, (body, thing))[1] < clearance + CONTACT_M:
-        return PairKind.MOUNT, -CONTACT_M, "never as far apart as the clearance: the robot is mounted there"
-    return PairKind.FIRST_LINK if body.joint == 1 else PairKind.ENVIRONMENT, clearance, "the cell's clearance"
+        return PairKind.MOUNT, -CONTACT_M, Message.of("opinion-pair-mounted-there")
+    return PairKind.FIRST_LINK if body.joint == 1 else PairKind.ENVIRONMENT, clearance, Message.of("opinion-pair-clearance")
 
 
 def _own_pairs(cell: Cell, arm: SolidArm) -> Iterator[AccountedPair]:
@@ -164,33 +185,32 @@ def _own_pairs(cell: Cell, arm: SolidArm) -> Iterator[AccountedPair]:
                 yield AccountedPair(first.name, second.name, *_classify_own_pair(cell, arm, (first, second)), (i, k))
 
 
-def _classify_own_pair(cell: Cell, arm: SolidArm, pair: tuple[ArmBody, ArmBody]) -> tuple[PairKind, float, str]:
-    """What two bodies of the arm are to each other, what they have to keep, and why."""
+def _classify_own_pair(cell: Cell, arm: SolidArm, pair: tuple[ArmBody, ArmBody]) -> Asked:
     first, second = pair
     names = {first.name, second.name}
-    keep = PairKind.PAYLOAD if first.carried else PairKind.LINKS, cell.limits.self_clearance_m, "the cell's self-clearance"
+    keep = PairKind.PAYLOAD if first.carried else PairKind.LINKS, cell.limits.self_clearance_m, Message.of("opinion-pair-self-clearance")
     joined = _why_joined(cell, arm, pair, names)
     if joined is not None:
         return PairKind.JOINED, 0.0, joined
     least, most = _range(arm, pair) if first.joint - second.joint <= FEW_JOINTS else (-np.inf, np.inf)
     if least >= CONTACT_M:
-        return PairKind.NEAR, -CONTACT_M, "they cannot touch, as a grid of the angles between them says"
+        return PairKind.NEAR, -CONTACT_M, Message.of("opinion-pair-cannot-touch")
     if first.carried or most >= keep[1] + CONTACT_M:
         return keep
     if most < CONTACT_M:
         return PairKind.JOINED, 0.0, OVERLAP
-    return PairKind.NEAR, -CONTACT_M, "never as far apart as the self-clearance"
+    return PairKind.NEAR, -CONTACT_M, Message.of("opinion-pair-always-near")
 
 
-def _why_joined(cell: Cell, arm: SolidArm, pair: tuple[ArmBody, ArmBody], names: set[str]) -> str | None:
+def _why_joined(cell: Cell, arm: SolidArm, pair: tuple[ArmBody, ArmBody], names: set[str]) -> Message | None:
     """Why two bodies of the arm belong together; None where they do not."""
     first, second = pair
     if first.joint == second.joint:
-        return "no joint between them: they do not move against each other"
+        return Message.of("opinion-pair-no-joint-between")
     if not first.carried and names in map(set, cell.robot.adjacent):
-        return "declared in the cell: robot.adjacent"
+        return Message.of("opinion-pair-declared")
     if not first.carried and names in map(set, arm.joined):
-        return "neighbours: one joint joins them"
+        return Message.of("opinion-pair-neighbours")
     return None
 
 

@@ -2,33 +2,42 @@
 
 from __future__ import annotations
 
+from core.cell.body_name import name_body
+from core.cell.cell import Cell
 from core.errors import PlanDisputed
 from core.second_opinion.opinion import Approach, LostLoad, Opinion
+from core.second_opinion.part_name import name_part
 
 
-def refuse_disputed(opinion: Opinion) -> None:
+def refuse_disputed(cell: Cell, opinion: Opinion) -> None:
     """Nothing where the plan passes.
 
     Raises:
         PlanDisputed: with the first violation.
     """
     for found in opinion.violations[:1]:
+        part, time_s = name_part(found.part), found.time_s
         if isinstance(found, Approach):
+            first, second = name_body(cell, found.first), name_body(cell, found.second)
             raise PlanDisputed(
-                f"a second look at the finished plan finds {found.first!r} {found.distance_m:.4f} m from {found.second!r} "
-                f"(limit {found.required_m:.3f} m), {found.time_s:.3f} s after the beginning of {found.part}. "
-                "Plan again with another seed, or give the robot more room.",
-                found.second,
+                "planning-disputed-distance",
+                first=first,
+                second=second,
+                distance_m=found.distance_m,
+                required_m=found.required_m,
+                time_s=time_s,
+                part=part,
+                in_the_way=found.second,
             )
         if isinstance(found, LostLoad):
             raise PlanDisputed(
-                f"a second look at the finished plan finds that a load that comes off at {found.speed_m_s:.3f} m/s, {found.time_s:.3f} s "
-                f"after the beginning of {found.part}, would fly {-found.distance_m:.4f} m into zone {found.zone!r}. "
-                "Plan again with another seed, or give the robot more room.",
-                found.zone,
+                "planning-disputed-throw",
+                speed_m_s=found.speed_m_s,
+                time_s=time_s,
+                part=part,
+                depth_m=-found.distance_m,
+                zone=found.zone,
+                in_the_way=found.zone,
             )
-        raise PlanDisputed(
-            f"a second look at the finished plan finds a corner of {found.body!r} at {found.speed_m_s:.4f} m/s "
-            f"(limit {found.limit_m_s:.3f} m/s), {found.time_s:.3f} s after the beginning of {found.part}. "
-            "Plan again with another seed."
-        )
+        body, speed_m_s, limit_m_s = name_body(cell, found.body), found.speed_m_s, found.limit_m_s
+        raise PlanDisputed("planning-disputed-speed", body=body, speed_m_s=speed_m_s, limit_m_s=limit_m_s, time_s=time_s, part=part)

@@ -13,10 +13,11 @@ from pathlib import Path
 
 from threadpoolctl import threadpool_limits
 
-from core.errors import BadInput
+from core.errors import BadInput, HeftError
 from core.trial.draw import Drawn
 from core.trial.outcome import TrialOutcome, make_stopped_outcome
 from core.trial.run import run_trial
+from core.words.message import Message
 
 CONNECT_S = 10
 
@@ -60,11 +61,11 @@ def on_cluster(address: str) -> Iterator[Executor]:
     try:
         from distributed import Client  # noqa: PLC0415 - an optional extra
     except ImportError:
-        raise BadInput("--dask", "no package `distributed`", "it to be installed: pip install 'heft[dask]'") from None
+        raise BadInput("--dask", "trial-dask-missing") from None
     try:
         client = Client(address, timeout=CONNECT_S)  # type: ignore[no-untyped-call]  # Dask ships few types
     except (OSError, ValueError) as error:
-        raise BadInput(f"--dask {address}", f"no scheduler ({error})", "the address of a running Dask scheduler") from None
+        raise BadInput(f"--dask {address}", "trial-no-scheduler", reason=str(error)) from None
     with client, client.get_executor() as executor:  # type: ignore[no-untyped-call]  # Dask ships few types
         yield executor
 
@@ -84,7 +85,13 @@ def outcomes(drawn: Sequence[Drawn], executor: Executor, keep: Path | None = Non
             error = future.exception()
             if isinstance(error, BrokenProcessPool):
                 raise error
-            yield future.result() if error is None else make_stopped_outcome(futures[future], f"{type(error).__name__}: {error}")
+            yield future.result() if error is None else make_stopped_outcome(futures[future], _explain(error))
     finally:
         for future in futures:
             future.cancel()
+
+
+def _explain(error: BaseException) -> Message:
+    """Why a trial failed."""
+    reason = error.message if isinstance(error, HeftError) else str(error)
+    return Message.of("trial-failed", error=type(error).__name__, reason=reason)

@@ -14,6 +14,8 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
 from core.trial.figures import Bin
+from core.words.ticks import mark_ticks
+from core.words.wording import Wording
 
 INK, MUTED, RULE = "#1a1d21", "#8a9099", "#c9ced6"
 SHADES = mpl.colormaps["Blues"]
@@ -24,7 +26,7 @@ STYLE: dict[Any, Any] = {
 }  # fmt: skip
 
 
-def confusion_chart(pairs: Counter[tuple[str, str]]) -> str:
+def confusion_chart(pairs: Counter[tuple[str, str]], words: Wording) -> str:
     """Planted (rows) against answered (columns); the right answer on the diagonal, shade by share of the row."""
     planted = sorted({row for row, _ in pairs})
     answered = [*planted, *sorted({column for _, column in pairs} - set(planted))]
@@ -45,16 +47,17 @@ def confusion_chart(pairs: Counter[tuple[str, str]]) -> str:
         axes.tick_params(length=0)
         axes.set_xlim(-0.05, len(answered))
         axes.set_ylim(len(planted) + 0.05, -0.05)
-        axes.set_xlabel("answered")
-        axes.set_ylabel("planted")
-        return _svg(figure)
+        axes.set_xlabel(words.say("sheet-answered"))
+        axes.set_ylabel(words.say("sheet-planted"))
+        return _svg(figure, words)
 
 
-def reliability_chart(first: Sequence[Bin], every: Sequence[Bin]) -> str:
+def reliability_chart(first: Sequence[Bin], every: Sequence[Bin], words: Wording) -> str:
     """How often an answer was right against its probability, with 95 % intervals: the first answers, and all of them."""
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(7.4, 3.7))
-        for axes, table, title in zip(figure.subplots(1, 2), (first, every), ("most probable class", "every class from 1 %"), strict=True):
+        titles = words.say("sheet-most-probable-class"), words.say("sheet-every-class")
+        for axes, table, title in zip(figure.subplots(1, 2), (first, every), titles, strict=True):
             axes.plot([0, 1], [0, 1], color=RULE, linewidth=1.0)
             for row in table:
                 axes.plot([row.mean, row.mean], row.share.interval, color=MUTED, linewidth=1.2)
@@ -64,12 +67,12 @@ def reliability_chart(first: Sequence[Bin], every: Sequence[Bin]) -> str:
                 )
             axes.set_title(title, fontsize=9, loc="left")
             _unit_square(axes)
-            axes.set_xlabel("probability given (numbers: answers)")
-            axes.set_ylabel("share right")
-        return _svg(figure)
+            axes.set_xlabel(words.say("sheet-probability-given"))
+            axes.set_ylabel(words.say("sheet-share-right"))
+        return _svg(figure, words)
 
 
-def closure_chart(pairs: Sequence[tuple[float, float]]) -> str:
+def closure_chart(pairs: Sequence[tuple[float, float]], words: Wording) -> str:
     """Closure of the first name against that of the true effect."""
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(3.9, 3.7))
@@ -77,12 +80,12 @@ def closure_chart(pairs: Sequence[tuple[float, float]]) -> str:
         axes.plot([0, 1], [0, 1], color=RULE, linewidth=1.0)
         axes.plot([x for x, _ in pairs], [y for _, y in pairs], "o", color=INK, markersize=4, alpha=0.5, markeredgewidth=0)
         _unit_square(axes)
-        axes.set_xlabel("closure of the true effect")
-        axes.set_ylabel("closure of the first name")
-        return _svg(figure)
+        axes.set_xlabel(words.say("sheet-closure-of-truth"))
+        axes.set_ylabel(words.say("sheet-closure-of-first"))
+        return _svg(figure, words)
 
 
-def detection_chart(trials: dict[str, list[tuple[float, bool]]]) -> str:
+def detection_chart(trials: dict[str, list[tuple[float, bool]]], words: Wording) -> str:
     """Each trial of one fault by its distance from nothing, named or not, one line per effect.
 
     Args:
@@ -101,8 +104,8 @@ def detection_chart(trials: dict[str, list[tuple[float, bool]]]) -> str:
         axes.set_ylim(len(names) - 0.4, -0.6)
         axes.grid(axis="y", color=RULE, linewidth=0.4)
         axes.tick_params(axis="y", length=0)
-        axes.set_xlabel("distance from nothing, sigma (filled: named; dashed: 3 sigma)")
-        return _svg(figure)
+        axes.set_xlabel(words.say("sheet-distance-from-nothing"))
+        return _svg(figure, words)
 
 
 def _unit_square(axes: Axes) -> None:
@@ -111,7 +114,8 @@ def _unit_square(axes: Axes) -> None:
     axes.set_aspect("equal")
 
 
-def _svg(figure: Figure) -> str:
+def _svg(figure: Figure, words: Wording) -> str:
+    mark_ticks(figure, words)
     FigureCanvasSVG(figure)
     stream = io.StringIO()
     figure.savefig(stream, format="svg", facecolor="white", metadata={"Date": None, "Creator": None})

@@ -20,6 +20,7 @@ from core.planning.search import plan_procedure
 from core.plant.faults import FAULTS, Background, Fault, Setting, variants
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
+from core.words.message import Message
 
 Answer = TypeVar("Answer")
 
@@ -56,9 +57,10 @@ class Sealed(BaseModel):
         return tuple(zip(self.ids, self.variants, json.loads(self.truth), strict=True))
 
     @property
-    def in_words(self) -> str:
+    def in_words(self) -> Message:
         """The faults in one line."""
-        return ", ".join(f"{name} ({variant})" for name, variant in zip(self.ids, self.variants, strict=True)) or "nothing"
+        faults = [f"{name} ({variant})" for name, variant in zip(self.ids, self.variants, strict=True)]
+        return Message.of("trial-planted", faults=faults) if faults else Message.of("trial-planted-nothing")
 
 
 @dataclass(frozen=True)

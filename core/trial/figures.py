@@ -48,12 +48,6 @@ class Share:
         middle, half = p + z * z / (2 * n), z * np.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
         return float(max(0.0, (middle - half) / (1 + z * z / n))), float(min(1.0, (middle + half) / (1 + z * z / n)))
 
-    def __str__(self) -> str:
-        if not self.of:
-            return "none drawn"
-        low, high = self.interval
-        return f"{100 * self.value:.1f} % ({self.hits} of {self.of}; {100 * low:.0f}-{100 * high:.0f} %)"
-
 
 @dataclass(frozen=True)
 class Bin:

@@ -11,6 +11,7 @@ from core.errors import BadInput
 from core.files.whole_file import write_whole
 from core.trial.draw import Drawn
 from core.trial.outcome import TrialOutcome
+from core.words.message import Message
 
 OUTCOMES = "trials.jsonl"
 SEALS = "seals.txt"
@@ -25,18 +26,18 @@ def read_outcomes(folder: Path) -> dict[int, TrialOutcome]:
     file = folder / OUTCOMES
     if not file.exists():
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            raise BadInput(str(folder), "something that is not a run of trials", "a new name, or the folder of an earlier run")
+            raise BadInput(str(folder), "trial-not-a-run")
         return {}
     lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
-    found = [_outcome(f"{file}, line {n}", line) for n, line in enumerate(lines, 1) if line.endswith("\n")]
+    found = [_outcome(Message.of("trial-line", file=str(file), line=n), line) for n, line in enumerate(lines, 1) if line.endswith("\n")]
     return {outcome.sealed.seed: outcome for outcome in found}
 
 
-def _outcome(where: str, line: str) -> TrialOutcome:
+def _outcome(where: Message, line: str) -> TrialOutcome:
     try:
         return TrialOutcome.model_validate_json(line)
     except ValidationError as error:
-        raise BadInput(where, f"no outcome of this version ({error.error_count()} problems)", "a new folder") from None
+        raise BadInput(where, "trial-bad-outcome", count=error.error_count()) from None
 
 
 def check_seals(drawn: Iterable[Drawn], done: dict[int, TrialOutcome]) -> None:
@@ -49,7 +50,8 @@ def check_seals(drawn: Iterable[Drawn], done: dict[int, TrialOutcome]) -> None:
         seed = one.sealed.seed
         if seed not in done or done[seed].sealed.hash == one.sealed.hash:
             continue
-        raise BadInput(f"seed {seed}", f"the seal {done[seed].sealed.hash[:12]} in the folder", f"{one.sealed.hash[:12]}; take a new one")
+        where = Message.of("trial-seed", seed=seed)
+        raise BadInput(where, "trial-other-seal", there=done[seed].sealed.hash[:12], drawn=one.sealed.hash[:12])
 
 
 def open_folder(folder: Path, drawn: Iterable[Drawn], done: dict[int, TrialOutcome]) -> None:

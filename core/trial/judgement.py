@@ -17,6 +17,7 @@ from core.effects.library import symptoms
 from core.gap.limits import SHARES, sizes
 from core.trial.outcome import TrialOutcome
 from core.trial.truth import Parameters
+from core.words.message import Message
 
 DETECTABLE_SIGMA = 3.0
 """Distance from "nothing" below which nothing can find a fault."""
@@ -129,10 +130,11 @@ def exact_pair(outcome: TrialOutcome) -> bool:
     return find_named_effects(outcome) == ids - SEEN_BESIDE and ids & SEEN_BESIDE <= set(outcome.also)
 
 
-def mark(outcome: TrialOutcome) -> str:
+def mark(outcome: TrialOutcome) -> Message:
     """In words."""
-    beside = "" if counts(outcome) or outcome.stopped is not None else " (does not count: too small, or another effect describes it)"
-    return ("right" if right(outcome) else "not right") + beside
+    if counts(outcome) or outcome.stopped is not None:
+        return Message.of("trial-right") if right(outcome) else Message.of("trial-not-right")
+    return Message.of("trial-right-does-not-count") if right(outcome) else Message.of("trial-not-right-does-not-count")
 
 
 def truth_class(outcome: TrialOutcome) -> str:

@@ -11,6 +11,8 @@ from core.trial.bound import Bound
 from core.trial.draw import Sealed
 from core.trial.truth import Parameters
 from core.version import code_version
+from core.words.message import Message
+from core.words.stored import Said
 
 Array = NDArray[np.float64]
 
@@ -51,7 +53,7 @@ class TrialOutcome(TrialPart):
     """One trial.
 
     Args:
-        stopped: why there is no answer: the guard's sentence, or an error.
+        stopped: why there is no answer: what the guard says, or an error.
         verdict: of the diagnosis; "stopped" where there is none.
         effects: most probable first; none where the verdict is `no_gap`.
         pairs: two effects at once with their probability.
@@ -66,7 +68,7 @@ class TrialOutcome(TrialPart):
     """
 
     sealed: Sealed
-    stopped: str | None
+    stopped: Said | None
     verdict: str
     effects: tuple[Named, ...] = ()
     pairs: tuple[tuple[tuple[str, str], float], ...] = ()
@@ -124,7 +126,7 @@ def make_outcome(sealed: Sealed, diagnosis: Diagnosis, truth: dict[str, Paramete
     )
 
 
-def make_stopped_outcome(sealed: Sealed, reason: str) -> TrialOutcome:
+def make_stopped_outcome(sealed: Sealed, reason: Message) -> TrialOutcome:
     """The outcome of a trial that the guard stopped, or that failed."""
     return TrialOutcome(sealed=sealed, stopped=reason, verdict="stopped", version=code_version())
 

@@ -39,7 +39,7 @@ def run_trial(drawn: Drawn, keep: Path | None = None) -> TrialOutcome:
     try:
         recording = record_procedure(drawn, (drawn.background, *drawn.faults))
     except Stopped as error:
-        return make_stopped_outcome(sealed, str(error))
+        return make_stopped_outcome(sealed, error.message)
     if keep is not None:
         write_recording(recording, keep / str(sealed.seed))
     diagnosis, evidence = examine(recording, fit_all=one_by_one)

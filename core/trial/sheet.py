@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from functools import partial
 from itertools import groupby
 from pathlib import Path
+from textwrap import fill
 
 import numpy as np
 
@@ -25,42 +27,70 @@ from core.trial.figures import (
     share_right,
     tie_honesty,
 )
-from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, counts, find_named_effects, material, names_truth_first, right
+from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, TIE_SIGMA, counts, find_named_effects, material, names_truth_first, right
 from core.trial.outcome import TrialOutcome
+from core.words.catalogue import Language
+from core.words.wording import Wording
 
-KINDS = ("none", "single", "double", "unknown")
+KINDS = {
+    "none": "sheet-kind-none",
+    "single": "sheet-kind-single",
+    "double": "sheet-kind-double",
+    "unknown": "sheet-kind-unknown",
+}
+VERDICTS = {
+    "no_gap": "sheet-verdict-no-gap",
+    "explained": "sheet-verdict-explained",
+    "ambiguous": "sheet-verdict-ambiguous",
+    "unknown": "sheet-verdict-unknown",
+    "not_enough": "sheet-verdict-not-enough",
+    "stopped": "sheet-verdict-stopped",
+}
+WIDTH = 120
+"""Of the sheet's paragraphs, in characters."""
 LEAST = 0.01
 """Probabilities below this are left out of the calibration of all classes: there are hundreds of them, all but zero."""
 
 
-def score_sheet(outcomes: Sequence[TrialOutcome]) -> str:
+def score_sheet(outcomes: Sequence[TrialOutcome], language: Language = "en") -> str:
     """Markdown without the pictures."""
-    return "\n".join([*_head(outcomes), *_figures(outcomes), "", "## By kind", "", *_kinds(outcomes), "", "## By effect", "",
-                      *_effects(outcomes), "", "## Not right", "", *_failures(outcomes), ""])  # fmt: skip
+    words = Wording(language)
+    parts = {
+        "sheet-by-kind": _kinds(outcomes, words),
+        "sheet-by-effect": _effects(outcomes, words),
+        "sheet-not-right": _failures(outcomes, words),
+    }
+    lines = [*_head(outcomes, words), *_figures(outcomes, words), ""]
+    for title, part in parts.items():
+        lines += [f"## {words.say(title)}", "", *part, ""]
+    return "\n".join(lines)
 
 
-def write_sheet(folder: Path, outcomes: Sequence[TrialOutcome]) -> None:
+def write_sheet(folder: Path, outcomes: Sequence[TrialOutcome], language: Language = "en") -> None:
     """`trials.md` with its pictures; files of an earlier sheet are replaced."""
-    lines = [score_sheet(outcomes)]
-    for name, (title, picture) in _pictures(outcomes).items():
+    words = Wording(language)
+    lines = [score_sheet(outcomes, language)]
+    for name, (title, picture) in _pictures(outcomes, words).items():
         write_whole(folder / f"{name}.svg", picture)
         lines += [f"## {title}", "", f"![{title}]({name}.svg)", ""]
-    write_whole(folder / "trials.md", "\n".join([*lines, "## Confusion in numbers", "", *_confusion(outcomes), ""]))
+    confusion = ["## " + words.say("sheet-confusion-numbers"), "", *_confusion(outcomes, words), ""]
+    write_whole(folder / "trials.md", "\n".join([*lines, *confusion]))
 
 
-def _pictures(outcomes: Sequence[TrialOutcome]) -> dict[str, tuple[str, str]]:
+def _pictures(outcomes: Sequence[TrialOutcome], words: Wording) -> dict[str, tuple[str, str]]:
     """Title and picture by name; none of what no trial shows."""
     first, every = reliability(*first_answers(outcomes)), reliability(*all_answers(outcomes, LEAST))
     confused, closures, seen = confusions(outcomes), closure_ratios(outcomes), detections(outcomes)
     drawn = {}
     if confused:
-        drawn["confusion"] = ("Planted against answered, single faults that count", charts.confusion_chart(confused))
+        pairs = Counter({(planted, _say_answer(answer, words)): count for (planted, answer), count in confused.items()})
+        drawn["confusion"] = (words.say("sheet-confusion"), charts.confusion_chart(pairs, words))
     if first:
-        drawn["reliability"] = ("Calibration", charts.reliability_chart(first, every))
+        drawn["reliability"] = (words.say("sheet-calibration"), charts.reliability_chart(first, every, words))
     if closures:
-        drawn["closure"] = ("How far the gap closes", charts.closure_chart(closures))
+        drawn["closure"] = (words.say("sheet-closure"), charts.closure_chart(closures, words))
     if seen:
-        drawn["detection"] = ("What can be seen, and was", charts.detection_chart(seen))
+        drawn["detection"] = (words.say("sheet-detection"), charts.detection_chart(seen, words))
     return drawn
 
 
@@ -88,19 +118,16 @@ def _names(outcome: TrialOutcome) -> frozenset[str]:
     return find_named_effects(outcome) | outcome.tied | set(outcome.minor) | set(outcome.also)
 
 
-def _head(outcomes: Sequence[TrialOutcome]) -> list[str]:
-    versions = ", ".join(sorted({o.version for o in outcomes}))
-    seeds = _ranges([o.sealed.seed for o in outcomes])
-    return [
-        "# Blind trials",
-        "",
-        f"`heft trial --seeds {seeds}` ({len(outcomes)} trials, Heft {versions}).",
-        "Faults are planted by code that shares nothing with the effects; every answer was sealed (its hash printed) before the first",
-        "diagnosis. Shares stand with their 95 % intervals (Wilson). A fault counts when it is material and at least",
-        f"{NAMED_SIGMA:.0f} sigma from nothing (`core/trial/judgement.py`). The bound is what the best possible method could reach",
-        "on the same recordings; the distances that it rests on come from simulating each run again without its fault.",
-        "",
-    ]
+def _say_answer(answer: str, words: Wording) -> str:
+    """A verdict in words, a name as it is."""
+    return words.say(VERDICTS[answer]) if answer in VERDICTS else answer
+
+
+def _head(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
+    seeds, versions = _ranges([o.sealed.seed for o in outcomes]), sorted({o.version for o in outcomes})
+    command = words.say("sheet-command", seeds=seeds, count=len(outcomes), versions=versions)
+    how = words.say("sheet-how", sigma=NAMED_SIGMA)
+    return [f"# {words.say('sheet-title')}", "", command, *fill(how, WIDTH, break_on_hyphens=False).splitlines(), ""]
 
 
 def _ranges(seeds: Sequence[int]) -> str:
@@ -112,7 +139,7 @@ def _ranges(seeds: Sequence[int]) -> str:
     return ",".join(parts)
 
 
-def _figures(outcomes: Sequence[TrialOutcome]) -> list[str]:
+def _figures(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
     counted = {kind: [o for o in outcomes if o.sealed.kind == kind and counts(o)] for kind in KINDS}
     near, far = tie_honesty(outcomes)
     errors, covered = parameter_errors(outcomes)
@@ -125,79 +152,95 @@ def _figures(outcomes: Sequence[TrialOutcome]) -> list[str]:
     unknown, second = [o.bound.undescribed_sigma for o in counted["unknown"]], [o.bound.second_sigma for o in counted["double"]]
     single = Share.among(names_truth_first(o) for o in counted["single"])
     seconds = [o.seconds for o in outcomes if o.stopped is None]
+    asked = sum(o.second is not None for o in counted["single"])
+    say, share = words.say, partial(_say_share, words)
+    percent, number = partial(_percent, words), partial(_number, words)
     rows = [
-        ("false alarms on runs without effect", "<= 0.5 %", str(alarms), "-"),
-        ("one fault: first name right, declared ties count", ">= 93 %", str(share_right(outcomes, "single")), "-"),
-        ("one fault: first name right, ties or not", "-", str(single), _percent(best_share(rivals))),
-        (f"the same after the proposed motion ({sum(o.second is not None for o in counted['single'])} asked for one)", ">= 98 %",
-         str(share_right([o.final for o in outcomes], "single")), "-"),
-        ("nearest rival below 3 sigma: truth in the declared set", ">= 99 %", str(near), "-"),
-        ("nearest rival above 6 sigma: one name, the right one", ">= 95 %", str(far), _percent(best_share(clear))),
-        ("calibration error of the first answer", "<= 0.02", _number(calibration_error(first)), "-"),
-        ("calibration error of all classes from 1 %", "<= 0.02", _number(calibration_error(every)), "-"),
-        ("unknown called unknown", ">= 95 %", str(share_right(outcomes, "unknown")), _percent(best_share(unknown))),
-        ("two at once: the exact pair", ">= 92 %", str(share_right(outcomes, "double")), _percent(best_share(second))),
-        (f"parameter error, median of {len(errors)}", "<= 3 %", _percent(_median(errors)), "-"),
-        ("95 % intervals of parameters hold the truth", "94-96 %", str(covered), "95 %"),
-        ("closure over the true effect's, median", ">= 0.98", _number(_median(closures)), "1"),
-        ("payload error before, median over answered trials", "-", _percent(payload.before), "-"),
-        ("payload error after", "the noise", _percent(payload.after), _percent(payload.stated)),
-        ("95 % intervals of the payload hold the truth", "95 %", str(payload.covered), "95 %"),
-        ("diagnosis on one core, median", "15 s (2 cores)", f"{_number(_median(seconds))} s", "-"),
-    ]  # fmt: skip
-    return _table(("figure", "wanted", "here", "bound"), rows)
+        (say("sheet-false-alarms"), "<= 0.5 %", share(alarms), "-"),
+        (say("sheet-one-fault-or-tie"), ">= 93 %", share(share_right(outcomes, "single")), "-"),
+        (say("sheet-one-fault"), "-", share(single), percent(best_share(rivals))),
+        (say("sheet-one-fault-after", count=asked), ">= 98 %", share(share_right([o.final for o in outcomes], "single")), "-"),
+        (say("sheet-near-rival", sigma=TIE_SIGMA), ">= 99 %", share(near), "-"),
+        (say("sheet-far-rival", sigma=CLEAR_SIGMA), ">= 95 %", share(far), percent(best_share(clear))),
+        (say("sheet-calibration-first"), "<= 0.02", number(calibration_error(first)), "-"),
+        (say("sheet-calibration-all"), "<= 0.02", number(calibration_error(every)), "-"),
+        (say("sheet-unknown-as-unknown"), ">= 95 %", share(share_right(outcomes, "unknown")), percent(best_share(unknown))),
+        (say("sheet-exact-pair"), ">= 92 %", share(share_right(outcomes, "double")), percent(best_share(second))),
+        (say("sheet-parameter-error", count=len(errors)), "<= 3 %", percent(_median(errors)), "-"),
+        (say("sheet-parameters-covered"), "94-96 %", share(covered), "95 %"),
+        (say("sheet-closure-ratio"), ">= 0.98", number(_median(closures)), "1"),
+        (say("sheet-payload-before"), "-", percent(payload.before), "-"),
+        (say("sheet-payload-after"), say("sheet-the-noise"), percent(payload.after), percent(payload.stated)),
+        (say("sheet-payload-covered"), "95 %", share(payload.covered), "95 %"),
+        (say("sheet-seconds"), say("sheet-two-cores", time_s=15), f"{number(_median(seconds))} s", "-"),
+    ]
+    head = (say("sheet-figure"), say("sheet-wanted"), say("sheet-here"), say("sheet-bound"))
+    return _table(head, [(name, words.mark(wanted), here, bound) for name, wanted, here, bound in rows])
 
 
-def _kinds(outcomes: Sequence[TrialOutcome]) -> list[str]:
+def _kinds(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
     rows = []
-    for kind in KINDS:
+    for kind, name in KINDS.items():
         part = [o for o in outcomes if o.sealed.kind == kind]
         stopped = sum(o.stopped is not None for o in part)
         immaterial = sum(not material(o) and o.stopped is None for o in part) if kind != "none" else 0
-        rows.append((kind, str(len(part)), str(sum(counts(o) for o in part)), str(share_right(outcomes, kind)),
-                     str(Share.among(right(o) for o in part)), str(immaterial), str(stopped)))  # fmt: skip
-    return _table(("kind", "trials", "count", "right of those that count", "right of all", "immaterial", "no answer"), rows)
+        rows.append((words.say(name), str(len(part)), str(sum(counts(o) for o in part)), _say_share(words, share_right(outcomes, kind)),
+                     _say_share(words, Share.among(right(o) for o in part)), str(immaterial), str(stopped)))  # fmt: skip
+    head = (words.say("sheet-kind"), words.say("sheet-trials"), words.say("sheet-count"), words.say("sheet-right-of-counting"),
+            words.say("sheet-right-of-all"), words.say("sheet-immaterial"), words.say("sheet-no-answer"))  # fmt: skip
+    return _table(head, rows)
 
 
-def _effects(outcomes: Sequence[TrialOutcome]) -> list[str]:
+def _effects(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
     single = sorted((o for o in outcomes if o.sealed.kind == "single" and o.stopped is None), key=lambda o: o.sealed.ids[0])
     rows = []
     for name, group in groupby(single, key=lambda o: o.sealed.ids[0]):
         part = list(group)
         hits = [name in _names(o) for o in part]
         sigma = [(o.bound.fault_sigma, hit) for o, hit in zip(part, hits, strict=True) if o.bound.fault_sigma]
-        rows.append((name, str(len(part)), str(Share.among(hits)), _smallest([o.sealed.size for o in part], hits),
-                     _smallest([s for s, _ in sigma], [hit for _, hit in sigma])))  # fmt: skip
-    return _table(("effect", "trials", "named, material or not", "size named in half the trials", "the same in sigma from nothing"), rows)
+        rows.append((name, str(len(part)), _say_share(words, Share.among(hits)), _smallest([o.sealed.size for o in part], hits, words),
+                     _smallest([s for s, _ in sigma], [hit for _, hit in sigma], words)))  # fmt: skip
+    head = (words.say("sheet-effect"), words.say("sheet-trials"), words.say("sheet-named"), words.say("sheet-halfway-size"),
+            words.say("sheet-halfway-sigma"))  # fmt: skip
+    return _table(head, rows)
 
 
-def _smallest(x: Sequence[float], hits: Sequence[bool]) -> str:
+def _smallest(x: Sequence[float], hits: Sequence[bool], words: Wording) -> str:
     """The place of the logistic curve's middle, or the end of what was tried."""
     if not x:
         return "-"
     middle = fit_halfway_size(x, hits)
     if middle is None or not min(x) <= middle <= max(x):
-        return f"below {min(x):.2g}" if 2 * sum(hits) > len(hits) else f"above {max(x):.2g}"
-    return f"{middle:.2g}"
+        return words.say("sheet-below", size=min(x)) if 2 * sum(hits) > len(hits) else words.say("sheet-above", size=max(x))
+    return words.mark(f"{middle:.2g}")
 
 
-def _failures(outcomes: Sequence[TrialOutcome]) -> list[str]:
+def _failures(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
     wrong = [o for o in outcomes if not right(o)]
-    return [_failure(o) for o in sorted(wrong, key=lambda o: (not counts(o), o.sealed.seed))] or ["None."]
+    found = [_failure(o, words) for o in sorted(wrong, key=lambda o: (not counts(o), o.sealed.seed))]
+    return found or [words.say("sheet-all-right")]
 
 
-def _failure(o: TrialOutcome) -> str:
-    sigma = "" if o.bound.fault_sigma is None else f", {o.bound.fault_sigma:.0f} sigma (material from {o.bound.material_sigma:.0f})"
-    gap = "" if o.gap_before is None or o.gap_after is None else f", gap {o.gap_before:.2f} to {o.gap_after:.2f}"
-    answer = o.stopped or " ".join(part for part in (o.verdict, "+".join(sorted(find_named_effects(o)))) if part)
-    answer += f", beside it {', '.join(sorted(o.also))}" if o.also else ""
-    where = f"{o.sealed.cell}, {o.sealed.payload}"
-    asked = "" if counts(o) else " (does not count)"
-    return f"- `heft trial --seed {o.sealed.seed}`: {o.sealed.in_words}, size {o.sealed.size:.2f}{sigma}, {where}: {answer}{gap}{asked}"
+def _failure(o: TrialOutcome, words: Wording) -> str:
+    faults, size, bound = o.sealed.in_words, o.sealed.size, o.bound
+    if bound.fault_sigma is None or bound.material_sigma is None:
+        fault = words.say("sheet-planted-faults", faults=faults, size=size)
+    else:
+        sigma, material_sigma = bound.fault_sigma, bound.material_sigma
+        fault = words.say("sheet-planted-faults-at-sigma", faults=faults, size=size, sigma=sigma, material_sigma=material_sigma)
+    named = (_say_answer(o.verdict, words), "+".join(sorted(find_named_effects(o))))
+    answer = " ".join(part for part in named if part) if o.stopped is None else words.quote(o.stopped)
+    if o.also:
+        answer = words.say("sheet-answer-beside", answer=answer, effects=sorted(o.also))
+    if o.gap_before is not None and o.gap_after is not None:
+        answer = words.say("sheet-answer-gap", answer=answer, before=o.gap_before, after=o.gap_after)
+    line = words.say("sheet-failure", fault=fault, cell=o.sealed.cell, payload=o.sealed.payload, answer=answer)
+    return f"- `heft trial --seed {o.sealed.seed}`: " + (line if counts(o) else words.say("sheet-does-not-count", line=line))
 
 
-def _confusion(outcomes: Sequence[TrialOutcome]) -> list[str]:
-    return _table(("planted", "answered", "times"), [(a, b, str(n)) for (a, b), n in sorted(confusions(outcomes).items())])
+def _confusion(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
+    rows = [(planted, _say_answer(answer, words), str(count)) for (planted, answer), count in sorted(confusions(outcomes).items())]
+    return _table((words.say("sheet-planted"), words.say("sheet-answered"), words.say("sheet-times")), rows)
 
 
 def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
@@ -208,9 +251,16 @@ def _median(values: Sequence[float]) -> float:
     return float(np.median(values)) if values else float("nan")
 
 
-def _percent(value: float) -> str:
-    return "none" if np.isnan(value) else f"{100 * value:.3g} %"
+def _say_share(words: Wording, share: Share) -> str:
+    if not share.of:
+        return words.say("sheet-none-drawn")
+    low, high = (100 * each for each in share.interval)
+    return words.say("sheet-share", percent=100 * share.value, hits=share.hits, of=share.of, low_percent=low, high_percent=high)
 
 
-def _number(value: float) -> str:
-    return "none" if np.isnan(value) else f"{value:.3g}"
+def _percent(words: Wording, value: float) -> str:
+    return words.say("sheet-none") if np.isnan(value) else words.mark(f"{100 * value:.3g} %")
+
+
+def _number(words: Wording, value: float) -> str:
+    return words.say("sheet-none") if np.isnan(value) else words.mark(f"{value:.3g}")

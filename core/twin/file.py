@@ -15,6 +15,7 @@ from core.files.jail import read_inside
 from core.files.schema_flaw import schema_flaw
 from core.files.whole_file import write_whole
 from core.twin.twin import NOMINAL, Entry, Twin, make_home_scene
+from core.words.message import Message
 
 MAX_BYTES = 1_000_000
 MINUS_ZERO = -1e-6
@@ -34,7 +35,7 @@ def read_twin(cell: Cell) -> Twin:
     try:
         twin = Twin.model_validate_json(text)
     except ValidationError as error:
-        raise BadTwin(*schema_flaw(error.errors()[0]).at(str(file))) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadTwin, str(file)) from error
     _check(twin, cell, str(file))
     return twin
 
@@ -52,7 +53,7 @@ def write_twin(cell: Cell, twin: Twin) -> None:
         else:
             file.unlink(missing_ok=True)
     except OSError as error:
-        raise BadTwin(str(file), f"a folder that cannot be written ({error.strerror})", "one that is yours to change") from error
+        raise BadTwin(str(file), "twin-not-written", reason=error.strerror or str(error)) from error
 
 
 def serialise_twin(cell: Cell, twin: Twin) -> str:
@@ -65,10 +66,10 @@ def serialise_twin(cell: Cell, twin: Twin) -> str:
     return twin.model_dump_json(indent=1) + "\n"
 
 
-def close_name(identifier: str, known: list[str]) -> str:
+def close_name(identifier: str, known: list[str]) -> Message:
     """What an unknown name is answered with."""
     close = difflib.get_close_matches(identifier, known, n=1, cutoff=0.5)
-    return f"{close[0]!r}, if that is what was meant" if close else f"one of {', '.join(known)}"
+    return Message.of("twin-close-name", name=close[0]) if close else Message.of("twin-known-names", names=known)
 
 
 def _check(twin: Twin, cell: Cell, where: str) -> None:
@@ -77,9 +78,9 @@ def _check(twin: Twin, cell: Cell, where: str) -> None:
     for k, entry in enumerate(twin.effects):
         here = f"{where}: effects.{k}"
         if entry.effect not in known:
-            raise BadTwin(f"{here}.effect", repr(entry.effect), close_name(entry.effect, sorted(known)))
+            raise BadTwin(f"{here}.effect", "twin-unknown-effect", effect=entry.effect, meant=close_name(entry.effect, sorted(known)))
         if twin.ids.count(entry.effect) > 1:
-            raise BadTwin(f"{here}.effect", f"{entry.effect!r} {twin.ids.count(entry.effect)} times", "each effect once")
+            raise BadTwin(f"{here}.effect", "twin-effect-twice", effect=entry.effect, count=twin.ids.count(entry.effect))
         _check_parameters(entry, known[entry.effect].parameters(scene), f"{here}.parameters")
         _check_covariance(entry, f"{here}.covariance")
 
@@ -88,23 +89,25 @@ def _check_parameters(entry: Entry, parameters: tuple[Parameter, ...], where: st
     by_name = {p.name: p for p in parameters}
     for name in entry.parameters:
         if name not in by_name:
-            raise BadTwin(f"{where}.{name}", f"no parameter of {entry.effect}", close_name(name, list(by_name)))
+            meant = close_name(name, list(by_name))
+            raise BadTwin(f"{where}.{name}", "twin-unknown-parameter", effect=entry.effect, meant=meant)
     for name in by_name:
         if name not in entry.parameters and not name.endswith("_per_k"):  # only found where the temperature is recorded
-            raise BadTwin(f"{where}.{name}", "no such key", "it")
+            raise BadTwin(f"{where}.{name}", "twin-no-such-key")
     for name, fitted in entry.parameters.items():
         p = by_name[name]
         if fitted.unit != p.unit:
-            raise BadTwin(f"{where}.{name}.unit", repr(fitted.unit), repr(p.unit))
+            raise BadTwin(f"{where}.{name}.unit", "twin-unit", unit=fitted.unit, right=p.unit)
         if not p.lower <= fitted.value <= p.upper:
-            raise BadTwin(f"{where}.{name}.value", f"{fitted.value:.6g} {p.unit}", f"between {p.lower:.6g} and {p.upper:.6g}")
+            place = f"{where}.{name}.value"
+            raise BadTwin(place, "twin-out-of-bounds", figure=fitted.value, unit=p.unit, lower=p.lower, upper=p.upper)
 
 
 def _check_covariance(entry: Entry, where: str) -> None:
     n = len(entry.parameters)
     if [len(row) for row in entry.covariance] != [n] * n:
-        raise BadTwin(where, f"{len(entry.covariance)} rows", f"{n} by {n} numbers")
+        raise BadTwin(where, "twin-covariance-size", rows=len(entry.covariance), count=n)
     C = np.array(entry.covariance)
     size = np.linalg.eigvalsh(C)
     if not np.allclose(C, C.T) or size[0] < MINUS_ZERO * max(size[-1], 0.0):
-        raise BadTwin(where, "a matrix that is not symmetric and positive", "a covariance")
+        raise BadTwin(where, "twin-no-covariance")

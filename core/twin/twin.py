@@ -18,6 +18,7 @@ from core.effects.effect import Effect
 from core.effects.library import library
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 Number = Annotated[float, Field(strict=True)]
@@ -107,10 +108,10 @@ class Twin(TwinPart):
         """The twin with an effect, in the place of an older entry of the same identifier."""
         return Twin(effects=(*self.without(entry.effect).effects, entry))
 
-    def lacking(self, scene: Scene) -> tuple[str, ...]:
+    def lacking(self, scene: Scene) -> tuple[Message, ...]:
         """Effects that cannot be evaluated in this scene, with the reasons."""
         reasons = {entry.effect: entry.model.explain_lack(scene) for entry in self.effects}
-        return tuple(f"{identifier}: {reason}" for identifier, reason in reasons.items() if reason is not None)
+        return tuple(Message.of("twin-lacking", effect=name, reason=reason) for name, reason in reasons.items() if reason is not None)
 
     def in_scene(self, scene: Scene) -> tuple[Entry, ...]:
         """The effects that can be evaluated in this scene."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Self, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, Field, computed_field, field_serializer, field_validator
+from pydantic import BaseModel, ConfigDict, Field, computed_field, field_serializer, field_validator, model_validator
 
 from core.words.catalogue import Language, format_message, format_part
 
@@ -47,6 +47,12 @@ class Message(BaseModel):
     def __str__(self) -> str:
         return self.text
 
+    @model_validator(mode="before")
+    @classmethod
+    def _take_sentence(cls, given: Any) -> Any:
+        """A sentence in the place of a message: files and databases of earlier versions have them."""
+        return {"code": "text", "parameters": {"text": given}} if isinstance(given, str) else given
+
     @field_validator("parameters")
     @classmethod
     def _restore(cls, parameters: dict[str, Any]) -> dict[str, Any]:
@@ -57,7 +63,7 @@ class Message(BaseModel):
         return {name: _to_json(value) for name, value in parameters.items()}
 
     def __hash__(self) -> int:
-        return hash((self.code, self.text))
+        return hash(self.code)
 
     def _said(self, language: Language) -> Mapping[str, bool | float | str]:
         return {name: _say_value(value, language) for name, value in self.parameters.items()}

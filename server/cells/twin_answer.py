@@ -57,4 +57,4 @@ def twin_of(cell: Cell) -> TwinAnswer:
     try:
         return TwinAnswer.model_validate_json(read_inside(cell.folder, TWIN_FILE, BadTwin, max_bytes=MAX_BYTES))
     except ValidationError as error:
-        raise BadTwin(*schema_flaw(error.errors()[0]).at(f"{cell.name}/{TWIN_FILE}")) from error
+        raise schema_flaw(error.errors()[0]).refusal(BadTwin, f"{cell.name}/{TWIN_FILE}") from error

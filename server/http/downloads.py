@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tempfile
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -33,13 +33,14 @@ def send_zip(folder: Path, name: str, missing: Message) -> StreamingResponse:
     return StreamingResponse(_chunks(folder, name), media_type="application/zip", headers=headers)
 
 
-def page(file: Path, name: str, missing: Message) -> FileResponse:
-    """A report as `name`.html.
+def page(files: Sequence[Path], name: str, missing: Message) -> FileResponse:
+    """A report as `name`.html: the first of these files that is there.
 
     Raises:
-        Conflict: there is no such file; `missing` says why and what to do.
+        Conflict: none of them is; `missing` says why and what to do.
     """
-    if not file.is_file():
+    file = next((each for each in files if each.is_file()), None)
+    if file is None:
         raise Conflict(missing.code, **missing.parameters)
     return FileResponse(file, media_type="text/html", filename=f"{name}.html", headers=HARMLESS)
 

@@ -69,7 +69,6 @@ def flaw_of(message: Message) -> Flaw:
 
 
 def _request_message(error: Any) -> Message:
-    key, found, expected = schema_flaw(error)
-    if SECRET in key:
-        return Message.of("request-secret-flaw", where=key, expected=expected)
-    return Message.of("flaw", where=key, found=found, expected=expected)
+    flaw = schema_flaw(error)
+    shown = flaw.hide() if SECRET in flaw.key else flaw
+    return Message.of(shown.code, where=shown.key, **shown.parameters)

@@ -12,6 +12,7 @@ from fastapi import APIRouter, Depends, Request, Response
 from starlette.status import HTTP_202_ACCEPTED
 
 from core.gap.answer import Diagnosis, Verdict
+from core.words.catalogue import Language
 from core.words.message import Message
 from server.cells.folder import CellsDep
 from server.http import downloads
@@ -150,12 +151,13 @@ def read_overlay(diagnosis: str, store: StoreDep, settings: SettingsDep) -> Over
 
 
 @router.get("/{diagnosis}/report", response_class=Response, responses=downloads.PAGE)
-def download_diagnosis_report(diagnosis: str, store: StoreDep, settings: SettingsDep) -> Response:
-    """The diagnosis as a page."""
+def download_diagnosis_report(diagnosis: str, store: StoreDep, settings: SettingsDep, language: Language = "en") -> Response:
+    """The diagnosis as a page; in English where it was made before there were other languages."""
     with store.read() as db:
         row = jobs.load_job(db, DIAGNOSIS, diagnosis)
     missing = Message.of("jobs-no-report", job=diagnosis, state=row.state)
-    return downloads.page(locate_report(settings, diagnosis), f"diagnosis-{diagnosis}", missing)
+    files = [locate_report(settings, diagnosis, language), locate_report(settings, diagnosis, "en")]
+    return downloads.page(files, f"diagnosis-{diagnosis}", missing)
 
 
 def _queue(store: Store, diagnoses: Worker, order: DiagnosisOrder, who: str, now: datetime, response: Response) -> DiagnosisAnswer:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from sqlalchemy.orm import Session
 
+from core.words.catalogue import LANGUAGES, Language
 from server.cells.folder import CellFolder
 from server.http.schemas import RequestBody
 from server.jobs.jobs import JobKind, JobStatus
@@ -42,9 +43,9 @@ class TrialsOrder(RequestBody):
     seed: int
 
 
-def locate_report(settings: Settings, diagnosis: str) -> Path:
-    """Where a diagnosis leaves its page."""
-    return settings.reports_folder / f"{diagnosis}.html"
+def locate_report(settings: Settings, diagnosis: str, language: Language) -> Path:
+    """Where a diagnosis leaves its page in a language."""
+    return settings.reports_folder / (f"{diagnosis}.html" if language == "en" else f"{diagnosis}.{language}.html")
 
 
 def locate_overlay(settings: Settings, diagnosis: str) -> Path:
@@ -58,7 +59,8 @@ def diagnoses(settings: Settings, cells: CellFolder) -> JobKind:
     def arguments(row: JobRow) -> tuple[object, ...]:
         order = DiagnosisOrder.model_validate_json(row.order)
         cell = None if order.cell is None else cells.load(order.cell)
-        return order.recording, cell, locate_report(settings, row.id).absolute(), locate_overlay(settings, row.id).absolute()
+        reports = {language: locate_report(settings, row.id, language).absolute() for language in LANGUAGES}
+        return order.recording, cell, reports, locate_overlay(settings, row.id).absolute()
 
     return JobKind(DIAGNOSIS, "server.runner.diagnosing", arguments)
 

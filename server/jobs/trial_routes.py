@@ -6,6 +6,7 @@ from fastapi import APIRouter, Response
 from pydantic import Field
 from starlette.status import HTTP_202_ACCEPTED
 
+from core.words.catalogue import Language
 from server.http.dependencies import LimitQuery, NowDep, StoreDep, set_accepted_headers
 from server.http.schemas import RequestBody
 from server.jobs import jobs
@@ -65,10 +66,10 @@ def list_trials(store: StoreDep, worker: TrialsDep, limit: LimitQuery = 50) -> l
 
 
 @router.get("/{trials}")
-def read_trials(trials: str, store: StoreDep, worker: TrialsDep) -> TrialsAnswer:
-    """Some trials: their seals, and in the end their answers."""
+def read_trials(trials: str, store: StoreDep, worker: TrialsDep, language: Language = "en") -> TrialsAnswer:
+    """Some trials: their seals, and in the end their answers; the score sheet in a language."""
     with store.read() as db:
-        return _answer(worker, jobs.load_job(db, TRIALS, trials))
+        return _answer(worker, jobs.load_job(db, TRIALS, trials), language=language)
 
 
 @router.delete("/{trials}")
@@ -82,7 +83,7 @@ def cancel_trials(trials: str, store: StoreDep, worker: TrialsDep, caller: Calle
     return found
 
 
-def _answer(worker: Worker, row: JobRow, *, whole: bool = True) -> TrialsAnswer:
+def _answer(worker: Worker, row: JobRow, *, whole: bool = True, language: Language = "en") -> TrialsAnswer:
     order = TrialsOrder.model_validate_json(row.order)
     result = TrialsResult.model_validate_json(row.result) if whole and row.result is not None else None
     return TrialsAnswer.of(
@@ -93,5 +94,5 @@ def _answer(worker: Worker, row: JobRow, *, whole: bool = True) -> TrialsAnswer:
         seed=order.seed,
         seals=SEALS.validate_json(row.told) if whole and row.told is not None else None,
         opened=None if result is None else result.opened,
-        sheet=None if result is None else result.sheet,
+        sheet=None if result is None else result.sheets.get(language, result.sheet),
     )

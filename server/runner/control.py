@@ -28,12 +28,13 @@ from core.sessions.leased import Lease, LeasedSession
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
 from core.twin.file import read_twin
+from core.words.catalogue import LANGUAGES
 from core.words.message import Message
 from server.runner.messages import Done, Failed, FromChild, Happened, MotionEnded, Order, Paced, Ready, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
 from server.runner.priority import Priority, take
-from server.runner.run_folder import RECORDING, REPORT, RESULT, lock_run_folder
+from server.runner.run_folder import RECORDING, RESULT, lock_run_folder, name_report
 from server.runner.served_run import ServedRun
 from server.runner.shown_plan import build_run_plan
 
@@ -94,8 +95,10 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
             speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s, pace.median_s))
     result = outcome.result(order.folder / RECORDING)
     write_whole(order.folder / RESULT, result.model_dump_json(indent=2) + "\n")
-    page = order.folder / REPORT
-    write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary)
+    recording, identification = outcome.recording, outcome.identification
+    for language in LANGUAGES:
+        page = order.folder / name_report(language)
+        write_report(page, recording=recording, identification=identification, run=outcome.summary, language=language)
     speaker.tell(Done(result))
 
 

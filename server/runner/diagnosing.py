@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from contextlib import suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -23,17 +24,18 @@ from core.report.diagnosis_page import write_diagnosis
 from core.report.overlay import overlay_of
 from core.twin.file import read_twin
 from core.twin.twin import NOMINAL
+from core.words.catalogue import Language
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.shown_overlay import thin_overlay
 from server.runner.work import give_way
 
 
-def main(folder: Path, cell: Cell | None, report: Path, overlay: Path, connection: Connection) -> None:
+def main(folder: Path, cell: Cell | None, reports: Mapping[Language, Path], overlay: Path, connection: Connection) -> None:
     """Diagnoses the recording in a folder, which is only read.
 
     Args:
         cell: it was made in: its twin is where the diagnosis starts, and the next motion is planned there.
-        report, overlay: files to write, a page and JSON.
+        reports, overlay: files to write, a page in each language and JSON.
     """
     give_way()
     with suppress(BrokenPipeError):  # nobody waits any more
@@ -45,7 +47,8 @@ def main(folder: Path, cell: Cell | None, report: Path, overlay: Path, connectio
                 diagnosis = addable_to(diagnosis, cell, recording, folder)
                 diagnosis = plan_next(diagnosis, evidence, recording, folder, cell, None, Console(quiet=True))
             compared = None if evidence is None else overlay_of(evidence)
-            write_diagnosis(report, diagnosis=diagnosis, overlay=compared)
+            for language, report in reports.items():
+                write_diagnosis(report, diagnosis=diagnosis, overlay=compared, language=language)
             if compared is not None:
                 write_whole(overlay, thin_overlay(compared).model_dump_json())
             connection.send(Answered(diagnosis.model_dump_json()))

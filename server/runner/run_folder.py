@@ -6,11 +6,17 @@ import fcntl
 from pathlib import Path
 from typing import TextIO
 
+from core.words.catalogue import Language
+
 LOCK = "control.lock"
 RECORDING = "recording"
 SAMPLES = "samples.arrows"
-REPORT = "report.html"
 RESULT = "result.json"
+
+
+def name_report(language: Language) -> str:
+    """The file of a run's report in a language."""
+    return "report.html" if language == "en" else f"report.{language}.html"
 
 
 def lock_run_folder(folder: Path) -> TextIO:

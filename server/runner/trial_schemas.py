@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from pydantic import TypeAdapter
+from pydantic import Field, TypeAdapter
 
+from core.words.catalogue import Language
+from core.words.stored import Said
 from server.http.schemas import Answer
 
 
@@ -36,7 +38,7 @@ class OpenedTrial(Answer):
 
     seed: int
     sealed: str
-    planted: str
+    planted: Said
     size: float
     verdict: str
     named: str | None
@@ -46,14 +48,18 @@ class OpenedTrial(Answer):
     unknown_probability: float
     gap_before: float | None
     gap_after: float | None
-    mark: str
+    mark: Said
 
 
 class TrialsResult(Answer):
-    """All trials of a job with their score sheet (Markdown)."""
+    """All trials of a job with their score sheet (Markdown), in English and in each language.
+
+    Trials of an earlier version have no `sheets`.
+    """
 
     opened: list[OpenedTrial]
     sheet: str
+    sheets: dict[Language, str] = Field(default_factory=dict)
 
 
 SEALS = TypeAdapter(list[Seal])

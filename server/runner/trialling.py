@@ -16,6 +16,7 @@ from core.trial.folder import append, check_seals, open_folder, read_outcomes
 from core.trial.judgement import mark
 from core.trial.outcome import TrialOutcome
 from core.trial.sheet import score_sheet
+from core.words.catalogue import LANGUAGES
 from server.runner.messages import Advanced, Answered, Failed
 from server.runner.trial_schemas import SEALS, NamedEffect, OpenedTrial, Seal, TrialsResult
 from server.runner.work import give_way
@@ -76,4 +77,5 @@ def _open_trials(found: list[TrialOutcome]) -> str:
         )
         for outcome in found
     ]
-    return TrialsResult(opened=opened, sheet=score_sheet(found)).model_dump_json()
+    sheets = {language: score_sheet(found, language) for language in LANGUAGES}
+    return TrialsResult(opened=opened, sheet=sheets["en"], sheets=sheets).model_dump_json()

@@ -46,7 +46,7 @@ class ExportListed(Answer):
     target: str
     title: str
     file: str
-    says: str
+    says: Message
     refused: Message | None
     lost: list[Lost]
 
@@ -54,7 +54,7 @@ class ExportListed(Answer):
 class ExportsAnswer(Answer):
     """All targets; `frame` says in which frame they get the payload."""
 
-    frame: str
+    frame: Message
     targets: list[ExportListed]
 
 

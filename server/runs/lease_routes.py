@@ -99,7 +99,7 @@ async def take_control(
     body: ControlBody, store: StoreDep, cells: CellsDep, control: ControlDep, caller: CallerDep, now: NowDep
 ) -> ControlAnswer:
     """Takes control; then open the websocket `/api/control/{cell}/lease` and answer its stamps. Ends when they stop coming back."""
-    settings = await asyncio.to_thread(_settings, cells, body.cell)
+    settings = await asyncio.to_thread(control_settings, cells, body.cell)
     control.check_free(body.cell, caller.who)
 
     def write() -> int:
@@ -109,21 +109,21 @@ async def take_control(
             return fence
 
     control.take(body.cell, caller.who, await asyncio.to_thread(write), settings.lease_s)
-    return _answer(control, body.cell, settings)
+    return answer_control(control, body.cell, settings)
 
 
 @router.get("/{cell}")
 async def read_control(cell: str, cells: CellsDep, control: ControlDep) -> ControlAnswer:
     """Who is in control of a cell, and over which link."""
-    return _answer(control, cell, await asyncio.to_thread(_settings, cells, cell))
+    return answer_control(control, cell, await asyncio.to_thread(control_settings, cells, cell))
 
 
 @router.delete("/{cell}")
 async def let_go_of_control(cell: str, fence: int, cells: CellsDep, control: ControlDep, caller: CallerDep) -> ControlAnswer:
     """Lets go of control that was taken with this fence; a robot that moves is put on hold when its lease ends."""
-    settings = await asyncio.to_thread(_settings, cells, cell)
+    settings = await asyncio.to_thread(control_settings, cells, cell)
     control.let_go(cell, caller.who, fence)
-    return _answer(control, cell, settings)
+    return answer_control(control, cell, settings)
 
 
 @router.websocket("/{cell}/lease")
@@ -206,7 +206,7 @@ class _Keeper:
                 continue  # the database is away; it is asked again
 
 
-def _settings(cells: CellFolder, name: str) -> CellControl:
+def control_settings(cells: CellFolder, name: str) -> CellControl:
     """How a cell's robot depends on whoever is in control; the usual where its file cannot be read: a robot in it may have to be cleared.
 
     Raises:
@@ -219,7 +219,8 @@ def _settings(cells: CellFolder, name: str) -> CellControl:
         return CellControl()
 
 
-def _answer(control: ControlRegistry, cell: str, settings: CellControl) -> ControlAnswer:
+def answer_control(control: ControlRegistry, cell: str, settings: CellControl) -> ControlAnswer:
+    """Who is in control of a cell as it is told, and over which link."""
     holder = control.holder(cell)
     found = None if holder is None else holder.link.figures(holder.lease_s, control.clock())
     return ControlAnswer(

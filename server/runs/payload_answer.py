@@ -15,7 +15,7 @@ from core.estimation.result import (
     VerificationPart,
     WorkpiecePart,
 )
-from core.remark import Remark
+from core.words.message import Message
 from server.http.schemas import Answer
 
 
@@ -32,8 +32,8 @@ class PayloadAnswer(Answer):
     run: str
     cell: str | None
     payload: str | None
-    verdict: str
-    warnings: list[Remark]
+    verdict: Message
+    warnings: list[Message]
     mass_kg: float | None
     mass_std_kg: float | None
     com_m: Numbers
@@ -44,7 +44,7 @@ class PayloadAnswer(Answer):
     inertia_sensor_std_kg_m2: Numbers
     parameters: Numbers
     covariance: list[Numbers]
-    reasons: dict[str, str]
+    reasons: dict[str, Message]
     reference: ReferencePart | None
     paper: PaperPart
     residual: ResidualPart | None

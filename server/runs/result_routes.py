@@ -56,7 +56,7 @@ def accept_result(run: str, store: StoreDep, conductor: ConductorDep, control: C
         if row.accepted_by is not None:
             raise Conflict("runs-accepted-already", run=run, who=row.accepted_by)
         row.accepted_by, row.accepted_at = caller.who, now
-        audit.record(db, caller.who, "run.accept", {"run": run, "verdict": verdict}, now=now)
+        audit.record(db, caller.who, "run.accept", {"run": run, "verdict": verdict.text}, now=now)
     return answer_run(conductor, control, now, run)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from core.estimation.result import Numbers, Result
+from core.words.message import Message
 from server.http.schemas import Answer
 
 
@@ -15,7 +16,7 @@ class ResultSummary(Answer):
         offset: of the sensor, fx fy fz (N) tx ty tz (N m), with its standard uncertainty.
     """
 
-    verdict: str
+    verdict: Message
     determined: int
     mass_kg: float | None
     mass_std_kg: float | None

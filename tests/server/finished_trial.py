@@ -5,6 +5,7 @@ from __future__ import annotations
 from datetime import UTC, datetime
 
 from core.trial.draw import draw
+from core.words.message import Message
 from server.jobs import jobs
 from server.jobs.kinds import TRIALS, TrialsOrder
 from server.runner.trial_schemas import SEALS, NamedEffect, OpenedTrial, Seal, TrialsResult
@@ -20,7 +21,7 @@ def finished_trial(service: RealService, sha256: str | None = None) -> str:
     opened = OpenedTrial(
         seed=SEED, sealed=sealed.model_dump_json(), planted=sealed.in_words, size=sealed.size, verdict="explained", named="base_tilt",
         effects=[NamedEffect(id="base_tilt", probability=0.93, closure=0.99)], none_probability=0.02, unknown_probability=0.05,
-        gap_before=3.2, gap_after=1.01, mark="not right",
+        gap_before=3.2, gap_after=1.01, mark=Message.of("trial-not-right"),
     )  # fmt: skip
     store = Store(service.store_url)
     now = datetime.now(UTC)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import re
 import signal
 from collections.abc import Iterator
+from contextlib import contextmanager
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, WebSocketRoute, expect
 
 from tests.server.real_service import Console, RealService
 from tests.web.judgement import check_looks
@@ -25,16 +27,37 @@ NOTES_LAYERS = """addEventListener('DOMContentLoaded', () => {
 })"""
 
 
-@pytest.fixture
-def planned(service: RealService, browser: Browser, person: Console) -> Iterator[Tablet]:
-    """A tablet in control, with a plan on it whose holds are long; `person` leaves no run behind."""
+@contextmanager
+def plan_shown(service: RealService, browser: Browser, link: dict[str, object] | None = None) -> Iterator[Tablet]:
+    """A tablet in control, with a plan on it whose holds are long.
+
+    Args:
+        link: figures of the link that it is told in place of the real ones.
+    """
+
+    def relay(route: WebSocketRoute) -> None:
+        def change(message: str | bytes) -> None:
+            told = json.loads(message)
+            route.send(json.dumps(told | {"control": told["control"] | {"link": link}}))
+
+        route.connect_to_server().on_message(change)
+
     with tablet(browser, service) as at:
+        if link is not None:
+            at.page.route_web_socket("**/api/cells/lwr4_bench/live", relay)
         at.hurry(hold_s=20.0)
         at.without_viewer()
         at.open()
         at.sign_in()
         at.press("Take control and plan")
         at.wait(".preview table")
+        yield at
+
+
+@pytest.fixture
+def planned(service: RealService, browser: Browser, person: Console) -> Iterator[Tablet]:
+    """A plan on a tablet; `person` leaves no run behind."""
+    with plan_shown(service, browser) as at:
         yield at
 
 
@@ -139,15 +162,26 @@ def test_a_screen_that_only_looks_on_does_not_say_what_the_robot_does(service: R
         layer.wait_for(state="detached")
 
 
-def test_a_single_request_that_fails_covers_nothing(service: RealService, browser: Browser) -> None:
+def test_a_socket_that_breaks_once_covers_nothing(service: RealService, browser: Browser) -> None:
+    opened: list[WebSocketRoute] = []
     with tablet(browser, service) as at:
         at.page.add_init_script(NOTES_LAYERS)
+        at.page.route_web_socket("**/api/now/live", lambda route: (opened.append(route), route.connect_to_server()))
         at.open()
-        with at.page.expect_event("requestfailed"):
-            at.page.route("**/api/now", lambda route: route.abort(), times=1)
+        opened[0].close()
+        with at.page.expect_websocket(lambda socket: socket.url.endswith("/api/now/live")) as again:
+            pass
         for _ in range(4):
-            at.page.wait_for_event("requestfinished")
+            again.value.wait_for_event("framereceived")
         assert at.page.evaluate("window.layers") == 0
+
+
+def test_a_minute_of_a_run_is_followed_without_asking_again(moving: Tablet) -> None:
+    asked: list[str] = []
+    moving.page.on("request", lambda request: asked.append(request.url) if "/api/" in request.url else None)
+    moving.page.wait_for_timeout(20_000)
+    expect(moving.page.get_by_role("button", name="Hold")).to_be_visible()
+    assert len(asked) <= 3, asked
 
 
 def test_the_link_is_shown_before_the_release(planned: Tablet) -> None:
@@ -157,16 +191,21 @@ def test_the_link_is_shown_before_the_release(planned: Tablet) -> None:
     expect(told.locator(".abnormal")).to_have_count(0)
 
 
-def test_a_poor_link_is_warned_of_before_the_release_and_refuses_nothing(planned: Tablet) -> None:
-    page = planned.page
-    control = page.request.get(f"http://{planned.service.address}/api/control/lwr4_bench").json()
-    poor = {"round_trip_p50_s": 0.045, "round_trip_p99_s": 0.62, "lost_share": 0.013, "longest_gap_s": 2.61, "answers": 900, "window_s": 60}
-    page.route("**/api/control/lwr4_bench", lambda route: route.fulfill(json=control | {"link": poor | {"advised": False}}))
-    told = page.locator(".link-figures")
-    expect(told.locator(".abnormal")).to_contain_text("the run would probably be put on hold")
-    expect(told).to_contain_text("round trip 45 ms (99 % below 620 ms), lost 1.3 %, longest gap 2.6 s")
-    check_looks(look(page, "poor link"))
-    expect(page.get_by_role("button", name=re.compile("Release|Review the plan again"))).to_be_enabled()
+def test_a_poor_link_is_warned_of_before_the_release_and_refuses_nothing(service: RealService, browser: Browser, person: Console) -> None:
+    figures = {
+        "round_trip_p50_s": 0.045,
+        "round_trip_p99_s": 0.62,
+        "lost_share": 0.013,
+        "longest_gap_s": 2.61,
+        "answers": 900,
+        "window_s": 60,
+    }
+    with plan_shown(service, browser, figures | {"advised": False}) as at:
+        told = at.page.locator(".link-figures")
+        expect(told.locator(".abnormal")).to_contain_text("the run would probably be put on hold")
+        expect(told).to_contain_text("round trip 45 ms (99 % below 620 ms), lost 1.3 %, longest gap 2.6 s")
+        check_looks(look(at.page, "poor link"))
+        expect(at.page.get_by_role("button", name=re.compile("Release|Review the plan again"))).to_be_enabled()
 
 
 def test_a_stopped_run_is_continued_as_a_new_one(service: RealService, browser: Browser, person: Console) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 from core.errors import BadPayload
 from core.payload.inertia import InertialParameters
 from core.plant.mechanics import get_parameters, set_parameters
+from core.words.message import Message
 
 
 def scale_mass(parameters: InertialParameters, share: float) -> InertialParameters:
@@ -24,7 +25,7 @@ def size_of(payload: InertialParameters) -> float:
         BadPayload: an empty hand, of which no part can be loose, slip or come off.
     """
     if not payload.mass > 0:
-        raise BadPayload("payload with a fault", "no mass", "a payload with mass")
+        raise BadPayload(Message.of("plant-payload-with-fault"), "plant-no-mass")
     return math.sqrt(0.5 * float(np.trace(payload.inertia_com)) / payload.mass)
 
 

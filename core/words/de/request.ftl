@@ -3,9 +3,6 @@ request-unfit = { $more ->
    *[other] { $flaw }; und { $more } weitere, siehe `flaws`
 }
 request-no-json = { $flaw }
-request-secret-flaw =
-    .found = ein Wert, der nicht gezeigt wird
-    .expected = { $expected }
 request-address-unknown = { $method } { $path }: unter dieser Adresse gibt es nichts; GET /openapi.json zeigt, was es gibt
 request-method-not-allowed = { $method } { $path }: das geht unter dieser Adresse nicht; siehe `allowed`
 request-body-too-large = { $method } { $path }: das sind mehr als { $limit_bytes } Byte; senden Sie weniger

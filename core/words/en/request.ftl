@@ -3,9 +3,6 @@ request-unfit = { $more ->
    *[other] { $flaw }; and { $more } more, see `flaws`
 }
 request-no-json = { $flaw }
-request-secret-flaw =
-    .found = a value that is not shown
-    .expected = { $expected }
 request-address-unknown = { $method } { $path }: there is nothing at this address; GET /openapi.json lists what there is
 request-method-not-allowed = { $method } { $path }: this address does not know the method; see `allowed`
 request-body-too-large = { $method } { $path }: the body is larger than { $limit_bytes } bytes; send a smaller one

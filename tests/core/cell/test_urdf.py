@@ -71,7 +71,7 @@ BROKEN: dict[str, tuple[Callable[[], str], str]] = {
     "link twice": (add('<link name="link3"/>'), "link 'link3': found 2"),
     "link without a name": (add("<link/>" + JOINT.format("base", "")), "no link|without a name"),
     "joint twice": (swap('"joint4"', '"joint3"'), "joint 'joint3': found 2"),
-    "two roots": (add('<link name="island"/>'), "'base', 'island'"),
+    "two roots": (add('<link name="island"/>'), "the roots base, island,"),
     "two parents": (add(JOINT.format("base", "link4")), "'link4': found 2 joints"),
     "a ring": (
         add('<link name="a"/><link name="b"/>' + JOINT.format("a", "b") + JOINT.format("b", "a").replace('"j"', '"k"')),

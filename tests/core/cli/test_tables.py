@@ -7,6 +7,7 @@ from core.gap.answer import Also
 from core.gap.answering import not_enough
 from core.planning.summary import LargestTorque, PlanTorques
 from core.remark import Remark
+from core.words.message import Message
 
 
 def seen(name: str, *, material: bool) -> Also:
@@ -25,8 +26,14 @@ def test_what_stands_beside_the_verdict_is_told_with_what_to_do_where_it_matters
 
 def test_a_plans_torques_are_told_with_what_could_not_be_judged() -> None:
     most = LargestTorque(joint="elbow", torque_n_m=30.0, holding_n_m=28.0, limit_n_m=150.0, ratio=0.2, part="home", time_s=1.5)
-    told = PlanTorques(load="a guessed mass", mass_kg=1.0, largest=most, not_judged=["'wrist': the URDF states no effort"])
+    told = PlanTorques(
+        load=Message.of("planning-load-guessed"),
+        mass_kg=1.0,
+        largest=most,
+        not_judged=[Message.of("planning-joint-without-effort", joint="wrist")],
+    )
     first, second = torque_lines(told)
-    assert first == "Joint torques with 1.000 kg (a guessed mass): at most 30.0 N m of 150.0 N m (20 %), 'elbow' in 'home' after 1.500 s."
-    assert second == "  not judged: 'wrist': the URDF states no effort"
-    assert torque_lines(told.model_copy(update={"largest": None}))[0] == "Joint torques with 1.000 kg (a guessed mass): not judged."
+    carried = "1.000 kg (a guessed mass, spread evenly over the payload box)"
+    assert first == f"Joint torques with {carried}: at most 30.0 N m of 150.0 N m (20 %), 'elbow' in 'home' after 1.500 s."
+    assert second == '  not judged: "wrist": the URDF states no effort'
+    assert torque_lines(told.model_copy(update={"largest": None}))[0] == f"Joint torques with {carried}: not judged."

@@ -10,7 +10,7 @@ from rich.console import Console
 from core.cli.workpiece_table import workpiece_lines, workpiece_table
 from core.estimation.result import ReferencePart, ToolPart, WorkpiecePart
 from core.payload.inertia import InertialParameters
-from core.remark import Remark
+from core.words.message import Message
 
 PART = InertialParameters.from_com(2.0, [0.0, 0.01, 0.05], np.diag([0.004, 0.005, 0.003]))
 
@@ -27,7 +27,7 @@ def part(**changes: object) -> WorkpiecePart:
         "consistent": True,
         "reference": ReferencePart(phi=PART.phi.tolist(), source="CAD"),
         "tools": [ToolPart(name="gripper", title="A gripper", phi=[0.8] * 10, std=[None] * 10)],
-        "remarks": [Remark("tool_without_std", "The uncertainty of the tool gripper is unknown.", {})],
+        "remarks": [Message.of("text", text="The uncertainty of the tool gripper is unknown.")],
     }
     return WorkpiecePart.model_validate(content | changes)
 

@@ -96,7 +96,7 @@ def state_at_home() -> RobotState:
     ("target", "error", "sentence"),
     [
         (at(3, np.nan), BadState, "commanded position is not finite"),
-        (at(3, 2.2), OutOfLimits, r"joint joint4 was commanded at 2\.2000 rad"),
+        (at(3, 2.2), OutOfLimits, r"joint joint4 was commanded to 2\.2000 rad"),
         (lambda q: at(3, q[3] + 0.003)(q), TooFast, r"joint joint4 was commanded at 3\.000 rad/s"),
         (lambda q: at(0, q[0] + 0.0005)(q), TooFast, r"payload was commanded at 0\.\d+ m/s \(limit 0\.250 m/s\)"),
     ],
@@ -137,7 +137,7 @@ def test_a_zone_that_moves_in_stops_the_robot_within_its_sampling_time():
 
     session.spoil = move_in
     with pytest.raises(
-        TooClose, match=r'is -?0\.0\d\d m from zone "operator" \(limit 0\.030 m\); the robot was stopped\. Clear the zone'
+        TooClose, match=r'is -?0\.0\d{4} m from zone "operator" \(limit 0\.030 m\); the robot was stopped\. Clear the zone'
     ) as caught:
         list(execute(session, it.guard(), StandStill(1.0, PERIOD), "hold:free"))
     assert 105 <= session.k <= 125

@@ -1,22 +1,14 @@
-"""Turns and the wrench of a rigid body, against libraries."""
+"""The wrench of a rigid body, against the regressor."""
 
 from __future__ import annotations
 
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.spatial.transform import Rotation
 
-from core.effects.rigid_body import rotation
 from core.payload.inertia import regressor
 from core.payload.rigid_wrench import wrench
 from tests.core.effects.mechanical_truth import scene
-
-
-@settings(max_examples=30)
-@given(st.lists(st.floats(-0.3, 0.3), min_size=3, max_size=3))
-def test_rotation_vectors_turn_as_scipy_turns_them(vector: list[float]) -> None:
-    np.testing.assert_allclose(rotation(np.array(vector)), Rotation.from_rotvec(vector).as_matrix(), atol=1e-14)
 
 
 @settings(max_examples=20)

@@ -27,6 +27,6 @@ def test_a_parameter_that_no_rotation_shows_is_not_determined_for_that_reason_fi
     known = find_determined(PHI, UNKNOWN)
     why = reasons(PHI, UNKNOWN, known, static=False, motion=HARDLY, turned=turned)
     assert set(why) == set(PHI_NAMES[4:])
-    told = {name: said.partition(";")[0] for name, said in why.items() if said.startswith("no rotation")}
+    told = {name: said.text.partition(";")[0] for name, said in why.items() if said.text.startswith("no rotation")}
     assert told == {name: f"no rotation about {axes}" for name, axes in expected.items()}
-    assert all("standard uncertainty" in said for said in why.values())
+    assert all("standard uncertainty" in said.text for said in why.values())

@@ -5,28 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-import pinocchio as pin
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from core.estimation.kinematics import (
     KinematicFilter,
     poses_of,
-    rotation_of,
-    rotation_vector,
     smooth_motion,
     white_noise_std,
 )
 from tests.synthetic import GRAVITY, payload, record, run_of
-
-
-@given(st.integers(0, 2**32 - 1), st.sampled_from([1e-12, 1e-6, 1e-3, 1.0, 3.0]))
-def test_rotations_and_their_vectors_are_pinocchios(seed: int, size: float) -> None:
-    v = np.random.default_rng(seed).normal(size=3)
-    v *= size / np.linalg.norm(v)
-    np.testing.assert_allclose(rotation_of(v), pin.exp3(v), atol=1e-14)
-    np.testing.assert_allclose(rotation_vector(pin.exp3(v)), v, atol=1e-12 * (1 + 1 / (np.pi - size)))
 
 
 def test_the_noise_of_the_encoders_is_found_under_the_motion() -> None:

@@ -91,4 +91,4 @@ def test_what_cannot_be_evaluated_is_said() -> None:
     )
     found = identify_recording(robot_less, Twin(effects=(entry(CELL, "joint_offset", joint_2_rad=0.01),)))
     assert found.accounted == ()
-    assert any("joint_offset: the recording has no joint positions" in warning.sentence for warning in found.warnings)
+    assert any("joint_offset: the recording has no joint positions" in warning.text for warning in found.warnings)

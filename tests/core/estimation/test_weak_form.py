@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.estimation.kinematics import Poses, poses_of, rotation_of
+from core.estimation.kinematics import Poses, poses_of
 from core.estimation.weak_form import WeakForm, regressor_of, second_difference, tilt_axes, whiten
 from core.payload.inertia import Motion, regressor, skew
 from tests.synthetic import GRAVITY, Imperfections, payload, record, run_of
@@ -77,7 +78,7 @@ def test_noise_of_the_encoders_does_not_bias_the_acceleration() -> None:
     rng = np.random.default_rng(2)
     n, std = 20_000, 1e-4
     t = 1e-3 * np.arange(n)
-    turned = np.array([rotation_of(v) for v in std * rng.normal(size=(n, 3))])
+    turned = np.array([pin.exp3(v) for v in std * rng.normal(size=(n, 3))])
     lever = turned @ [0.0, 0.0, 1.0]
     form = WeakForm(Poses(t, turned, lever, GRAVITY, np.zeros((6, 6))))
     mean = form.features(0.0)[0].a.mean(axis=0)

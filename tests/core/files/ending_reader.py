@@ -14,7 +14,7 @@ from core.files.confinement import Arrays, Order, answer_orders
 def answer(order: Order) -> Arrays:
     match order["do"]:
         case "refuse":
-            raise BadRobot(order["where"], "nothing", "something")
+            raise BadRobot(order["where"], "mesh-too-many-triangles", triangles=7, most=3)
         case "crash":
             os.kill(os.getpid(), signal.SIGSEGV)
         case "take memory":

@@ -8,6 +8,7 @@ import pytest
 
 from core.errors import BadRobot
 from core.files.confinement import ask
+from core.words.message import Message
 from tests.core.files.ending_reader import answer
 
 
@@ -23,10 +24,16 @@ def test_answers_come_in_the_order_of_the_questions_from_another_process() -> No
 
 
 @pytest.mark.parametrize(
-    ("wish", "words"), [("refuse", "found nothing, expected something"), ("crash", "its reader ended"), ("take memory", "1.5 GB")]
+    ("wish", "words"), [("refuse", "found 7 triangles, expected at most 3"), ("crash", "its reader ended"), ("take memory", "1.5 GB")]
 )
 def test_the_file_that_cannot_be_read_is_named_whatever_happens_to_its_reader(wish: str, words: str) -> None:
     before = os.getpid()
     with pytest.raises(BadRobot, match=f"^mesh 1: .*{words}"):
         ask(answer, orders("answer", wish, "answer"))
     assert os.getpid() == before
+
+
+def test_a_refusal_comes_back_as_the_code_with_parameters_that_it_was() -> None:
+    with pytest.raises(BadRobot) as caught:
+        ask(answer, orders("refuse"))
+    assert caught.value.message == Message.of("mesh-too-many-triangles", where="mesh 0", triangles=7, most=3)

@@ -71,6 +71,26 @@ def test_what_a_xacro_file_may_not_do_is_refused_in_a_sentence(tmp_path, body):
     assert "\n" not in str(refused.value)
 
 
+@pytest.mark.parametrize(
+    ("body", "code"),
+    [
+        ("""<link name="$(eval 1)"/>""", "xacro-wants-eval"),
+        ("""<link name="${[1].__class__}"/>""", "xacro-wants-attribute"),
+        ("""<link name="${__name__}"/>""", "xacro-wants-name"),
+        ('<link name="$(find nowhere)"/>', "xacro-wants-package"),
+        ('<xacro:include filename="../outside.xacro"/>', "xacro-wants-file"),
+        (f'<link name="${{{"1 + " * 1000}1}}"/>', "xacro-long-expression"),
+    ],
+)
+def test_what_it_wants_is_a_message(tmp_path, body, code):
+    (tmp_path / "outside.xacro").write_text(f'{HEAD}<link name="secret"/></robot>')
+    with pytest.raises(BadRobot) as refused:
+        expanded(tmp_path / "main", body)
+    assert refused.value.message.code == "xacro-unwanted"
+    assert refused.value.message.parameters["wanted"].code == code
+    assert refused.value.message.parameters["wanted"].text in refused.value.found
+
+
 def test_one_that_does_not_end_is_ended(tmp_path, monkeypatch):
     monkeypatch.setattr(expansion, "SECONDS", 1.5)
     with pytest.raises(BadRobot, match="not expanded after"):

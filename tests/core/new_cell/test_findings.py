@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -80,6 +81,25 @@ def test_a_home_inside_an_obstacle_is_wrong(changed):
 def test_a_joint_too_weak_for_its_own_arm_is_doubtful(changed):
     found = changed(('effort="176"', 'effort="3"'), file="robot.urdf")
     assert any("the arm and its tools may ask" in each.found for each in found)
+
+
+def test_a_finding_is_said_in_the_language_of_its_reader(changed):
+    wrong, *others = changed(("clearance_m = 0.03", "clearance_m = 0.3"), ("cartesian_speed_m_s = 0.25", "cartesian_speed_m_s = 0.9"))
+    assert wrong.say("en").startswith("wrong: ")
+    assert wrong.say("de").startswith("falsch: ")
+    said = [each.say("de") for each in others]
+    assert (
+        "fraglich: cell.toml: limits.cartesian_speed_m_s: gefunden: 0,9 m/s, erwartet: höchstens 0,5 m/s, wo Menschen in der Nähe sind."
+        in said
+    )
+
+
+def test_a_finding_in_json_has_its_code_and_what_it_names(changed):
+    found = json.loads(json.dumps([each._asdict() for each in changed(("cartesian_speed_m_s = 0.25", "cartesian_speed_m_s = 0.9"))]))
+    [speed] = [each for each in found if each["message"]["code"] == "newcell-speed-high"]
+    assert speed["severity"] == "doubtful"
+    assert speed["where"] == "cell.toml: limits.cartesian_speed_m_s"
+    assert speed["message"]["parameters"] == {"where": speed["where"], "speed_m_s": 0.9, "most_m_s": 0.5}
 
 
 def test_a_file_that_is_no_cell_is_wrong(changed):

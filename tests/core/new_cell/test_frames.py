@@ -10,6 +10,7 @@ from core.errors import BadRobot
 from core.new_cell.frames import ArmFrames, choose_frames
 from core.new_cell.order import Behind, CellOrder
 from core.new_cell.robot_tree import RobotTree
+from core.words.message import Message
 from tests.core.new_cell.small_arm import arm, joint, link
 
 HAND = (
@@ -18,15 +19,16 @@ HAND = (
 )  # fmt: skip
 
 
-def chosen(text: str, ask: object = None, **wanted: object) -> tuple[ArmFrames, list[str]]:
-    notes: list[str] = []
+def chosen(text: str, ask: object = None, **wanted: object) -> tuple[ArmFrames, list[Message]]:
+    notes: list[Message] = []
     return choose_frames(RobotTree(text, "arm.urdf"), CellOrder("tried", Path("arm.urdf"), **wanted), ask, notes), notes
 
 
 def test_by_default_the_arm_goes_from_its_first_joint_to_its_last_bare_link():
     frames, notes = chosen(arm('<link name="world"/>' + joint("stand", "world", "base", kind="fixed", rest="")))
     assert (frames.base, frames.sensor, len(frames.joints), frames.tool) == ("base", "flange", 6, ())
-    assert any("'flange'" in note and "--sensor-frame" in note for note in notes)
+    assert Message.of("newcell-sensor-last", link="flange") in notes
+    assert Message.of("newcell-base-chosen", link="base") in notes
 
 
 def test_a_gripper_of_hinges_is_no_part_of_the_arm():
@@ -42,7 +44,8 @@ def test_a_link_with_the_name_of_a_sensor_is_taken():
     assert frames.sensor == "wrist_ft_link"
 
 
-def test_links_behind_the_sensor_are_asked_about():
+def test_links_behind_the_sensor_are_asked_about(monkeypatch):
+    monkeypatch.setenv("HEFT_LANGUAGE", "en")
     asked = []
 
     def answer(question: str, possible: tuple[str, ...]) -> str:
@@ -52,8 +55,17 @@ def test_links_behind_the_sensor_are_asked_about():
     frames, _ = chosen(arm(HAND), answer)
     assert frames.sensor == "tip"
     assert frames.tool == ()
-    assert "hand" in asked[0][0]
+    assert asked[0][0] == "Behind the sensor frame 'flange' hang hand. Does the sensor carry them (tool), or sit behind them (robot)?"
     assert asked[0][1] == ("tool", "robot")
+
+
+def test_a_german_is_asked_in_german(monkeypatch):
+    monkeypatch.setenv("HEFT_LANGUAGE", "de")
+    asked = []
+    chosen(arm(HAND), lambda question, _possible: asked.append(question) or "tool")
+    assert asked == [
+        "Hinter dem Sensorkoordinatensystem „flange“ hängen hand. Trägt der Sensor sie (tool), oder sitzt er hinter ihnen (robot)?"
+    ]
 
 
 def test_nobody_to_ask_is_a_refusal_that_lists_them():
@@ -63,7 +75,7 @@ def test_nobody_to_ask_is_a_refusal_that_lists_them():
 
 def test_what_hangs_beside_the_sensor_is_told():
     _, notes = chosen(arm(link("camera") + joint("c", "link6", "camera", kind="fixed", rest="")))
-    assert any("camera" in note and "part of the robot" in note for note in notes)
+    assert Message.of("newcell-beside-sensor", links=["camera"]) in notes
 
 
 def test_a_mount_adds_a_link():
@@ -81,7 +93,7 @@ def test_a_mount_adds_a_link():
         (arm(), {"base_frame": "link6"}, "no moving joint"),
         (arm(), {"sensor_frame": "base", "behind": Behind.TOOL}, "no moving joint"),
         (arm(joints={1: joint("lift", "base", "link1", kind="prismatic")}), {}, r"'lift'.*prismatic.*--base-frame link1"),
-        ('<robot name="r"><link name="a"/></robot>', {}, "none that turns"),
+        ('<robot name="r"><link name="a"/></robot>', {}, "no joint that turns"),
     ],
 )
 def test_frames_that_are_no_arm_are_refused(text, wanted, words):

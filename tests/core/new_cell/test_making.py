@@ -17,6 +17,7 @@ from core.errors import BadInput
 from core.new_cell import making
 from core.new_cell.making import make_cell
 from core.new_cell.order import Behind, CellOrder
+from core.words.message import Message
 from tests.core.new_cell.small_arm import BOX, INERTIAL, LIMIT, arm, joint, link, made, write_arm
 
 TRIANGLE = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"
@@ -78,7 +79,7 @@ def test_every_figure_that_was_not_given_is_told(tmp_path):
     text = arm(FINGER + joint("slide", "hand", "finger", kind="prismatic", rest=LIMIT.replace("-2.8", "0.01")), joints={6: turning})
     text = text.replace(link("link3"), link("link3", inertial=""))
     found = made(tmp_path, text, behind=Behind.TOOL)
-    notes = "\n".join(found.notes)
+    notes = "\n".join(map(str, found.notes))
     for words in (
         "'joint6' turns without end",
         "'joint6' has no limit of velocity",
@@ -86,9 +87,10 @@ def test_every_figure_that_was_not_given_is_told(tmp_path):
         "'slide' (prismatic) is not the arm's: fixed at 0.01 m",
         "Link 'link3' has no mass: 1.28 kg from its shape",  # 0.08 x 0.08 x 0.2 m of water
         "felt by the sensor as a tool: hand, finger",
-        "Accelerations of 10, 10, 10, 10, 10, 5 rad/s2",
+        "Accelerations of 10.0, 10.0, 10.0, 10.0, 10.0, 5.0 rad/s2 taken: each joint's greatest speed in 0.2 s, between 1 and 10 rad/s2.",
     ):
         assert words in notes
+    assert "Das Gelenk „slide“ (prismatic) gehört nicht zum Arm: festgehalten bei 0,01 m." in [note.say("de") for note in found.notes]
     text = (found.folder / "cell.toml").read_text()
     assert tomllib.loads(text)["tools"]["hand_tool"]["links"] == ["hand", "finger"]
 
@@ -97,7 +99,7 @@ def test_a_link_that_can_only_be_seen_is_taken_as_it_looks(tmp_path):
     found = made(tmp_path, arm(links={3: link("link3", shapes=f"<visual>{BOX}</visual>")}))
     robot = tomllib.loads((found.folder / "cell.toml").read_text())["robot"]
     assert robot["visual_shapes"] == ["link3"]
-    assert any("'link3'" in note and "visual" in note for note in found.notes)
+    assert Message.of("newcell-visual-taken", link="link3") in found.notes
     if "visual_shapes" in Robot.model_fields:
         load_cell(found.folder)
 
@@ -107,7 +109,7 @@ def test_pairs_that_always_overlap_are_listed(tmp_path):
     found = made(tmp_path, arm(links={1: link("link1", shapes=ring)}))
     robot = tomllib.loads((found.folder / "cell.toml").read_text())["robot"]
     assert ["link3", "link1"] in robot["adjacent"]
-    assert any("'link3' and 'link1' overlap" in note for note in found.notes)
+    assert Message.of("newcell-pair-left-out", first="link3", second="link1") in found.notes
 
 
 def test_a_tool_gets_a_name_that_no_link_has(tmp_path):

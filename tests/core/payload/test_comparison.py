@@ -38,13 +38,14 @@ def test_runs_with_one_payload_differ_as_often_as_is_said():
 def test_another_mass_is_found_and_named():
     found = repeated(1, change=0.1)
     assert found.differ
-    assert "in m by" in found.verdict
+    assert "in m by 0.1" in found.verdict.text
+    assert "am deutlichsten in m um 0,1" in found.verdict.say("de")
     mass = found.parameters[0]
     assert mass.value == pytest.approx(0.1, abs=5 * mass.std)
     assert mass.std == pytest.approx(np.sqrt(2 * covariance(0)[0, 0]))
     assert mass.times_std == pytest.approx(mass.value / mass.std)
     assert not repeated(1).differ
-    assert "No significant difference" in repeated(1).verdict
+    assert repeated(1).verdict.code == "payload-runs-agree"
 
 
 def test_what_one_run_does_not_determine_is_left_out():
@@ -58,7 +59,7 @@ def test_what_one_run_does_not_determine_is_left_out():
     nothing = UncertainParameters(np.full(10, np.nan), np.full((10, 10), np.nan))
     alone = compare_payloads(known, nothing, OFFSET, OFFSET)
     assert (alone.chance, alone.differ) == (None, False)
-    assert "cannot be compared" in alone.verdict
+    assert alone.verdict.code == "payload-runs-nothing-in-common"
 
 
 def test_a_drift_of_the_offset_is_told_with_its_uncertainty():

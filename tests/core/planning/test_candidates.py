@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Box, Cell, Obstacle, Pose, load_cell
+from core.cell.cell import Box, Cell, Obstacle, Pose
+from core.cell.folder import load_cell
 from core.planning.candidates import CandidateSearch, Weights
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel

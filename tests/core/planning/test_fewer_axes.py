@@ -10,6 +10,7 @@ from core.errors import NoPath, NoStartConfiguration
 from core.events import Event
 from core.planning.fewer_axes import axes_with_room
 from core.planning.settings import Scope
+from core.planning.start_configuration import UNREACHABLE
 
 
 class Planner:
@@ -43,13 +44,12 @@ def test_the_rest_stays_as_it_was_asked_for() -> None:
 
 def test_who_is_refused_for_something_else_than_an_axis_is_offered_none() -> None:
     plan = Planner("")
-    assert axes_with_room(Scope(), NoPath("the way home is blocked."), plan) == ""
+    assert axes_with_room(Scope(), NoPath("text", text="the way home is blocked."), plan) == ""
     assert plan.asked == []
 
 
 def test_a_refusal_names_the_option_that_would_work() -> None:
-    refusal = NoStartConfiguration("z+", {"unreachable": 3})
-    refusal.axes_with_room = "xy"
-    assert str(refusal).endswith("There is a plan for the other sensor axes: --axes x,y.")
-    refusal.axes_with_room = ""
+    refusal = NoStartConfiguration("z+", {UNREACHABLE: 3})
     assert "--axes" not in str(refusal)
+    refusal.offer_axes("xy")
+    assert str(refusal).endswith("There is a plan for the other sensor axes: --axes x,y.")

@@ -22,6 +22,7 @@ from core.plant.mechanics import Drives, build_model
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.second_opinion.opinion import JointPath
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 CELLS = Path(__file__).parents[3] / "cells"
@@ -158,7 +159,7 @@ def test_start_configurations_are_those_that_the_joints_can_hold() -> None:
     assert (held <= HOLDING_SHARE * arm_of_cell(weak).effort + 1e-9).all()
     powerless = with_urdf(cell, lambda text: _with_effort(text, names[1], 1.0))
     torques = JointTorques(powerless, robot, load)
-    with pytest.raises(TooHeavy, match=rf"sensor axis x- along gravity: the load is too heavy, .*'{names[1]}' would need \d+ %"):
+    with pytest.raises(TooHeavy, match=rf'sensor axis x- along gravity: the load is too heavy, .*"{names[1]}" would need \d+ %'):
         find_start_configuration(powerless, robot, collision, "x-", None, seed=0, grid=small, torques=torques)
 
 
@@ -175,12 +176,12 @@ def test_without_an_effort_or_a_mass_the_torques_are_not_determined_and_the_reas
     here = [JointPath("home", np.array([cell.robot.home_rad]))]
     silent = with_urdf(cell, lambda text: _with_effort(text, names[0], 0.0))
     found = JointTorques(silent, RobotModel.of_cell(silent), load).of(here, PERIOD)
-    assert found.not_judged == [f"{names[0]!r}: the URDF states no effort"]
+    assert found.not_judged == [Message.of("planning-joint-without-effort", joint=names[0])]
     assert found.largest is not None and found.largest.joint != names[0]
     light = with_urdf(cell, lambda text: text.replace('<mass value="1.3"/>', '<mass value="0"/>'))
     found = JointTorques(light, RobotModel.of_cell(light), load).of(here, PERIOD)
     assert len(found.not_judged) == 5
-    assert all("no mass of the link after" in why for why in found.not_judged)
+    assert all(why.code == "planning-joint-without-mass" for why in found.not_judged)
     assert found.largest is not None and found.largest.joint == names[-1]
     massless = with_urdf(cell, lambda text: text.replace('<mass value="0.365"/>', '<mass value="0"/>'))
     none = JointTorques(massless, RobotModel.of_cell(massless), load)

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.cell.cell import Box, Obstacle, Pose, load_cell
+from core.cell.cell import Box, Obstacle, Pose
+from core.cell.folder import load_cell
 from core.planning.room import Room
 from core.planning.throw import ThrowCheck
 from core.robot.collision import CollisionModel

@@ -12,7 +12,7 @@ from core.cell.folder import load_cell
 from core.errors import NoStartConfiguration
 from core.planning.sequence import PlanRequest, Procedure
 from core.planning.settings import Scope, Timing
-from core.planning.start_configuration import StartConfiguration, find_start_configuration
+from core.planning.start_configuration import UNREACHABLE, StartConfiguration, find_start_configuration
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.trial.draw import run_to_end
@@ -35,7 +35,7 @@ def no_room_for_z(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     def found(cell: object, robot: object, collision: object, axis: str, rotation: object, **options: object) -> StartConfiguration:
         asked.append(axis)
         if axis[0] == "z":
-            raise NoStartConfiguration(axis, {"unreachable": 10})
+            raise NoStartConfiguration(axis, {UNREACHABLE: 10})
         return find_start_configuration(cell, robot, collision, axis, rotation, **options)  # type: ignore[arg-type]  # as it was called
 
     monkeypatch.setattr(core.planning.search, "find_start_configuration", found)

@@ -14,13 +14,22 @@ from core.control.rotation import Rotation
 from core.errors import BadCell, NoStartConfiguration
 from core.planning.candidates import CandidateSearch, Weights
 from core.planning.link_room import LinkRoom
-from core.planning.start_configuration import LIMIT_MARGIN_RAD, ROOM_M, Checks, Grid, StartConfiguration, find_start_configuration
+from core.planning.start_configuration import (
+    LIMIT_MARGIN_RAD,
+    ROOM_M,
+    UNREACHABLE,
+    Checks,
+    Grid,
+    StartConfiguration,
+    find_start_configuration,
+)
 from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile
 from core.robot.model import RobotModel
 from core.robot.point_speed import point_positions
 from core.robot.trajectory import AngularProfile
 from core.sessions.session import RobotState
+from core.words.message import Message
 
 SIDES = [("back", 0, -1), ("front", 0, 1), ("right", 1, -1), ("left", 1, 1), ("floor", 2, -1), ("ceiling", 2, 1)]
 AXES = ("x+", "x-", "y+", "y-", "z+", "z-")
@@ -206,15 +215,15 @@ def test_a_rotation_that_the_arm_cannot_make_fast_enough_is_refused_with_that_re
     with pytest.raises(NoStartConfiguration) as refusal:
         find_start_configuration(cell, robot, collision, "x+", profile_of(box, 0.6), seed=0, grid=Grid(vertices=150, rounds=1))
     reasons = refusal.value.reasons
-    assert reasons["Cartesian speed during the rotation"] > 50
-    assert "unreachable" in reasons
+    assert reasons[Message.of("planning-rejected-cartesian-speed")] > 50
+    assert UNREACHABLE in reasons
     assert refusal.value.axis == "x+"
     assert refusal.value.best_clearance_m > 0.1
 
 
 def test_a_zone_under_everything_is_refused_because_of_the_load_that_would_fall_into_it(cell):
     under = Zone(name="cellar", shape=Box(size_m=(8.0, 8.0, 0.05), pose=Pose(xyz_m=(0.0, 0.0, -0.7))))
-    with pytest.raises(NoStartConfiguration, match="a released load would fly into zone 'cellar'") as refusal:
+    with pytest.raises(NoStartConfiguration, match='a released load would fly into zone "cellar"') as refusal:
         search(cell.model_copy(update={"zones": (under,)}), "z+", grid=Grid(vertices=100, rounds=1))
     assert refusal.value.in_the_way == "cellar"
 
@@ -237,7 +246,7 @@ def test_a_room_just_large_enough_for_home_is_refused_with_what_is_in_the_way():
     with pytest.raises(NoStartConfiguration) as refusal:
         search(room, "z-", grid=Grid(vertices=200, rounds=1))
     reasons = refusal.value.reasons
-    assert reasons["too close to 'ceiling'"] > 0
+    assert reasons[Message.of("planning-rejected-obstacle", body=Message.of("body-obstacle", name="ceiling"))] > 0
     assert refusal.value.best_clearance_m < 0.05
     assert refusal.value.in_the_way in {item.name for item in room.obstacles}
-    assert "z-" in str(refusal.value) and repr(refusal.value.in_the_way) in str(refusal.value)
+    assert "z-" in str(refusal.value) and f'obstacle "{refusal.value.in_the_way}"' in str(refusal.value)

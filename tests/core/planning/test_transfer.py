@@ -76,7 +76,7 @@ def test_a_robot_that_stands_too_close_is_told_so() -> None:
     tip = robot.sensor_pose(home).position
     collision.move("fixture", Pose(xyz_m=(float(tip[0]), float(tip[1]), float(tip[2]))))
     for goal in (home, np.array(GOALS["lwr4_bench"])):
-        with pytest.raises(NoPath, match="'fixture'"):
+        with pytest.raises(NoPath, match='obstacle "fixture"'):
             plan_transfer(cell, robot, collision, home, goal, period=0.001)
 
 

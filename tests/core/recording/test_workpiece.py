@@ -81,8 +81,8 @@ def test_a_tool_without_a_stated_uncertainty_adds_none_and_is_named() -> None:
     assert found.std[0] == pytest.approx(np.hypot(0.001, 0.002))
     np.testing.assert_allclose(found.std[1:4], 0.001)
     remark = found.remarks[0]
-    assert remark.id == "tool_without_std"
-    assert "tool gripper is unknown (first_moment_std_kg_m not stated)" in remark.sentence
+    assert remark.code == "workpiece-tool-without-std"
+    assert "tool gripper is unknown (first_moment_std_kg_m not stated)" in remark.text
 
 
 def heavy() -> InertialParameters:
@@ -103,4 +103,4 @@ def test_it_is_said_where_what_is_left_is_no_body() -> None:
     alone = known(np.zeros(10)).parameters
     found = workpiece_alone(UncertainParameters(alone.phi * 0.9, 1e-6 * np.eye(10)), [known(np.zeros(10))])
     assert not found.consistent
-    assert [remark.id for remark in found.remarks] == ["no_workpiece"]
+    assert [remark.code for remark in found.remarks] == ["workpiece-no-rigid-body"]

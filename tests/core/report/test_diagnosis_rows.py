@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from core.gap.answer import PayloadPart, PhiPart, Value
-from core.report.diagnosis_rows import heat_map, parameter_texts, payload_rows, percent, value_text
+from core.report.diagnosis_rows import heat_map, payload_rows, percent
+from core.report.parameter_words import parameter_texts, value_text
 from tests.core.report.made_up_diagnoses import CHANNELS, PHI, explained
 
 

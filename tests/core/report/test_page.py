@@ -21,11 +21,11 @@ from core.planning.start_configuration import StartConfiguration
 from core.planning.throw import Throw
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording, SensorDescription
-from core.remark import Remark
 from core.report import page
 from core.report.charts import POINTS, decimate
 from core.report.page import write_report
 from core.report.rows import facts, parameter_rows, round_to_uncertainty
+from core.words.message import Message
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
 PHI = CELL.payloads["steel_block"].parameters.phi
@@ -72,7 +72,7 @@ def case() -> tuple[Recording, Identification, RunSummary]:
         paper,
         estimate,
         "The payload weighs 2.784 kg.",
-        (Remark("residual", "Channel ty is louder than its noise."),),
+        (Message.of("text", text="Channel ty is louder than its noise."),),
         segments_of_phase(phase),
         TimeSeries(t, kinematics, measured, reconstructed),
     )
@@ -198,7 +198,7 @@ def test_what_is_not_determined_is_no_number_and_has_its_reason(tmp_path: Path) 
         phi=np.where(lacking, np.nan, estimate.phi),
         covariance=np.where(lacking | lacking[:, None], np.nan, estimate.covariance),
         determined=~lacking,
-        reasons=dict.fromkeys(names, "static poses only: the inertia is not excited"),
+        reasons=dict.fromkeys(names, Message.of("estimation-standing")),
     )
     text = words(written(tmp_path, recording, replace(identification, estimate=still), None))
     assert text.count("not determined") == 6
@@ -210,7 +210,12 @@ def test_what_is_not_determined_is_no_number_and_has_its_reason(tmp_path: Path) 
 def test_a_recording_without_a_wrench_is_answered_in_words(tmp_path: Path) -> None:
     recording, _, _ = case()
     nothing = PaperEstimate(np.full(10, np.nan), np.full(10, np.nan), np.full(6, np.nan))
-    bare = Identification(nothing, None, "No wrench was recorded.", bounds=("The payload is lighter than 0.4 kg.",))
+    bare = Identification(
+        nothing,
+        None,
+        Message.of("text", text="No wrench was recorded."),
+        bounds=(Message.of("text", text="The payload is lighter than 0.4 kg."),),
+    )
     recording = replace(recording, wrench=None, tau=np.zeros((N, 7)), reference=None)
     text = words(written(tmp_path, recording, bare, None))
     assert "The payload is lighter than 0.4 kg." in text
@@ -237,7 +242,7 @@ def test_words_from_outside_stay_words(tmp_path: Path) -> None:
     text = written(
         tmp_path,
         replace(recording, source=attack, reference_source=attack),
-        replace(identification, verdict=attack, warnings=(Remark("residual", attack),)),
+        replace(identification, verdict=Message.of("text", text=attack), warnings=(Message.of("text", text=attack),)),
         replace(run, cell=cell, payload=attack, nearest=attack),
     )
     assert "<script" not in text

@@ -86,7 +86,7 @@ BAD: dict[str, tuple[str, bytes, str, str]] = {
     "empty": ("hand.stl", b"", "1 1 1", "an empty file"),
     "no triangle": ("hand.stl", binary_stl(TETRAHEDRON[:0]), "1 1 1", "no triangle"),
     "one triangle": ("hand.stl", binary_stl(TETRAHEDRON[:1]), "1 1 1", "3 vertices in one plane"),
-    "one point": ("hand.stl", binary_stl(TETRAHEDRON * 0.0), "1 1 1", "1 vertices in one plane"),
+    "one point": ("hand.stl", binary_stl(TETRAHEDRON * 0.0), "1 1 1", "1 vertex in one plane"),
     "too large": ("hand.stl", binary_stl(TETRAHEDRON), "1000 1000 1000", r"a vertex 100 m from the origin, expected at most 20 m"),
     "too many triangles": ("hand.stl", bytes(80) + struct.pack("<I", 600_000) + bytes(50 * 600_000), "1 1 1", "600000 triangles"),
     "says it is huge": ("hand.stl", LIAR, "1 1 1", "breaks off at 184 bytes"),

@@ -154,9 +154,9 @@ def test_a_transfer_goes_round_a_zone_into_which_a_load_would_fall_though_there_
     middle = robot.sensor_pose(straight.trajectory.q[round(lost.time_s / PERIOD)]).position
     assert np.linalg.norm((middle - cell.zones[0].shape.pose.translation)[:2]) < 0.2
     with pytest.raises(
-        PlanDisputed, match=r"a load that comes off at 0\.\d+ m/s, .* of transfer x\+, would fly 0\.\d+ m into zone 'below'"
+        PlanDisputed, match=r"a load that comes off at 0\.\d+ m/s, .* of transfer x\+, would fly 0\.\d+ m into zone \"below\""
     ):
-        refuse_disputed(blind)
+        refuse_disputed(cell, blind)
     round_it = plan_transfer(cell, robot, collision, start, goal, period=PERIOD, seed=1)
     seen = second_opinion(cell, collision.payload_box, [JointPath("transfer x+", round_it.trajectory.q)], PERIOD)
     assert seen.passes
@@ -166,7 +166,7 @@ def test_a_transfer_goes_round_a_zone_into_which_a_load_would_fall_though_there_
 
 def test_a_goal_above_a_zone_is_refused_in_words() -> None:
     cell, robot, collision, start, goal = over_a_zone()
-    with pytest.raises(NoPath, match=r"at the goal of the path a load that comes off would fall 0\.\d{4} m into zone 'below'") as caught:
+    with pytest.raises(NoPath, match=r"at the goal of the path a load that comes off would fall 0\.\d{4} m into zone \"below\"") as caught:
         plan_transfer(cell, robot, collision, start, 0.5 * (start + goal), period=PERIOD)
     assert caught.value.in_the_way == "below"
     with pytest.raises(NoPath, match="at the start of the path a load"):

@@ -16,6 +16,7 @@ from core.cell.folder import load_cell
 from core.errors import Cause, Commanded, ControlLost, Held, HoldExpired, Lateness
 from core.sessions.leased import FUTURE_S, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal, is_stopped
 from core.sessions.simulated import SimulatedSession
+from core.words.message import Message
 from tests.hand_clock import HandClock
 
 

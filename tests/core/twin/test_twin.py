@@ -48,7 +48,9 @@ def test_what_a_scene_lacks_is_said_and_left_out() -> None:
     poses = replace(make_home_scene(CELL), q=None, dq=None, jacobian=None)
     twin = Twin(effects=(TILT, entry(CELL, "joint_offset", joint_2_rad=0.01)))
     assert [one.effect for one in twin.in_scene(poses)] == ["base_tilt"]
-    assert twin.lacking(poses) == ("joint_offset: the recording has no joint positions",)
+    [lacking] = twin.lacking(poses)
+    assert (lacking.code, lacking.parameters["effect"]) == ("twin-lacking", "joint_offset")
+    assert str(lacking) == "joint_offset: the recording has no joint positions"
     assert twin.lacking(make_home_scene(CELL)) == ()
 
 

@@ -7,9 +7,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import jinja2
 import pytest
 from fluent.syntax import FluentParser
 from fluent.syntax import ast as ftl
+from jinja2 import nodes
 
 from core.errors import BadCell, NoPath
 from core.words.catalogue import FOLDER, LANGUAGES, NUMBERS
@@ -90,7 +92,16 @@ def uses() -> list[Use]:
                 open_ended = call is None or any(keyword.arg is None for keyword in call.keywords)
                 given = None if open_ended or call is None else {keyword.arg for keyword in call.keywords if keyword.arg}
                 found.append(Use(f"{file.relative_to(ROOT)}:{node.lineno}", node.value, given))
-    return found
+    return [*found, *uses_of_templates()]
+
+
+def uses_of_templates() -> Iterator[Use]:
+    """The same of the pages' templates, where every message is the first argument of `say`."""
+    for file in sorted((ROOT / "core").rglob("*.html")):
+        for call in jinja2.Environment().parse(file.read_text(encoding="utf-8")).find_all(nodes.Call):
+            if isinstance(call.node, nodes.Name) and call.node.name == "say":
+                code = call.args[0].as_const()
+                yield Use(f"{file.relative_to(ROOT)}:{call.lineno}", code, {keyword.key for keyword in call.kwargs})
 
 
 def is_code(text: str) -> bool:

@@ -8,6 +8,7 @@ from hashlib import sha256
 
 from core.trial.draw import draw
 from core.trial.outcome import make_stopped_outcome
+from core.words.message import Message
 from server.people.roles import Role
 from server.runner.trial_schemas import TrialsResult
 from server.runner.trialling import _open_trials
@@ -38,7 +39,11 @@ def test_seals_are_told_and_written_down_before_the_answers_and_trials_can_be_ca
 
 def test_what_is_opened_is_what_was_sealed() -> None:
     sealed = draw(7).sealed
-    result = TrialsResult.model_validate_json(_open_trials([make_stopped_outcome(sealed, "the guard stopped the robot")]))
+    result = TrialsResult.model_validate_json(
+        _open_trials([make_stopped_outcome(sealed, Message.of("text", text="the guard stopped the robot"))])
+    )
     assert sha256(result.opened[0].sealed.encode()).hexdigest() == sealed.hash
     assert result.opened[0].planted == sealed.in_words
-    assert "# " in result.sheet
+    assert result.sheet.startswith("# Blind trials")
+    assert result.sheets["en"] == result.sheet
+    assert result.sheets["de"].startswith("# Blindversuche")

@@ -10,6 +10,8 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 from sqlalchemy.exc import OperationalError
+from starlette.testclient import WebSocketDenialResponse
+from starlette.websockets import WebSocketDisconnect
 
 from core.errors import Cause
 from core.events import PhaseStarted, RobotStopped, StepFinished
@@ -239,6 +241,40 @@ def test_whoever_begins_to_watch_a_robot_on_hold_sees_its_newest_samples(stage):
         while (message := watching.receive_json())["kind"] != "samples":
             pass
     assert message["t_s"] == [12.0]
+
+
+def test_robots_are_told_to_anybody_as_they_change_and_again_and_again(stage):
+    with stage.anybody.websocket_connect("/api/now/live") as watching:
+        first, second = watching.receive_json(), watching.receive_json()
+        assert [(each["cell"], each["run"], each["state"]) for each in first["robots"]] == [(CELL, stage.run, "Resetting")], first
+        assert second["robots"] == first["robots"]
+        stage.plan()
+        while watching.receive_json()["robots"][0]["state"] != "Idle":
+            pass
+
+
+def test_whoever_watches_a_cell_is_told_its_run_and_who_is_in_control(stage):
+    stage.moves()
+    with stage.operator.websocket_connect(f"/api/cells/{CELL}/live", headers={"origin": "http://testserver"}) as watching:
+        told = watching.receive_json()
+        assert told["run"] | {"ends_at": None, "sequence": 0} == stage.shown() | {"ends_at": None, "sequence": 0}
+        assert (told["control"]["holder"], told["control"]["fence"]) == ("account:operator", stage.fence)
+        stage.on_loop(stage.service.control.let_go, CELL, "account:operator", stage.fence)
+        while watching.receive_json()["control"]["holder"] is not None:
+            pass
+
+
+def test_who_is_not_signed_in_or_watches_what_there_is_not_is_told_so(stage):
+    with pytest.raises(WebSocketDenialResponse) as refused, stage.anybody.websocket_connect(f"/api/cells/{CELL}/live"):
+        pass
+    assert refused.value.status_code == 401
+    headers = {"origin": "http://testserver"}
+    with (
+        stage.operator.websocket_connect("/api/cells/nowhere/live", headers=headers) as watching,
+        pytest.raises(WebSocketDisconnect) as unknown,
+    ):
+        watching.receive_json()
+    assert unknown.value.code == 1008
 
 
 def test_a_command_whose_process_ends_at_once_is_answered_and_kept(stage):

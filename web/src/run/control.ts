@@ -3,13 +3,11 @@ import type { ControlAnswer } from '../api';
 import { chosenCell } from '../cells/cells';
 import { session } from '../session/session';
 import { ask } from '../ui/client';
-import { every } from '../ui/connection';
 import { nameOf } from '../ui/names';
 import { Flaw } from '../ui/notice';
 import { Refusal } from '../ui/refusal';
+import { cellLive } from './cell-live';
 import { dropControl, hearFence, keepControl, leasedCell, ownFence } from './lease';
-
-const ASK_MS = 1000;
 
 /** Who is in control of the chosen cell, over which connection, as the service said last. */
 export const control = signal<ControlAnswer | null>(null);
@@ -39,14 +37,9 @@ export async function giveControlBack(): Promise<void> {
 }
 
 effect(() => {
-  const name = chosenCell.value;
-  control.value = null;
-  if (!session.value || !name) return undefined;
-  return every(ASK_MS, async () => {
-    const fence = ownFence();
-    control.value = await ask('GET /api/control/{cell}', { path: { cell: name } });
-    if (mine.value && fence === ownFence()) hearFence(control.value.fence);
-  });
+  const said = cellLive.value?.control ?? null;
+  control.value = said;
+  if (said !== null && mine.peek()) hearFence(said.fence);
 });
 effect(() => {
   if (session.value === null) dropControl();

@@ -2,6 +2,7 @@ import { signal, untracked } from '@preact/signals';
 import type { EventMessage, LiveBatch } from '../api';
 import { socketAddress } from '../ui/client';
 import { onReturn } from '../ui/connection';
+import { leave } from '../ui/socket';
 import { clearTraces, trace } from './traces';
 
 /** What the socket of a run sends. */
@@ -79,10 +80,4 @@ export function follow(run: string, heard: (message: EventMessage) => void): () 
     leave(socket);
     following.value = true;
   };
-}
-
-/** A socket that is still being opened is closed once it is open: browsers take the other way for a failure. */
-function leave(socket: WebSocket | null): void {
-  if (socket?.readyState === WebSocket.CONNECTING) socket.onopen = () => socket.close();
-  else socket?.close();
 }

@@ -6,10 +6,12 @@ import { absent, sought } from '../ui/absent';
 import { ask } from '../ui/client';
 import { every } from '../ui/connection';
 import { runInRoute } from '../ui/route';
+import { cellLive } from './cell-live';
 import { events, follow } from './live';
 import { activeRun, isOver } from './runs';
 
-const ASK_MS = 1000;
+/** What happens to it is told; this is for what nobody told. */
+const ASK_MS = 30_000;
 
 /** The run that the address names, as it stands now; null until it is known. */
 export const run = signal<RunAnswer | null>(null);
@@ -21,6 +23,9 @@ export const current = computed(() => {
   const active = activeRun.value;
   return active === null || active.run === run.value?.run ? run.value : active;
 });
+
+/** States that come with more than an event says: a result, what may be continued. */
+const RESTS = new Set<RunAnswer['state']>(['Complete', 'Stopped', 'Aborted', 'Held', 'Idle']);
 
 type LiveEvent = EventMessage['event'];
 
@@ -49,7 +54,20 @@ export async function acceptResult(id: string): Promise<void> {
 }
 
 function heard(id: string, message: EventMessage): void {
-  if (message.event.kind === 'state_changed') void readRun(id).catch(() => undefined);
+  const { event } = message;
+  if (event.kind !== 'state_changed' || run.value?.run !== id || message.sequence <= run.value.sequence)
+    return;
+  const { state, job_state, commands, reason, reason_kind } = event;
+  run.value = {
+    ...run.value,
+    sequence: message.sequence,
+    state,
+    job_state,
+    commands,
+    reason: reason ?? null,
+    reason_kind: reason_kind ?? null,
+  };
+  if (RESTS.has(state)) void readRun(id).catch(() => undefined);
 }
 
 effect(() => {
@@ -61,4 +79,8 @@ effect(() => {
   return () => {
     for (const end of ends) end();
   };
+});
+effect(() => {
+  const told = cellLive.value?.run ?? null;
+  if (told !== null && told.run === runInRoute.value) run.value = told;
 });

@@ -1,18 +1,24 @@
-import { computed, effect, signal } from '@preact/signals';
+import { computed, effect, signal, untracked } from '@preact/signals';
 import type { RunAnswer, RunCommand, RunOrder } from '../api';
 import { chosenCell } from '../cells/cells';
 import { session } from '../session/session';
 import { ask } from '../ui/client';
 import { every } from '../ui/connection';
+import { cellLive } from './cell-live';
 import { sent } from './lease';
 
-const ASK_MS = 1000;
+/** What happens to the run that has the cell is told; the list beside it changes seldom. */
+const ASK_MS = 30_000;
 const FINAL = new Set<RunAnswer['state']>(['Complete', 'Stopped']);
 
 /** The newest runs of the chosen cell, newest first; null until they are known. */
 export const runs = signal<RunAnswer[] | null>(null);
-/** The run that has the cell: the oldest that is not over. */
-export const activeRun = computed(() => runs.value?.findLast((run) => !isOver(run)) ?? null);
+/** The run that has the cell, else the oldest that is not over. */
+export const activeRun = computed(
+  () => cellLive.value?.run ?? runs.value?.findLast((run) => !isOver(run)) ?? null,
+);
+/** Which run that is and its state, as text, so that it changes only with them. */
+const activeState = computed(() => `${activeRun.value?.run} ${activeRun.value?.state}`);
 
 /** Whether a run has let go of its cell. */
 export function isOver(run: RunAnswer): boolean {
@@ -60,6 +66,11 @@ export async function commandRun(run: string, command: RunCommand): Promise<void
 
 effect(() => {
   const name = chosenCell.value;
-  runs.value = null;
+  untracked(() => {
+    runs.value = null;
+  });
   return session.value && name ? every(ASK_MS, readRuns) : undefined;
+});
+effect(() => {
+  if (activeState.value && runs.peek() !== null) void readRuns().catch(() => undefined);
 });

@@ -25,10 +25,14 @@ const rereads = new Set<() => unknown>();
 
 /** Notes an answer of the service, whatever it says, and by how much its clock goes before the tablet's. */
 export function heard(answer: Response): void {
+  heardAt(Date.parse(answer.headers.get('Date') ?? ''));
+}
+
+/** Notes that the service has said something, and when by its own clock, ms, where it says so. */
+export function heardAt(service_ms: number | null): void {
   heard_ms = Date.now();
   ticks = 0;
-  const service_ms = Date.parse(answer.headers.get('Date') ?? '');
-  if (!Number.isNaN(service_ms)) ahead_ms = service_ms - heard_ms;
+  if (service_ms !== null && !Number.isNaN(service_ms)) ahead_ms = service_ms - heard_ms;
   if (lost.peek()) void comeBack();
 }
 

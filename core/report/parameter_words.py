@@ -1,0 +1,128 @@
+"""The parameters of effects in words and everyday units."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+
+from core.gap.answer import Value
+from core.report.rows import round_to_uncertainty
+from core.words.wording import ENGLISH, Wording
+
+SHOWN = 6
+"""Of one effect; a cross-talk has thirty."""
+UNIT_SUFFIX = re.compile(r"(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$")
+PIECES = re.compile(r"^(?:([ft][xyz]|m|mc_[xyz]|i[xyz]{2}|joint_\d+|mode_\d+)(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$")
+"""A name without its unit: what it belongs to, what it is of, along which axis or from which channel."""
+SCALES = {"rad": (math.degrees(1.0), "°"), "m": (1e3, "mm"), "rad/(N m)": (1e3, "mrad/(N m)")}
+SMALL = {"s": "ms", "kg": "g", "kg m": "g m", "kg m2": "g m²"}
+"""Units that become a thousandth below 1."""
+CODES = {
+    "about": "report-of-about",
+    "amplitude": "report-of-amplitude",
+    "asymmetry": "report-of-asymmetry",
+    "at": "report-of-at",
+    "contact_torque": "report-of-contact-torque",
+    "corner": "report-of-corner",
+    "correlation": "report-of-correlation",
+    "cos": "report-of-cos",
+    "coulomb": "report-of-coulomb",
+    "creep": "report-of-creep",
+    "damping_ratio": "report-of-damping-ratio",
+    "delay": "report-of-delay",
+    "difference": "report-of-difference",
+    "duration": "report-of-duration",
+    "first_minute": "report-of-first-minute",
+    "first_moment": "report-of-first-moment",
+    "force": "report-of-force",
+    "frequency": "report-of-frequency",
+    "friction": "report-of-friction",
+    "from": "report-of-from",
+    "full_scale_error": "report-of-full-scale-error",
+    "gain_error": "report-of-gain-error",
+    "gear_ratio": "report-of-gear-ratio",
+    "guide_friction": "report-of-guide-friction",
+    "half_width": "report-of-half-width",
+    "hanging": "report-of-hanging",
+    "held": "report-of-held",
+    "joint": "report-of-joint",
+    "lag": "report-of-lag",
+    "lost": "report-of-lost",
+    "lower_limit": "report-of-lower-limit",
+    "mass": "report-of-mass",
+    "mode": "report-of-mode",
+    "moving": "report-of-moving",
+    "noise_factor": "report-of-noise-factor",
+    "over": "report-of-over",
+    "place": "report-of-place",
+    "pull": "report-of-pull",
+    "rectification": "report-of-rectification",
+    "second_order": "report-of-second-order",
+    "settling_rate": "report-of-settling-rate",
+    "sin": "report-of-sin",
+    "slack": "report-of-slack",
+    "slope_error": "report-of-slope-error",
+    "start": "report-of-start",
+    "start_rate": "report-of-start-rate",
+    "step": "report-of-step",
+    "step_time": "report-of-step-time",
+    "stiffness": "report-of-stiffness",
+    "swinging_inertia": "report-of-swinging-inertia",
+    "taper": "report-of-taper",
+    "time_constant": "report-of-time-constant",
+    "turning_load_log_ratio": "report-of-turning-load-log-ratio",
+    "turning_spread_log_ratio": "report-of-turning-spread-log-ratio",
+    "twist_cube": "report-of-twist-cube",
+    "twist_friction": "report-of-twist-friction",
+    "twist_linear": "report-of-twist-linear",
+    "twist_square": "report-of-twist-square",
+    "upper_limit": "report-of-upper-limit",
+    "viscous": "report-of-viscous",
+}
+
+
+def parameter_texts(parameters: Mapping[str, Value], words: Wording = ENGLISH) -> tuple[str, ...]:
+    """The parameters in their order; of many, those that stand out most from their uncertainty."""
+    names = list(parameters)
+    if len(names) > SHOWN:
+        clearest = sorted(names, key=lambda name: -_clearness(parameters[name]))[:SHOWN]
+        names = [name for name in names if name in clearest]
+    more = len(parameters) - len(names)
+    told = tuple(value_text(name, parameters[name], words) for name in names)
+    return (*told, words.say("report-gap-more-parameters", count=more)) if more else told
+
+
+def _clearness(value: Value) -> float:
+    return abs(value.value) / value.std if value.std else math.inf
+
+
+def value_text(name: str, value: Value, words: Wording = ENGLISH) -> str:
+    """A parameter with its uncertainty in everyday units."""
+    factor, unit = _scale(name, value)
+    number = round_to_uncertainty(factor * value.value, None if value.std is None else factor * value.std)
+    if value.std is not None and value.std > 0:
+        number += f" ± {round_to_uncertainty(factor * value.std, factor * value.std)}"
+    text = f"{name_parameter(name, words)} {words.mark(number)}" + (unit if unit == "°" else f" {unit}").rstrip()
+    return words.say("report-gap-at-bound", parameter=text) if value.at_bound else text
+
+
+def name_parameter(name: str, words: Wording) -> str:
+    """Without its unit: `joint_3_gear_ratio` is "joint 3 gear ratio"."""
+    found = PIECES.match(UNIT_SUFFIX.sub("", name))
+    belongs, of, axis = (found[k] or "" for k in (1, 2, 3)) if found else ("", name, "")
+    part, _, index = belongs.partition("_")
+    return " ".join(piece for piece in (_name_piece(part, words), index, _name_piece(of, words), axis) if piece)
+
+
+def _name_piece(piece: str, words: Wording) -> str:
+    return words.say(CODES[piece]) if piece in CODES else piece.replace("_", " ")
+
+
+def _scale(name: str, value: Value) -> tuple[float, str]:
+    if value.unit == "1":
+        return (100.0, "%") if name.endswith("share") else (1.0, "")
+    if value.unit in SMALL and abs(value.value) < 1.0:
+        return 1e3, SMALL[value.unit]
+    factor, unit = SCALES.get(value.unit, (1.0, value.unit))
+    return factor, unit.replace("m2", "m²").replace("s2", "s²")

@@ -1,0 +1,51 @@
+estimation-mass = { $decimals ->
+    [0] { FIXED($mass_kg, digits: 0) } kg (±{ FIXED($half_width_kg, digits: 0) } kg, 95 %)
+    [1] { FIXED($mass_kg, digits: 1) } kg (±{ FIXED($half_width_kg, digits: 1) } kg, 95 %)
+    [2] { FIXED($mass_kg, digits: 2) } kg (±{ FIXED($half_width_kg, digits: 2) } kg, 95 %)
+    [3] { FIXED($mass_kg, digits: 3) } kg (±{ FIXED($half_width_kg, digits: 3) } kg, 95 %)
+    [4] { FIXED($mass_kg, digits: 4) } kg (±{ FIXED($half_width_kg, digits: 4) } kg, 95 %)
+    [5] { FIXED($mass_kg, digits: 5) } kg (±{ FIXED($half_width_kg, digits: 5) } kg, 95 %)
+   *[other] { FIXED($mass_kg, digits: 6) } kg (±{ FIXED($half_width_kg, digits: 6) } kg, 95 %)
+}
+estimation-all-determined = Die Last hat { estimation-mass }; alle zehn Trägheitsparameter sind bestimmt.
+estimation-inertia-not-determined = Die Last hat { estimation-mass }; Masse und erstes Moment sind bestimmt, die Trägheit ist es nicht (die Bewegung regt die Trägheit nicht genug an).
+estimation-inertia-not-determined-standing = Die Last hat { estimation-mass }; Masse und erstes Moment sind bestimmt, die Trägheit ist es nicht ({ estimation-standing }).
+estimation-partly-determined = Die Last hat { estimation-mass }; nicht bestimmt: { $missing }.
+estimation-nothing-determined = Die Last ist nicht bestimmt: { $reason }.
+estimation-standing = nur einzelne Stellungen: die Trägheit ist nicht angeregt
+estimation-no-rotation = keine Drehung um { $axis }
+estimation-no-rotation-of-two = keine Drehung um { $axis } oder { $other }
+estimation-two-reasons = { $rotation }; { $reason }
+estimation-mass-uncertain = zu wenige verschiedene Stellungen, um das Gewicht vom Nullpunkt des Sensors zu trennen; die Standardunsicherheit wäre { SIGNIFICANT($std_kg, digits: 2) } kg gegen { SIGNIFICANT($scale_kg, digits: 2) } kg, die Größe, auf die es ankommt
+estimation-first-moment-uncertain = Schwerkraft aus zu wenigen Richtungen, um das erste Moment um { $axis } vom Nullpunkt zu trennen; die Standardunsicherheit wäre { SIGNIFICANT($std_kg_m, digits: 2) } kg m gegen { SIGNIFICANT($scale_kg_m, digits: 2) } kg m, die Größe, auf die es ankommt
+estimation-inertia-uncertain = zu wenig Winkelbeschleunigung; { estimation-inertia-size }
+estimation-inertia-uncertain-about = kaum Winkelbeschleunigung um { $axes }; { estimation-inertia-size }
+estimation-inertia-size = die Standardunsicherheit wäre { SIGNIFICANT($std_kg_m2, digits: 2) } kg m² gegen { SIGNIFICANT($scale_kg_m2, digits: 2) } kg m², die Größe, auf die es ankommt
+estimation-too-few-still = zu wenige Messwerte im Stillstand, und keine Bewegung, die an ihre Stelle treten könnte
+estimation-too-short = { FIXED($lasts_s, digits: 2) } s sind zu kurz, um etwas zu sagen
+estimation-no-wrench = die Aufzeichnung enthält keine Kräfte am Handgelenk
+estimation-no-motion = die Aufzeichnung enthält neben den Kräften weder Gelenke noch Stellungen
+estimation-wrench-needed = aus Gelenkmomenten folgt eine Last nur zusammen mit den Parametern des Arms selbst (Massen, erste Momente und Trägheiten der Glieder, Reibung) oder mit einer Aufzeichnung derselben Bewegung ohne Last; oder zeichnen Sie einen Sensor am Handgelenk auf
+estimation-motion-needed = zeichnen Sie neben der Kraft auch Gelenkstellungen oder Stellungen des Sensors auf
+estimation-read = { FIXED($lasts_s, digits: 1) } s bei { FIXED($rate_hz, digits: 0) } Hz wurden gelesen, ohne Lücken und ohne Werte, die keine endlichen Zahlen sind
+estimation-joint-spans = die Gelenke bewegen sich über { $spans } Grad
+estimation-joint-span = { DEGREES($span_rad, digits: 0) }
+estimation-lively = { estimation-liveliness } für alle zehn Parameter
+estimation-hardly-lively = { estimation-liveliness } kaum für alle zehn Parameter
+estimation-liveliness = der Sensor dreht sich mit bis zu { FIXED($turns_rad_s, digits: 2) } rad/s und { FIXED($turns_rad_s2, digits: 1) } rad/s², die Schwerkraft streut längs ihrer schwächsten Achse um { PERCENT($spread) } % ihrer Größe: mit einem Sensor am Handgelenk reichte diese Bewegung
+estimation-joint-torques = die Gelenkmomente erreichen { $torques } N m; Arm, Reibung und Last zusammen, der Anteil der Last lässt sich daraus nicht angeben
+estimation-joint-torque = { FIXED($torque_n_m, digits: 1) }
+estimation-residual-above-noise = der Rest ist größer als das Rauschen des Sensors, am meisten in { $channel } ({ FIXED($times, digits: 1) }-mal, mit seinem zeitlichen Zusammenhang): etwas, das im Modell fehlt; die Unsicherheiten wurden vergrößert, aber ein Fehler, der sich wiederholt, ist kein Rauschen
+estimation-no-such-body = für sich allein verlangten die Daten einen Körper, den es nicht geben kann; genommen wurde der nächste, den es geben kann
+estimation-noise-of-residual = kein Stillstand war lang genug, um das Rauschen des Sensors zu messen: es wurde dem Rest entnommen
+estimation-saturated = der Sensor stand am Ende seines Bereichs: { $channels }
+estimation-base-tilt = die Basis steht schief: { DEGREES($angle_rad, digits: 2) } Grad; berücksichtigt
+estimation-wrench-late = die Kraftmessung kommt gegen die Gelenke { MILLI($late_s, digits: 1) } ms zu spät; berücksichtigt
+estimation-wrench-early = die Kraftmessung kommt gegen die Gelenke { MILLI($early_s, digits: 1) } ms zu früh; berücksichtigt
+estimation-drift-accounted = { $drift }; berücksichtigt
+estimation-drift = der Nullpunkt des Sensors wanderte: { $channels }
+estimation-no-drift = der Nullpunkt des Sensors wanderte nicht über sein Rauschen hinaus
+estimation-drift-of-force = { $channel } { SIGNIFICANT($range_n, digits: 2) } N
+estimation-drift-of-torque = { $channel } { SIGNIFICANT($range_n_m, digits: 2) } N m
+estimation-transfers-alone = nicht gedreht wurde um { $axes }: { $parameters } beruhen allein auf den Fahrten, und keine ausgelassene Drehung prüft sie nach
+estimation-effect-left-out = ein Effekt des Zwillings konnte nicht berücksichtigt werden, { $reason }

@@ -1,0 +1,4 @@
+# Stopps der Bewegung selbst: bevor sie beginnt, wo sie fortgesetzt wird, oder wo sie nicht weiterkommt.
+motion-starts-elsewhere = Gelenk { $joint } steht { FIXED($value, digits: 4) } rad von dort, wo die Bewegung beginnt (Grenze { FIXED($limit, digits: 3) } rad); der Roboter ist ihr nicht gefolgt. Planen Sie neu von dort, wo er steht.
+motion-moved-while-stopped = der Roboter steht { FIXED($value, digits: 4) } rad von dort, wo er gestoppt wurde (Grenze { FIXED($limit, digits: 2) } rad); jemand hat ihn bewegt. Beginnen Sie den Rest als neuen Lauf, der von dort geplant wird, wo er steht.
+motion-rotation-stalled = die Drehung um die Sensorachse { $axis } steht bei { PERCENT($progress) } % ihres Profils: Gelenk { $joint } ist { FIXED($value, digits: 3) } rad vor seiner Grenze, oder der Arm ist singulär; der Roboter wurde gestoppt. Wählen Sie eine andere Startstellung.

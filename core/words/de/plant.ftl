@@ -1,0 +1,16 @@
+plant-inertial-parameters = Trägheitsparameter
+plant-links-on-joint = { $file }: Glieder am Gelenk „{ $joint }“
+plant-effort-of-joint = { $file }: Gelenk „{ $joint }“: limit effort
+plant-payload-with-fault = Last mit einem Fehler
+plant-no-rigid-body =
+    .found = { $phi }
+    .expected = solche, die ein starrer Körper haben kann
+plant-no-effort =
+    .found = kein Wert
+    .expected = ein Drehmoment über 0 N m für den simulierten Antrieb
+plant-effort-not-positive =
+    .found = { SIGNIFICANT($effort_n_m, digits: 4) } N m
+    .expected = ein Drehmoment über 0 N m für den simulierten Antrieb
+plant-no-mass =
+    .found = keine Masse
+    .expected = eine Last mit Masse

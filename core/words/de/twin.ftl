@@ -1,0 +1,32 @@
+twin-not-written =
+    .found = ein Ordner, in den nicht geschrieben werden kann ({ $reason })
+    .expected = einer, der sich ändern lässt
+twin-unknown-effect =
+    .found = „{ $effect }“
+    .expected = { $meant }
+twin-effect-twice =
+    .found = „{ $effect }“ { $count }-mal
+    .expected = jeder Effekt einmal
+twin-unknown-parameter =
+    .found = kein Parameter von { $effect }
+    .expected = { $meant }
+twin-no-such-key =
+    .found = kein solcher Schlüssel
+    .expected = dass es ihn gibt
+twin-unit =
+    .found = „{ $unit }“
+    .expected = „{ $right }“
+twin-out-of-bounds =
+    .found = { SIGNIFICANT($figure, digits: 6) } { $unit }
+    .expected = zwischen { SIGNIFICANT($lower, digits: 6) } und { SIGNIFICANT($upper, digits: 6) }
+twin-covariance-size =
+    .found = { $rows } Zeilen
+    .expected = { $count } mal { $count } Zahlen
+twin-no-covariance =
+    .found = eine Matrix, die nicht symmetrisch und positiv ist
+    .expected = eine Kovarianz
+
+twin-close-name = „{ $name }“, falls das gemeint war
+twin-known-names = eines von { $names }
+
+twin-lacking = { $effect }: { $reason }

@@ -1,0 +1,56 @@
+# The verdict.
+estimation-mass = { $decimals ->
+    [0] { FIXED($mass_kg, digits: 0) } kg (±{ FIXED($half_width_kg, digits: 0) } kg, 95 %)
+    [1] { FIXED($mass_kg, digits: 1) } kg (±{ FIXED($half_width_kg, digits: 1) } kg, 95 %)
+    [2] { FIXED($mass_kg, digits: 2) } kg (±{ FIXED($half_width_kg, digits: 2) } kg, 95 %)
+    [3] { FIXED($mass_kg, digits: 3) } kg (±{ FIXED($half_width_kg, digits: 3) } kg, 95 %)
+    [4] { FIXED($mass_kg, digits: 4) } kg (±{ FIXED($half_width_kg, digits: 4) } kg, 95 %)
+    [5] { FIXED($mass_kg, digits: 5) } kg (±{ FIXED($half_width_kg, digits: 5) } kg, 95 %)
+   *[other] { FIXED($mass_kg, digits: 6) } kg (±{ FIXED($half_width_kg, digits: 6) } kg, 95 %)
+}
+estimation-all-determined = The payload has { estimation-mass }; all ten inertial parameters are determined.
+estimation-inertia-not-determined = The payload has { estimation-mass }; mass and first moment are determined, the inertia is not (the motion does not excite the inertia enough).
+estimation-inertia-not-determined-standing = The payload has { estimation-mass }; mass and first moment are determined, the inertia is not ({ estimation-standing }).
+estimation-partly-determined = The payload has { estimation-mass }; not determined: { $missing }.
+estimation-nothing-determined = The payload is not determined: { $reason }.
+# Why a parameter is not determined.
+estimation-standing = static poses only: the inertia is not excited
+estimation-no-rotation = no rotation about { $axis }
+estimation-no-rotation-of-two = no rotation about { $axis } or { $other }
+estimation-two-reasons = { $rotation }; { $reason }
+estimation-mass-uncertain = too few different poses to tell the weight from the sensor's offset; its standard uncertainty would be { SIGNIFICANT($std_kg, digits: 2) } kg against { SIGNIFICANT($scale_kg, digits: 2) } kg, the size that matters
+estimation-first-moment-uncertain = gravity came from too few directions to tell the first moment about { $axis } from the offset; its standard uncertainty would be { SIGNIFICANT($std_kg_m, digits: 2) } kg m against { SIGNIFICANT($scale_kg_m, digits: 2) } kg m, the size that matters
+estimation-inertia-uncertain = too little angular acceleration; { estimation-inertia-size }
+estimation-inertia-uncertain-about = hardly any angular acceleration about { $axes }; { estimation-inertia-size }
+estimation-inertia-size = its standard uncertainty would be { SIGNIFICANT($std_kg_m2, digits: 2) } kg m2 against { SIGNIFICANT($scale_kg_m2, digits: 2) } kg m2, the size that matters
+# Why nothing at all is determined.
+estimation-too-few-still = too few motionless samples, and no motion that could be used instead
+estimation-too-short = { FIXED($lasts_s, digits: 2) } s are too short to say anything
+estimation-no-wrench = the recording has no wrench of a wrist sensor
+estimation-no-motion = the recording has neither joints nor poses beside the wrench
+estimation-wrench-needed = a payload follows from joint torques only together with the arm's own parameters (link masses, first moments, inertias and friction), or with a recording of the same motion without the payload; or record the wrench of a wrist sensor
+estimation-motion-needed = record joint positions or sensor poses beside the wrench
+# What can be said without a wrench all the same.
+estimation-read = { FIXED($lasts_s, digits: 1) } s at { FIXED($rate_hz, digits: 0) } Hz were read and are free of gaps and non-finite values
+estimation-joint-spans = the joints move through { $spans } deg
+estimation-joint-span = { DEGREES($span_rad, digits: 0) }
+estimation-lively = { estimation-liveliness } enough for all ten parameters
+estimation-hardly-lively = { estimation-liveliness } hardly enough for all ten parameters
+estimation-liveliness = the sensor frame turns with up to { FIXED($turns_rad_s, digits: 2) } rad/s and { FIXED($turns_rad_s2, digits: 1) } rad/s2, gravity spreads over its weakest axis by { PERCENT($spread) } % of its size: with a wrist sensor this motion would be
+estimation-joint-torques = the joint torques reach { $torques } N m; arm, friction and payload together, of which the payload's share cannot be told
+estimation-joint-torque = { FIXED($torque_n_m, digits: 1) }
+# What should be known before the numbers are used.
+estimation-residual-above-noise = the residual exceeds the sensor's noise, most in { $channel } ({ FIXED($times, digits: 1) } times with its correlation in time): something that the model leaves out; the uncertainties were widened, but an error that repeats is not noise
+estimation-no-such-body = the data alone asked for a body that cannot exist; the nearest one that can was taken
+estimation-noise-of-residual = no motionless part long enough to measure the sensor's noise: it was taken from the residual
+estimation-saturated = the sensor reached the end of its range in { $channels }
+estimation-base-tilt = the base is not level: { DEGREES($angle_rad, digits: 2) } deg; taken into account
+estimation-wrench-late = the wrench is { MILLI($late_s, digits: 1) } ms late against the joints; taken into account
+estimation-wrench-early = the wrench is { MILLI($early_s, digits: 1) } ms early against the joints; taken into account
+estimation-drift-accounted = { $drift }; taken into account
+estimation-drift = the sensor's offset drifted: { $channels }
+estimation-no-drift = no drift of the sensor's offset beyond its noise
+estimation-drift-of-force = { $channel } { SIGNIFICANT($range_n, digits: 2) } N
+estimation-drift-of-torque = { $channel } { SIGNIFICANT($range_n_m, digits: 2) } N m
+estimation-transfers-alone = there was no rotation about { $axes }: { $parameters } rest on the transfers alone, and no rotation that was left out verifies them
+estimation-effect-left-out = the twin's effect could not be accounted for, { $reason }

@@ -1,0 +1,4 @@
+# Stops of a motion itself, before it begins, where it goes on, or where it gets no further.
+motion-starts-elsewhere = joint { $joint } stands { FIXED($value, digits: 4) } rad from where the trajectory starts (limit { FIXED($limit, digits: 3) } rad); the robot has not followed it. Plan again from where the robot stands.
+motion-moved-while-stopped = the robot stands { FIXED($value, digits: 4) } rad from where it was stopped (limit { FIXED($limit, digits: 2) } rad); somebody has moved it. Begin the rest as a new run, which is planned from where it stands.
+motion-rotation-stalled = the rotation about sensor axis { $axis } stands still at { PERCENT($progress) } % of its profile: joint { $joint } is { FIXED($value, digits: 3) } rad from its limit, or the arm is singular; the robot was stopped. Choose another start configuration.
