@@ -1,8 +1,9 @@
 # Three stages: the console and the service by the same steps as `make run`, then only what runs. Not root; recordings go to the volume.
 FROM node:22-slim AS console
-WORKDIR /web
+WORKDIR /heft/web
 COPY web/package.json web/package-lock.json web/.npmrc ./
 RUN npm ci
+COPY core/words ../core/words
 COPY web ./
 RUN npm run build
 
@@ -12,7 +13,7 @@ COPY requirements.txt pyproject.toml README.md ./
 COPY core core
 COPY cells cells
 COPY server server
-COPY --from=console /web/dist server/console
+COPY --from=console /heft/web/dist server/console
 RUN python -m venv .venv \
     && .venv/bin/python -m pip install --no-cache-dir -r requirements.txt \
     && .venv/bin/python -m pip install --no-cache-dir --no-deps .

@@ -7,7 +7,7 @@ BIN := $(VENV)/bin
 NODE_NEEDED := 20.19
 NODE_FITS := $(shell node -e 'const [a, b] = process.versions.node.split(".").map(Number); console.log(a > 20 || (a === 20 && b >= 19))' 2>/dev/null)
 CONSOLE := web/dist/index.html
-CONSOLE_SOURCES := $(shell find web/src -type f) web/index.html web/vite.config.ts web/tsconfig.json
+CONSOLE_SOURCES := $(shell find web/src core/words -type f ! -name '*.py*') web/index.html web/vite.config.ts web/tsconfig.json
 
 .PHONY: run test check check-console bench wheel clean
 

@@ -121,7 +121,7 @@ def release(at: Tablet) -> None:
     until = time.monotonic() + BUSY_MS / 1e3
     while at.page.locator(".preview").is_visible():
         assert time.monotonic() < until, f"no START within {BUSY_MS / 1e3:.0f} s: {at.page.inner_text('body')}"
-        for name in ("START", "Show the plan again", "Release"):
+        for name in ("START", "Review the plan again", "Release"):
             button = at.page.get_by_role("button", name=name)
             if button.is_visible():
                 with suppress(TooLate):  # it went away under the finger

@@ -83,7 +83,7 @@ def _run_with_pictures(service: RealService, browser: Browser, folder: Path) -> 
         at.wait(".preview table")
         at.without_notice()
         picture(at, folder, "plan", DRAWN_MS)
-        again = at.page.get_by_role("button", name="Show the plan again")
+        again = at.page.get_by_role("button", name="Review the plan again")
         if again.is_visible():
             again.tap()
         at.without_viewer()
@@ -172,7 +172,7 @@ def _gap(service: RealService, browser: Browser, folder: Path) -> str:
         at.wait(".twin li")
         picture(at, folder, "gap")
         at.press("Remove")
-        at.press("Remove it for good")
+        at.press("Remove permanently")
         page.locator(".twin li").wait_for(state="detached")
         show(at, "trials", finished_trial(service))
         at.press("Open the seal")

@@ -7,6 +7,7 @@ export default defineConfig(({ mode }) => {
   return {
     build: { target: ['chrome123', 'firefox128', 'safari17.5'] },
     worker: { format: 'es' },
-    server: { proxy: { '/api': proxied, '/viewer': proxied } },
+    // The words of messages stand beside the engine.
+    server: { proxy: { '/api': proxied, '/viewer': proxied }, fs: { allow: ['.', '../core/words'] } },
   };
 });

@@ -48,7 +48,7 @@ def diagnosed(service: RealService, browser: Browser, recording: Path, person: C
     """The diagnosis of that recording, asked for at the tablet and waited for there."""
     del person
     with signed_in(service, browser) as at:
-        at.tap(at.page.get_by_role("link", name="Gap"))
+        at.tap(at.page.get_by_role("link", name="Diagnosis"))
         diagnose = at.page.locator(".recording-upload button")
         expect(diagnose).to_be_disabled()
         check_looks(look(at.page, "gap"))
@@ -118,7 +118,7 @@ def test_measured_and_simulated_are_drawn_for_the_channel_and_the_motion_that_ar
     expect(overlay.get_by_role("status")).not_to_contain_text("Whole recording")
     engineer.press("Whole recording")
     expect(overlay.get_by_role("status")).to_contain_text("Whole recording")
-    engineer.press("Motion after")
+    engineer.press("Next motion")
     expect(overlay.get_by_role("status")).not_to_contain_text("Whole recording")
     assert engineer.complaints == []
 
@@ -153,7 +153,7 @@ def test_the_effect_goes_into_the_twin_and_out_again_in_two_taps(engineer: Table
     engineer.press("Remove")
     check_looks(look(page, "gap with a twin"))
     assert effects_of(person) == ["base_tilt"]
-    engineer.press("Remove it for good")
+    engineer.press("Remove permanently")
     expect(page.locator(".twin li")).to_have_count(0)
     assert effects_of(person) == []
     assert engineer.complaints == []
@@ -184,11 +184,11 @@ def test_what_is_not_settled_names_both_and_the_motion_that_settles_it(engineer:
     )
     page = show_instead(engineer, person, diagnosed, verdict="ambiguous", indistinguishable=[tie], next_experiment=motion)
     heading = page.get_by_role("heading", level=1)
-    expect(heading).to_contain_text("Not settled: Base not level or Joint encoders whose zero is off")
+    expect(heading).to_contain_text("Not settled: Base not level or Joint encoder offset")
     expect(page.locator(".ties")).to_contain_text("2.1 standard deviations apart")
     expect(page.locator(".next-motion")).to_contain_text("Turn about x.")
     expect(page.locator(".next-motion")).to_contain_text("11.4 σ")
-    expect(page.locator(".bars li", has_text="Joint encoders whose zero is off")).to_have_count(1)
+    expect(page.locator(".bars li", has_text="Joint encoder offset")).to_have_count(1)
     check_looks(look(page, "not settled"))
     engineer.press("Plan this motion")
     expect(page.get_by_role("alert")).to_contain_text("motion")  # the service knows that its own answer proposes none
@@ -233,12 +233,12 @@ def test_what_is_seen_elsewhere_stands_beside_the_verdict_with_its_measure_and_w
     page = show_instead(engineer, person, diagnosed, verdict="no_gap", effects=[], also=[OTHER_PAYLOAD, NOISY, RUBBING])
     expect(page.get_by_role("heading", level=1)).to_contain_text("Simulation and recording agree")
     also = page.locator(".also")
-    expect(also.get_by_role("heading", level=3)).to_have_text(["Payload that is not the reference", "More sensor noise than stated"])
+    expect(also.get_by_role("heading", level=3)).to_have_text(["Payload differs from the reference", "More sensor noise than stated"])
     expect(also).to_contain_text(OTHER_PAYLOAD["sentence"])
     expect(also).to_contain_text("Against the reference payload; 4.0 times what is stated or tolerated")
     expect(also).to_contain_text(NOISY["advice"])
     expect(page.locator(".minor")).to_contain_text(RUBBING["sentence"])
-    expect(page.locator("body")).to_contain_text("Do what is advised.")
+    expect(page.locator("body")).to_contain_text("Follow the advice.")
     check_looks(look(page, "seen elsewhere"))
     assert engineer.complaints == []
 

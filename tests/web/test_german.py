@@ -28,17 +28,17 @@ OF_THE_SCREEN = {"unreachable", "not-in-control", "control-not-taken"}
 """Kinds of what goes wrong on the screen alone."""
 SAID = {
     "explained": "Die Abweichung ist erklärt: Schiefe Basis",
-    "ambiguous": "Nicht entschieden: Kraftmessung später als die Gelenke oder Tiefpass im Sensor",
+    "ambiguous": "Nicht entschieden: Verzögertes Kraftsignal oder Tiefpass im Sensor",
     "unknown": "Kein bekannter Effekt erklärt die Abweichung",
     "no_gap": "Simulation und Aufzeichnung stimmen überein",
-    "not_enough": "Diese Aufzeichnung sagt zu wenig für eine Antwort.",
+    "not_enough": "Diese Aufzeichnung enthält zu wenig für eine Diagnose.",
 }
 LISTED = {
     "explained": "Erklärt: Schiefe Basis",
-    "ambiguous": "Nicht entschieden; am wahrscheinlichsten: Kraftmessung später als die Gelenke",
+    "ambiguous": "Nicht entschieden; am wahrscheinlichsten: Verzögertes Kraftsignal",
     "unknown": "Kein bekannter Effekt erklärt die Abweichung.",
     "no_gap": "Simulation und Aufzeichnung stimmen überein",
-    "not_enough": "Diese Aufzeichnung sagt zu wenig für eine Antwort.",
+    "not_enough": "Diese Aufzeichnung enthält zu wenig für eine Diagnose.",
 }
 
 
@@ -140,9 +140,9 @@ def test_whatever_may_stand_beside_a_verdict_has_german_words() -> None:
 def test_what_stands_beside_a_verdict_is_german_with_its_figures(german: Tablet, service: RealService) -> None:
     page = show(german, "gap", diagnosed(service, "no_gap"))
     also = page.locator(".also")
-    expect(also).to_contain_text("Last, die nicht die Referenz ist")
+    expect(also).to_contain_text("Last weicht von der Referenz ab")
     expect(also).to_contain_text("Die Last ist nicht die Referenz: 4,0\u202f% leichter, Trägheit um 3,5\u202f% anders.")
-    expect(also).to_contain_text("Gegen die Referenzlast; das 4,0-fache des Angegebenen oder Geduldeten")
+    expect(also).to_contain_text("Gegenüber der Referenzlast; das 4,0-Fache des Angegebenen oder Zulässigen")
     expect(also).to_contain_text("Prüfen Sie, ob die richtige Last montiert ist")
     expect(page.locator(".minor")).to_contain_text("Gelenk 5 reibt mit 2,03\u202fN m (Coulomb) und 4,86\u202fN m s/rad (viskos)")
     expect(also).not_to_contain_text("Reibung")

@@ -64,7 +64,7 @@ def test_two_runs_side_by_side_show_the_differences_that_the_service_found(at: T
     at.wait(".comparison-table")
     found = compared(service, *(run["run"] for run in runs))
     verdict = at.page.locator(".comparison .verdict")
-    expect(verdict).to_contain_text("≠ The runs differ" if found["differ"] else "= No difference beyond chance")
+    expect(verdict).to_contain_text("≠ The runs differ" if found["differ"] else "= No significant difference")
     expect(verdict).to_contain_text(f"one payload: {in_per_cent(found['chance'])}")
     for title, differences in (("Payload", found["com"]), ("Offsets of the sensor", found["offset"])):
         table = at.page.locator(".comparison-table").filter(has_text=title)
@@ -79,7 +79,7 @@ def test_a_result_is_set_beside_the_run_before_and_tells_how_well_unseen_motions
 ):
     before, last = (run["run"] for run in runs)
     at.page.goto(f"http://{service.address}/#/runs/{last}")
-    beside = at.page.get_by_role("link", name="Compare in full")
+    beside = at.page.get_by_role("link", name="Full comparison")
     expect(beside).to_have_attribute("href", f"#/history/{before}/{last}")
     verified = asked(service, f"/api/runs/{last}/result")["verification"]
     assert verified
@@ -97,7 +97,8 @@ def significance(difference: dict[str, Any]) -> str:
     times = abs(difference["value"]) / (INTERVAL * difference["std"])
     if times <= 1:
         return "= agrees"
-    return f"≠ {times:.1f} × its interval" if times < 10 else f"≠ {times:,.0f} × its interval".replace(",", "\u202f")
+    shown = f"{times:.1f}" if times < 10 else f"{times:,.0f}".replace(",", "\u202f")
+    return f"≠ significant ({shown} × the interval)"
 
 
 def in_per_cent(chance: float) -> str:

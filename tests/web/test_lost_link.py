@@ -156,7 +156,7 @@ def test_a_screen_that_only_looks_on_does_not_say_what_the_robot_does(service: R
         watching.wait("[data-state=Execute]")
         watching.page.context.set_offline(True)
         layer = watching.page.get_by_role("alertdialog")
-        expect(layer).to_contain_text("has control on another device. This screen does not know what the robot does now.")
+        expect(layer).to_contain_text("has control on another device. This screen does not know what the robot is doing now.")
         expect(layer).not_to_contain_text("stops by itself")
         watching.page.context.set_offline(False)
         layer.wait_for(state="detached")
@@ -205,7 +205,7 @@ def test_a_poor_link_is_warned_of_before_the_release_and_refuses_nothing(service
         expect(told.locator(".abnormal")).to_contain_text("the run would probably be put on hold")
         expect(told).to_contain_text("round trip 45 ms (99 % below 620 ms), lost 1.3 %, longest gap 2.6 s")
         check_looks(look(at.page, "poor link"))
-        expect(at.page.get_by_role("button", name=re.compile("Release|Show the plan again"))).to_be_enabled()
+        expect(at.page.get_by_role("button", name=re.compile("Release|Review the plan again"))).to_be_enabled()
 
 
 def test_a_stopped_run_is_continued_as_a_new_one(service: RealService, browser: Browser, person: Console) -> None:

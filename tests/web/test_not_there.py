@@ -13,9 +13,9 @@ from tests.web.screens import show, signed_in
 NOT_FOUND = "404 (Not Found)"
 """What the browser says of the one question that shows it."""
 PLACES = {
-    "nonsense": "There is no such page", "runs/nonsense": "There is no such run", "runs": "There is no such page",
-    "gap/nonsense": "There is no such page", "trials/nonsense": "There is no such page", "cells/nonsense": "There is no such page",
-    "constructor": "There is no such page", "%": "There is no such page",
+    "nonsense": "Page not found", "runs/nonsense": "Run not found", "runs": "Page not found",
+    "gap/nonsense": "Page not found", "trials/nonsense": "Page not found", "cells/nonsense": "Page not found",
+    "constructor": "Page not found", "%": "Page not found",
 }  # fmt: skip
 
 
@@ -25,7 +25,7 @@ def test_what_is_not_there_is_told_with_a_way_on(service: RealService, browser: 
         at.without_viewer()
         show(at, place)
         expect(at.page.get_by_role("heading", level=1)).to_have_text(PLACES[place])
-        expect(at.page.locator("main")).to_contain_text("Nothing is at #/")
+        expect(at.page.locator("main")).to_contain_text("There is nothing at #/")
         check_looks(look(at.page, place))
         at.press("Start page")
         at.wait(".setup .cell-facts")

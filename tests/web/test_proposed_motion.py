@@ -49,7 +49,7 @@ def test_an_operator_is_led_from_what_is_open_to_the_diagnosis_of_both_recording
     with signed_in(service, browser) as at:
         at.without_viewer()
         page = show(at, "gap", unsettled)
-        expect(page.get_by_role("heading", level=1)).to_contain_text("Not settled: Wrench late against the joints or Low-pass filter")
+        expect(page.get_by_role("heading", level=1)).to_contain_text("Not settled: Force signal delay or Low-pass filter")
         check_looks(look(page, "not settled, with a motion"))
         at.press("Plan this motion")
         at.wait(".preview table")
@@ -57,7 +57,7 @@ def test_an_operator_is_led_from_what_is_open_to_the_diagnosis_of_both_recording
         expect(page.locator(".poses tbody th")).to_have_text(re.compile(r"^y\+ ↻"))
         check_looks(look(page, "plan of a motion"))
         at.press("Take control")
-        again = page.get_by_role("button", name="Show the plan again")
+        again = page.get_by_role("button", name="Review the plan again")
         expect(page.get_by_role("button", name="Release").or_(again)).to_be_visible()
         if again.is_visible():
             again.tap()

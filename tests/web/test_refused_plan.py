@@ -22,7 +22,7 @@ def test_what_is_in_the_way_is_named_beside_the_cell_until_the_next_plan(service
         with zone_at(person, AT_THE_ROBOT) as zone:
             at.press("Take control and plan")
             at.wait(".ended .in-the-way")
-            expect(page.get_by_role("heading", level=1)).to_have_text("There is no safe plan")
+            expect(page.get_by_role("heading", level=1)).to_have_text("No safe plan found")
             expect(page.locator(".in-the-way")).to_contain_text(zone)
             expect(page.locator("footer .next")).to_contain_text("Nothing has moved.")
             expect(page.locator("iframe.viewer")).to_be_visible()

@@ -54,7 +54,7 @@ def check_that_a_plan_shown_too_long_ago_is_shown_again_first(at: Tablet) -> Non
     at.page.clock.fast_forward(61_000)
     button(at, "START").to_have_count(0)
     button(at, "Release").to_have_count(0)
-    at.press("Show the plan again")
+    at.press("Review the plan again")
     button(at, "Release").to_be_visible()
 
 

@@ -24,7 +24,7 @@ def test_the_result_stands_on_the_screen_with_its_interval_and_who_accepted_it(w
 def test_what_is_printed_is_the_result_and_nothing_to_tap(way: Way):
     printed = way.told["printed"]
     assert all(word in printed for word in ("2.78", "±", "accepted by operator", "Not a safety function"))
-    assert not any(word in printed for word in ("STOP", "Gap", "Settings", "Download", "Print", "New run"))
+    assert not any(word in printed for word in ("STOP", "Diagnosis", "Settings", "Download", "Print", "New run"))
 
 
 def test_every_screen_of_a_run_says_how_to_stop_what_comes_next_and_that_it_is_no_safety_function(way: Way):

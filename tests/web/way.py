@@ -62,7 +62,7 @@ def walked(service: RealService, browser: Browser) -> Way:
 
 def _release(seen: Way, at: Tablet) -> None:
     """A plan that has been looked at for too long is shown again first."""
-    again = at.page.get_by_role("button", name="Show the plan again")
+    again = at.page.get_by_role("button", name="Review the plan again")
     if again.is_visible():
         again.tap()
     at.press("Release")

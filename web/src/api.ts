@@ -44,7 +44,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/problems/{kind}": {
+    "/problems/{code}": {
         parameters: {
             query?: never;
             header?: never;
@@ -52,10 +52,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Read Problem Kind
-         * @description What a problem's `type` means.
+         * Read Problem
+         * @description What a problem's `type` means, and what its `kind` does.
          */
-        get: operations["read_problem_kind"];
+        get: operations["read_problem"];
         put?: never;
         post?: never;
         delete?: never;
@@ -757,7 +757,7 @@ export interface paths {
         };
         /**
          * Download Report
-         * @description The report of a run that came through, as a page.
+         * @description The report of a run that came through, as a page; in English where it was made before there were other languages.
          */
         get: operations["download_report"];
         put?: never;
@@ -885,7 +885,7 @@ export interface paths {
         };
         /**
          * Download Diagnosis Report
-         * @description The diagnosis as a page.
+         * @description The diagnosis as a page; in English where it was made before there were other languages.
          */
         get: operations["download_diagnosis_report"];
         put?: never;
@@ -949,7 +949,7 @@ export interface paths {
         };
         /**
          * Read Trials
-         * @description Some trials: their seals, and in the end their answers.
+         * @description Some trials: their seals, and in the end their answers; the score sheet in a language.
          */
         get: operations["read_trials"];
         put?: never;
@@ -1069,8 +1069,7 @@ export interface components {
             state: components["schemas"]["JobStatus"];
             /** Progress */
             progress: number;
-            /** Reason */
-            reason: string | null;
+            reason: components["schemas"]["Message"] | null;
             /** Reason Kind */
             reason_kind: string | null;
             /** Requested By */
@@ -1109,14 +1108,13 @@ export interface components {
          *     Args:
          *         side: where it is seen: at the joints, in the sensor's readings, against the reference payload.
          *         times_expected: how many times what is stated or tolerated; null where nothing is.
-         *         sentence: what was seen; `remark` names it and `values` are its figures, SI, for other languages.
+         *         message: what was seen.
          *         advice: what a person should do where it is material.
          */
         Also: {
             /** Id */
             id: string;
-            /** Title */
-            title: string;
+            title: components["schemas"]["Message"];
             /**
              * Side
              * @enum {string}
@@ -1130,16 +1128,8 @@ export interface components {
             times_expected: number | null;
             /** Material */
             material: boolean;
-            /** Sentence */
-            sentence: string;
-            /** Advice */
-            advice: string;
-            /** Remark */
-            remark: string;
-            /** Values */
-            values: {
-                [key: string]: number | string;
-            };
+            message: components["schemas"]["Message"];
+            advice: components["schemas"]["Message"];
         };
         /**
          * AuditEntryShown
@@ -1305,15 +1295,14 @@ export interface components {
         };
         /**
          * CellListed
-         * @description A cell; `flaw` says in a sentence why nothing can be planned in it now, `flaws` says all of it.
+         * @description A cell; `flaw` says why nothing can be planned in it now, `flaws` says all of it.
          */
         CellListed: {
             /** Name */
             name: string;
             /** Title */
             title: string | null;
-            /** Flaw */
-            flaw: string | null;
+            flaw: components["schemas"]["Message"] | null;
             /** Flaws */
             flaws: components["schemas"]["Flaw"][];
         };
@@ -1474,8 +1463,7 @@ export interface components {
             chance: number | null;
             /** Differ */
             differ: boolean;
-            /** Verdict */
-            verdict: string;
+            verdict: components["schemas"]["Message"];
         };
         /**
          * ComparisonAnswer
@@ -1610,8 +1598,7 @@ export interface components {
             due_at: string | null;
             /** Delivered At */
             delivered_at: string | null;
-            /** Last Error */
-            last_error: string | null;
+            last_error: components["schemas"]["Message"] | null;
         };
         /**
          * Diagnosis
@@ -1623,8 +1610,7 @@ export interface components {
              * @enum {string}
              */
             verdict: "no_gap" | "explained" | "ambiguous" | "unknown" | "not_enough";
-            /** Summary */
-            summary: string;
+            summary: components["schemas"]["Message"];
             /** Effects */
             effects: components["schemas"]["Explanation"][];
             /** None Probability */
@@ -1645,12 +1631,11 @@ export interface components {
             where: components["schemas"]["Where"] | null;
             gap: components["schemas"]["GapPart"] | null;
             payload: components["schemas"]["PayloadPart"] | null;
-            /** Consequence */
-            consequence: string;
+            consequence: components["schemas"]["Message"] | null;
             next_experiment: components["schemas"]["Experiment"] | null;
             /** Limits */
-            limits: string[];
-            lacking?: components["schemas"]["Remark"] | null;
+            limits: components["schemas"]["Message"][];
+            lacking?: components["schemas"]["Message"] | null;
             /** Seconds */
             seconds: number;
             /**
@@ -1673,8 +1658,7 @@ export interface components {
             state: components["schemas"]["JobStatus"];
             /** Progress */
             progress: number;
-            /** Reason */
-            reason: string | null;
+            reason: components["schemas"]["Message"] | null;
             /** Reason Kind */
             reason_kind: string | null;
             /** Requested By */
@@ -1754,7 +1738,7 @@ export interface components {
          * @description What to measure next, and what it is going to tell.
          *
          *     Args:
-         *         id, motion: what to do, in one word and in a sentence.
+         *         id, motion: what to do, in one word and as a message.
          *         stops: the same for planning; empty where it is no motion.
          *         splits: what it tells apart, the worst tie first.
          *         sigma_before, sigma_after: distance of that tie now, and as predicted for both recordings together.
@@ -1764,8 +1748,7 @@ export interface components {
         Experiment: {
             /** Id */
             id: string;
-            /** Motion */
-            motion: string;
+            motion: components["schemas"]["Message"];
             /** Stops */
             stops: components["schemas"]["Stop"][];
             /** Splits */
@@ -1785,10 +1768,13 @@ export interface components {
              */
             planned?: boolean;
             /**
-             * Refused
-             * @default no cell was given to plan it in
+             * @default {
+             *       "code": "gap-no-cell",
+             *       "parameters": {},
+             *       "text": "no cell was given to plan it in"
+             *     }
              */
-            refused?: string;
+            refused?: components["schemas"]["Message"] | null;
             /** Refused Kind */
             refused_kind?: string | null;
         };
@@ -1802,8 +1788,7 @@ export interface components {
         Explanation: {
             /** Id */
             id: string;
-            /** Title */
-            title: string;
+            title: components["schemas"]["Message"];
             /** Stage */
             stage: string;
             /** Probability */
@@ -1821,15 +1806,13 @@ export interface components {
                 number,
                 number
             ];
-            /** Advice */
-            advice: string;
+            advice: components["schemas"]["Message"];
             /**
              * Addable
              * @default false
              */
             addable?: boolean;
-            /** Why Not */
-            why_not?: string | null;
+            why_not?: components["schemas"]["Message"] | null;
         };
         /**
          * ExportListed
@@ -1847,10 +1830,8 @@ export interface components {
             title: string;
             /** File */
             file: string;
-            /** Says */
-            says: string;
-            /** Refused */
-            refused: string | null;
+            says: components["schemas"]["Message"];
+            refused: components["schemas"]["Message"] | null;
             /** Lost */
             lost: components["schemas"]["Lost"][];
         };
@@ -1859,8 +1840,7 @@ export interface components {
          * @description All targets; `frame` says in which frame they get the payload.
          */
         ExportsAnswer: {
-            /** Frame */
-            frame: string;
+            frame: components["schemas"]["Message"];
             /** Targets */
             targets: components["schemas"]["ExportListed"][];
         };
@@ -1890,12 +1870,15 @@ export interface components {
              * @enum {string}
              */
             kind: "finished";
-            /** Verdict */
-            verdict: string;
+            verdict: components["schemas"]["Message"];
         };
         /**
          * Flaw
          * @description One thing that cannot be used: in the request, or in a cell.
+         *
+         *     Args:
+         *         where: the file, with the key in it; `found` and `expected` are English.
+         *         code, parameters: the same for every language: `GET /problems/{code}` describes it.
          */
         Flaw: {
             /** Where */
@@ -1904,6 +1887,12 @@ export interface components {
             found: string;
             /** Expected */
             expected: string;
+            /** Code */
+            code: string;
+            /** Parameters */
+            parameters?: {
+                [key: string]: unknown;
+            };
         };
         /**
          * Friction
@@ -2075,8 +2064,7 @@ export interface components {
             first: string;
             /** Second */
             second: string;
-            /** Why */
-            why: string;
+            why: components["schemas"]["Message"];
         };
         /**
          * Limits
@@ -2186,6 +2174,27 @@ export interface components {
             times_std: number;
         };
         /**
+         * Message
+         * @description A code of the catalogue and what its words name.
+         *
+         *     Args:
+         *         code: which message; it begins with the name of the catalogue's file that has its words.
+         *         parameters: what it names: numbers in SI with the unit in their name (`distance_m`), names, lists, other messages.
+         */
+        Message: {
+            /** Code */
+            code: string;
+            /** Parameters */
+            parameters?: {
+                [key: string]: unknown;
+            };
+            /**
+             * Text
+             * @description It in English, for those who read no codes.
+             */
+            readonly text: string;
+        };
+        /**
          * Minor
          * @description An effect on the wrench that was detected, but is not material.
          */
@@ -2196,8 +2205,7 @@ export interface components {
             parameters: {
                 [key: string]: components["schemas"]["Value"];
             };
-            /** Sentence */
-            sentence: string;
+            message: components["schemas"]["Message"];
         };
         /**
          * MotionBody
@@ -2328,8 +2336,7 @@ export interface components {
             seed: number;
             /** Sealed */
             sealed: string;
-            /** Planted */
-            planted: string;
+            planted: components["schemas"]["Message"];
             /** Size */
             size: number;
             /** Verdict */
@@ -2351,8 +2358,7 @@ export interface components {
             gap_before: number | null;
             /** Gap After */
             gap_after: number | null;
-            /** Mark */
-            mark: string;
+            mark: components["schemas"]["Message"];
         };
         /**
          * OverlayAnswer
@@ -2399,8 +2405,7 @@ export interface components {
              * @default false
              */
             addable?: boolean;
-            /** Why Not */
-            why_not?: string | null;
+            why_not?: components["schemas"]["Message"] | null;
         };
         /**
          * PaperPart
@@ -2507,10 +2512,9 @@ export interface components {
             cell: string | null;
             /** Payload */
             payload: string | null;
-            /** Verdict */
-            verdict: string;
+            verdict: components["schemas"]["Message"];
             /** Warnings */
-            warnings: components["schemas"]["Remark"][];
+            warnings: components["schemas"]["Message"][];
             /** Mass Kg */
             mass_kg: number | null;
             /** Mass Std Kg */
@@ -2533,7 +2537,7 @@ export interface components {
             covariance: (number | null)[][];
             /** Reasons */
             reasons: {
-                [key: string]: string;
+                [key: string]: components["schemas"]["Message"];
             };
             reference: components["schemas"]["ReferencePart"] | null;
             paper: components["schemas"]["PaperPart"];
@@ -2656,18 +2660,17 @@ export interface components {
          * @description What a plan asks of the joints with the load that is stated, for JSON.
          *
          *     Args:
-         *         load: where mass and inertia of the load are from, in words.
+         *         load: where mass and inertia of the load are from.
          *         largest: None where no joint can be judged.
-         *         not_judged: joints with the reason, in words.
+         *         not_judged: joints with the reason.
          */
         PlanTorques: {
-            /** Load */
-            load: string;
+            load: components["schemas"]["Message"];
             /** Mass Kg */
             mass_kg: number;
             largest: components["schemas"]["LargestTorque"] | null;
             /** Not Judged */
-            not_judged: string[];
+            not_judged: components["schemas"]["Message"][];
         };
         /**
          * Planned
@@ -2743,18 +2746,30 @@ export interface components {
             ];
         };
         /**
-         * ProblemKind
-         * @description A kind of problem.
+         * ProblemDescribed
+         * @description A problem, or a kind of problems.
+         *
+         *     Args:
+         *         kinds: of which kind it may be; empty where the engine raises it, whose problems say so themselves.
+         *         status: of the answer; null where the kind decides.
+         *         words: in English, as the catalogue has them (projectfluent.org); null for a kind.
+         *         parameters: names of what the words name.
          */
-        ProblemKind: {
+        ProblemDescribed: {
             /** Type */
             type: string;
+            /** Kinds */
+            kinds: string[];
             /** Title */
             title: string;
             /** Status */
-            status: number;
+            status: number | null;
             /** Meaning */
             meaning: string;
+            /** Words */
+            words: string | null;
+            /** Parameters */
+            parameters: string[];
         };
         /**
          * RecordingWritten
@@ -2793,25 +2808,6 @@ export interface components {
             sent: components["schemas"]["Sent"];
         };
         /**
-         * Remark
-         * @description One of them.
-         *
-         *     Args:
-         *         id: what it is about; a language has words for it.
-         *         sentence: in English.
-         *         values: what the sentence names, SI.
-         */
-        Remark: {
-            /** Id */
-            id: string;
-            /** Sentence */
-            sentence: string;
-            /** Values */
-            values?: {
-                [key: string]: number | string;
-            };
-        };
-        /**
          * ResidualPart
          * @description Measured minus reconstructed wrench, force then torque.
          */
@@ -2831,8 +2827,7 @@ export interface components {
          *         offset: of the sensor, fx fy fz (N) tx ty tz (N m), with its standard uncertainty.
          */
         ResultSummary: {
-            /** Verdict */
-            verdict: string;
+            verdict: components["schemas"]["Message"];
             /** Determined */
             determined: number;
             /** Mass Kg */
@@ -2917,8 +2912,7 @@ export interface components {
             kind: "robot_stopped";
             /** Error */
             error: string;
-            /** Message */
-            message: string;
+            message: components["schemas"]["Message"];
             /** Restart */
             restart: number;
             /** Final */
@@ -2967,8 +2961,7 @@ export interface components {
             commands: string[];
             /** Released */
             released: boolean;
-            /** Reason */
-            reason: string | null;
+            reason: components["schemas"]["Message"] | null;
             /** Reason Kind */
             reason_kind: string | null;
             lateness: components["schemas"]["Lateness"] | null;
@@ -3327,8 +3320,7 @@ export interface components {
             job_state: components["schemas"]["JobState"];
             /** Commands */
             commands: string[];
-            /** Reason */
-            reason?: string | null;
+            reason?: components["schemas"]["Message"] | null;
             /** Reason Kind */
             reason_kind?: string | null;
         };
@@ -3419,10 +3411,8 @@ export interface components {
             ids: string[];
             /** Distance Sigma */
             distance_sigma: number;
-            /** Why */
-            why: string;
-            /** Splits */
-            splits: string;
+            why: components["schemas"]["Message"];
+            splits: components["schemas"]["Message"];
         };
         /**
          * Tool
@@ -3519,8 +3509,7 @@ export interface components {
             state: components["schemas"]["JobStatus"];
             /** Progress */
             progress: number;
-            /** Reason */
-            reason: string | null;
+            reason: components["schemas"]["Message"] | null;
             /** Reason Kind */
             reason_kind: string | null;
             /** Requested By */
@@ -3616,8 +3605,12 @@ export interface components {
         /**
          * Value
          * @description A fitted parameter.
+         *
+         *     Args:
+         *         title: what it is called.
          */
         Value: {
+            title?: components["schemas"]["Message"] | null;
             /** Value */
             value: number;
             /** Std */
@@ -3663,8 +3656,7 @@ export interface components {
              * @enum {string}
              */
             kind: "waiting_for_zone";
-            /** Message */
-            message: string;
+            message: components["schemas"]["Message"];
             /** In The Way */
             in_the_way?: string | null;
         };
@@ -3757,8 +3749,7 @@ export interface components {
              * @default []
              */
             joints?: components["schemas"]["JointGap"][];
-            /** Sentence */
-            sentence: string;
+            message: components["schemas"]["Message"];
         };
         /**
          * WorkpiecePart
@@ -3788,7 +3779,7 @@ export interface components {
             /** Tools */
             tools: components["schemas"]["ToolPart"][];
             /** Remarks */
-            remarks: components["schemas"]["Remark"][];
+            remarks: components["schemas"]["Message"][];
         };
         /**
          * Zone
@@ -3877,7 +3868,7 @@ export interface components {
          *
          *     Args:
          *         previous: where it was before that.
-         *         contradiction: why nothing can be planned while it is there, in a sentence; `flaws` says all of it.
+         *         contradiction: why nothing can be planned while it is there; `flaws` says all of it.
          */
         ZoneShown: {
             /** Cell */
@@ -3898,8 +3889,7 @@ export interface components {
              * Format: date-time
              */
             received_at: string;
-            /** Contradiction */
-            contradiction: string | null;
+            contradiction: components["schemas"]["Message"] | null;
             /** Flaws */
             flaws: components["schemas"]["Flaw"][];
         };
@@ -3910,25 +3900,35 @@ export interface components {
         ZoneTry: {
             pose: components["schemas"]["Pose"];
         };
+        /** @description A message that another one names. */
+        NestedMessage: {
+            code: string;
+            parameters: {
+                [key: string]: unknown;
+            };
+        };
         /**
          * ProblemDetails
-         * @description What went wrong; `type` names the kind, `detail` is a sentence for a person.
+         * @description What went wrong.
+         *
+         *     Args:
+         *         type: address of what describes it, `/problems/{code}`: one for each situation.
+         *         detail: it in English.
+         *         kind: for programs that know no single situations: few, and stable.
+         *         parameters: what the words of the situation name; numbers in SI with the unit in their name.
          * @example {
-         *       "detail": "cell.toml: limits.clearance_m: found -0.1, expected greater than 0",
-         *       "flaws": [
-         *         {
-         *           "expected": "greater than 0",
-         *           "found": "-0.1",
-         *           "where": "cell.toml: limits.clearance_m"
-         *         }
-         *       ],
+         *       "detail": "zone \"operator\": is where the cell's file has it; there is nothing to undo",
+         *       "kind": "conflict",
+         *       "parameters": {
+         *         "zone": "operator"
+         *       },
          *       "request_id": "4f1c2a9be7d34a06",
-         *       "status": 422,
-         *       "title": "The cell cannot be used",
-         *       "type": "/problems/bad-cell"
+         *       "status": 409,
+         *       "title": "It does not go with the present state",
+         *       "type": "/problems/zone-not-moved"
          *     }
          */
-        Problem: {
+        ProblemDetails: {
             /** Type */
             type: string;
             /** Title */
@@ -3937,6 +3937,12 @@ export interface components {
             status: number;
             /** Detail */
             detail: string;
+            /** Kind */
+            kind: string;
+            /** Parameters */
+            parameters?: {
+                [key: string]: unknown;
+            };
             /** Request Id */
             request_id: string;
             /** Flaws */
@@ -3962,6 +3968,2160 @@ export interface components {
              */
             allowed?: string[] | null;
         };
+        /** @description people-key-refused = key: unknown, expired or revoked; ask whoever keeps the accounts for a new one */
+        PeopleKeyRefusedProblem: {
+            /** @constant */
+            type: "/problems/people-key-refused";
+            /** @enum {unknown} */
+            kind: "not-signed-in";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-key-refused";
+        });
+        /** @description people-session-over = session: ended or expired; sign in again */
+        PeopleSessionOverProblem: {
+            /** @constant */
+            type: "/problems/people-session-over";
+            /** @enum {unknown} */
+            kind: "not-signed-in";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-session-over";
+        });
+        /** @description people-sign-in-refused = name or password: not right; try again or ask whoever keeps the accounts */
+        PeopleSignInRefusedProblem: {
+            /** @constant */
+            type: "/problems/people-sign-in-refused";
+            /** @enum {unknown} */
+            kind: "not-signed-in";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-sign-in-refused";
+        });
+        /** @description people-not-signed-in = { $endpoint }: sign in with POST /api/session, or send a key as `Authorization: Bearer` */
+        PeopleNotSignedInProblem: {
+            /** @constant */
+            type: "/problems/people-not-signed-in";
+            /** @enum {unknown} */
+            kind: "not-signed-in";
+            parameters: {
+                endpoint: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-not-signed-in";
+        });
+        /** @description people-origin-foreign = origin: "{ $origin }" is no page of this service; set HEFT_ORIGINS if it is to be one */
+        PeopleOriginForeignProblem: {
+            /** @constant */
+            type: "/problems/people-origin-foreign";
+            /** @enum {unknown} */
+            kind: "not-allowed";
+            parameters: {
+                origin: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-origin-foreign";
+        });
+        /** @description people-origin-missing = origin: a browser's websocket has to say which page it belongs to */
+        PeopleOriginMissingProblem: {
+            /** @constant */
+            type: "/problems/people-origin-missing";
+            /** @enum {unknown} */
+            kind: "not-allowed";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-origin-missing";
+        });
+        /** @description people-csrf-token-wrong = { $header }: not the session's; GET /api/session tells it */
+        PeopleCsrfTokenWrongProblem: {
+            /** @constant */
+            type: "/problems/people-csrf-token-wrong";
+            /** @enum {unknown} */
+            kind: "not-allowed";
+            parameters: {
+                header: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-csrf-token-wrong";
+        });
+        /** @description people-endpoint-closed = { $endpoint }: not in the table of authority, so nobody may call it */
+        PeopleEndpointClosedProblem: {
+            /** @constant */
+            type: "/problems/people-endpoint-closed";
+            /** @enum {unknown} */
+            kind: "not-allowed";
+            parameters: {
+                endpoint: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-endpoint-closed";
+        });
+        /** @description people-role-lacking = { $endpoint }: { $who } is { $roles }; it takes one of { $needed } */
+        PeopleRoleLackingProblem: {
+            /** @constant */
+            type: "/problems/people-role-lacking";
+            /** @enum {unknown} */
+            kind: "not-allowed";
+            parameters: {
+                endpoint: string;
+                who: string;
+                roles: (string | components["schemas"]["NestedMessage"])[];
+                needed: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-role-lacking";
+        });
+        /** @description people-without-role = { $endpoint }: { $who } is no role; it takes one of { $needed } */
+        PeopleWithoutRoleProblem: {
+            /** @constant */
+            type: "/problems/people-without-role";
+            /** @enum {unknown} */
+            kind: "not-allowed";
+            parameters: {
+                endpoint: string;
+                who: string;
+                needed: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-without-role";
+        });
+        /** @description people-key-without-password = password: a key has none; only an account changes its password */
+        PeopleKeyWithoutPasswordProblem: {
+            /** @constant */
+            type: "/problems/people-key-without-password";
+            /** @enum {unknown} */
+            kind: "not-allowed";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-key-without-password";
+        });
+        /** @description people-password-wrong = password: not the one until now */
+        PeoplePasswordWrongProblem: {
+            /** @constant */
+            type: "/problems/people-password-wrong";
+            /** @enum {unknown} */
+            kind: "not-allowed";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-password-wrong";
+        });
+        /** @description runs-unknown = run: there is none called "{ $run }". List what there is and ask again. */
+        RunsUnknownProblem: {
+            /** @constant */
+            type: "/problems/runs-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                run: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-unknown";
+        });
+        /** @description runs-webhook-unknown = webhook: there is none called "{ $webhook }". List what there is and ask again. */
+        RunsWebhookUnknownProblem: {
+            /** @constant */
+            type: "/problems/runs-webhook-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                webhook: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-webhook-unknown";
+        });
+        /** @description people-account-unknown = account: there is none called "{ $account }". List what there is and ask again. */
+        PeopleAccountUnknownProblem: {
+            /** @constant */
+            type: "/problems/people-account-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                account: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-account-unknown";
+        });
+        /** @description people-key-unknown = key: there is none called "{ $key }". List what there is and ask again. */
+        PeopleKeyUnknownProblem: {
+            /** @constant */
+            type: "/problems/people-key-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                key: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-key-unknown";
+        });
+        /** @description jobs-unknown = { jobs-kind }: there is none called "{ $job }". List what there is and ask again. */
+        JobsUnknownProblem: {
+            /** @constant */
+            type: "/problems/jobs-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                kind: string;
+                job: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-unknown";
+        });
+        /** @description jobs-effect-not-in-twin = effect in the twin: there is none called "{ $effect }". List what there is and ask again. */
+        JobsEffectNotInTwinProblem: {
+            /** @constant */
+            type: "/problems/jobs-effect-not-in-twin";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                effect: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-effect-not-in-twin";
+        });
+        /** @description zone-unknown = zone of cell "{ $cell }": there is none called "{ $zone }". List what there is and ask again. */
+        ZoneUnknownProblem: {
+            /** @constant */
+            type: "/problems/zone-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                cell: string;
+                zone: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-unknown";
+        });
+        /** @description request-cell-unknown = cell: there is none called "{ $cell }". List what there is and ask again. */
+        RequestCellUnknownProblem: {
+            /** @constant */
+            type: "/problems/request-cell-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-cell-unknown";
+        });
+        /** @description request-problem-unknown = problem: there is none called "{ $problem }". GET /openapi.json lists what there is. */
+        RequestProblemUnknownProblem: {
+            /** @constant */
+            type: "/problems/request-problem-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                problem: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-problem-unknown";
+        });
+        /** @description request-console-file-unknown = file of the console: there is none called "{ $path }". Load the page again. */
+        RequestConsoleFileUnknownProblem: {
+            /** @constant */
+            type: "/problems/request-console-file-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                path: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-console-file-unknown";
+        });
+        /** @description request-address-unknown = { $method } { $path }: there is nothing at this address; GET /openapi.json lists what there is */
+        RequestAddressUnknownProblem: {
+            /** @constant */
+            type: "/problems/request-address-unknown";
+            /** @enum {unknown} */
+            kind: "not-found";
+            parameters: {
+                method: string;
+                path: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-address-unknown";
+        });
+        /** @description runs-command-not-possible = run { $run }: { runs-command } is not possible in { runs-state }; legal commands here: { $commands } */
+        RunsCommandNotPossibleProblem: {
+            /** @constant */
+            type: "/problems/runs-command-not-possible";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+                command: string;
+                state: string;
+                commands: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-command-not-possible";
+        });
+        /** @description runs-command-impossible = run { $run }: { runs-command } is not possible in { runs-state }; legal commands here: none */
+        RunsCommandImpossibleProblem: {
+            /** @constant */
+            type: "/problems/runs-command-impossible";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+                command: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-command-impossible";
+        });
+        /** @description runs-no-plan = run { $run }: there is no plan yet, it is in { runs-state }; wait until it is Idle */
+        RunsNoPlanProblem: {
+            /** @constant */
+            type: "/problems/runs-no-plan";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-no-plan";
+        });
+        /** @description runs-no-result = run { $run }: there is no result, it is in { runs-state } */
+        RunsNoResultProblem: {
+            /** @constant */
+            type: "/problems/runs-no-result";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-no-result";
+        });
+        /** @description runs-no-result-because = run { $run }: there is no result, it is in { runs-state } ({ $cause }) */
+        RunsNoResultBecauseProblem: {
+            /** @constant */
+            type: "/problems/runs-no-result-because";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+                state: string;
+                cause: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-no-result-because";
+        });
+        /** @description runs-no-recording = run { $run }: has no recording, it is in { runs-state }; one is there once a robot that has moved stands again */
+        RunsNoRecordingProblem: {
+            /** @constant */
+            type: "/problems/runs-no-recording";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-no-recording";
+        });
+        /** @description runs-no-report = run { $run }: has no report, it is in { runs-state }; a report comes with a run that is Complete */
+        RunsNoReportProblem: {
+            /** @constant */
+            type: "/problems/runs-no-report";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-no-report";
+        });
+        /** @description runs-recording-open = run { $run }: its control process still closes the recording; ask again in some seconds */
+        RunsRecordingOpenProblem: {
+            /** @constant */
+            type: "/problems/runs-recording-open";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-recording-open";
+        });
+        /** @description runs-nothing-left = run { $run }: there is nothing to go on with; it is in { runs-state } and has finished { $finished_steps } steps. Begin a new run */
+        RunsNothingLeftProblem: {
+            /** @constant */
+            type: "/problems/runs-nothing-left";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+                state: string;
+                finished_steps: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-nothing-left";
+        });
+        /** @description runs-recording-not-there = run { $run }: its recording is not there (yet); ask again in some seconds, or begin a new run */
+        RunsRecordingNotThereProblem: {
+            /** @constant */
+            type: "/problems/runs-recording-not-there";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-recording-not-there";
+        });
+        /** @description runs-accepted-already = run { $run }: was accepted already, by { $who }; a result is accepted once */
+        RunsAcceptedAlreadyProblem: {
+            /** @constant */
+            type: "/problems/runs-accepted-already";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                run: string;
+                who: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-accepted-already";
+        });
+        /** @description runs-nothing-to-stop = cell "{ $cell }": no run has its robot, so there is nothing to stop */
+        RunsNothingToStopProblem: {
+            /** @constant */
+            type: "/problems/runs-nothing-to-stop";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-nothing-to-stop";
+        });
+        /** @description runs-no-common-frame = cell "{ $cell }": does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common */
+        RunsNoCommonFrameProblem: {
+            /** @constant */
+            type: "/problems/runs-no-common-frame";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-no-common-frame";
+        });
+        /** @description runs-speed-not-allowed = speed_m_s is { SIGNIFICANT($speed_m_s, digits: 6) } m/s; this cell allows { SIGNIFICANT($least_m_s, digits: 6) } to { SIGNIFICANT($most_m_s, digits: 6) } m/s */
+        RunsSpeedNotAllowedProblem: {
+            /** @constant */
+            type: "/problems/runs-speed-not-allowed";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                speed_m_s: number;
+                least_m_s: number;
+                most_m_s: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-speed-not-allowed";
+        });
+        /** @description runs-start-of-other-robot = start_rad has { $given } joint positions; this robot has { $joints } joints */
+        RunsStartOfOtherRobotProblem: {
+            /** @constant */
+            type: "/problems/runs-start-of-other-robot";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                given: number;
+                joints: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-start-of-other-robot";
+        });
+        /** @description runs-control-taken = control of cell "{ $cell }": { $holder } has it; ask them to let go of it */
+        RunsControlTakenProblem: {
+            /** @constant */
+            type: "/problems/runs-control-taken";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                cell: string;
+                holder: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-control-taken";
+        });
+        /** @description runs-control-free = control of cell "{ $cell }": nobody has it; take control (POST /api/control) and answer its stamps */
+        RunsControlFreeProblem: {
+            /** @constant */
+            type: "/problems/runs-control-free";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-control-free";
+        });
+        /** @description runs-control-elsewhere = control of cell "{ $cell }": { $holder } has it with fence { $fence }, not { $who } with { $sent_fence } */
+        RunsControlElsewhereProblem: {
+            /** @constant */
+            type: "/problems/runs-control-elsewhere";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                cell: string;
+                holder: string;
+                fence: number;
+                who: string;
+                sent_fence: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-control-elsewhere";
+        });
+        /** @description runs-command-without-control = command { runs-command }: needs control of cell "{ $cell }"; send `sent` with your fence, number and stamp */
+        RunsCommandWithoutControlProblem: {
+            /** @constant */
+            type: "/problems/runs-command-without-control";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                command: string;
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-command-without-control";
+        });
+        /** @description runs-command-repeated = command number { $number }: not above the last one, { $last_number }; it is repeated or out of order */
+        RunsCommandRepeatedProblem: {
+            /** @constant */
+            type: "/problems/runs-command-repeated";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                number: number;
+                last_number: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-command-repeated";
+        });
+        /** @description runs-command-late = command stamp: { FIXED($age_s, digits: 3) } s old (0 to { SIGNIFICANT($limit_s) } s allowed); send the newest stamp you got */
+        RunsCommandLateProblem: {
+            /** @constant */
+            type: "/problems/runs-command-late";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                age_s: number;
+                limit_s: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-command-late";
+        });
+        /** @description runs-plan-void = plan { $plan }: void, the plan or the cell has changed since; look at the plan again (GET plan) */
+        RunsPlanVoidProblem: {
+            /** @constant */
+            type: "/problems/runs-plan-void";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                plan: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-plan-void";
+        });
+        /** @description runs-offer-foreign = offer: not made for this plan by this service; look at the plan again (GET plan) and release what it shows */
+        RunsOfferForeignProblem: {
+            /** @constant */
+            type: "/problems/runs-offer-foreign";
+            /** @enum {unknown} */
+            kind: "conflict";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-offer-foreign";
+        });
+        /** @description runs-offer-old = offer: { FIXED($age_s, digits: 0) } s old (limit { FIXED($limit_s, digits: 0) } s); look at the plan again and release what it shows */
+        RunsOfferOldProblem: {
+            /** @constant */
+            type: "/problems/runs-offer-old";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                age_s: number;
+                limit_s: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-offer-old";
+        });
+        /** @description people-account-exists = account "{ $account }" exists already; choose another name or change that one */
+        PeopleAccountExistsProblem: {
+            /** @constant */
+            type: "/problems/people-account-exists";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                account: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-account-exists";
+        });
+        /** @description people-last-admin = account "{ $account }" is the last admin who can sign in; make another one first */
+        PeopleLastAdminProblem: {
+            /** @constant */
+            type: "/problems/people-last-admin";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                account: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-last-admin";
+        });
+        /** @description people-key-exists = key "{ $key }" exists already; revoke it or choose another name */
+        PeopleKeyExistsProblem: {
+            /** @constant */
+            type: "/problems/people-key-exists";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                key: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-key-exists";
+        });
+        /** @description jobs-over = { jobs-kind } { $job }: it is { jobs-state }; only what waits or runs can be cancelled */
+        JobsOverProblem: {
+            /** @constant */
+            type: "/problems/jobs-over";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                kind: string;
+                job: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-over";
+        });
+        /** @description jobs-no-overlay = diagnosis { $job }: has nothing to overlay, it is { jobs-state }; a done one has, if there was enough to compare */
+        JobsNoOverlayProblem: {
+            /** @constant */
+            type: "/problems/jobs-no-overlay";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-no-overlay";
+        });
+        /** @description jobs-no-report = diagnosis { $job }: has no report, it is { jobs-state }; a report comes with a diagnosis that is done */
+        JobsNoReportProblem: {
+            /** @constant */
+            type: "/problems/jobs-no-report";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-no-report";
+        });
+        /** @description jobs-no-cell = diagnosis { $job }: its recording was made in no cell of this service; upload it again with ?cell= */
+        JobsNoCellProblem: {
+            /** @constant */
+            type: "/problems/jobs-no-cell";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-no-cell";
+        });
+        /** @description jobs-recording-gone = diagnosis { $job }: its recording is gone; diagnose another run */
+        JobsRecordingGoneProblem: {
+            /** @constant */
+            type: "/problems/jobs-recording-gone";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-recording-gone";
+        });
+        /** @description jobs-payload-unknown = diagnosis { $job }: payload "{ $payload }" is none that cell "{ $cell }" knows; make a run with one it knows */
+        JobsPayloadUnknownProblem: {
+            /** @constant */
+            type: "/problems/jobs-payload-unknown";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                payload: string;
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-payload-unknown";
+        });
+        /** @description jobs-payload-unnamed = diagnosis { $job }: its payload has no name, so cell "{ $cell }" does not know it; make a run with one it knows */
+        JobsPayloadUnnamedProblem: {
+            /** @constant */
+            type: "/problems/jobs-payload-unnamed";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-payload-unnamed";
+        });
+        /** @description jobs-payload-differs = diagnosis { $job }: was made with payload "{ $payload }", not with "{ $given_payload }"; put "{ $payload }" back on */
+        JobsPayloadDiffersProblem: {
+            /** @constant */
+            type: "/problems/jobs-payload-differs";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                payload: string;
+                given_payload: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-payload-differs";
+        });
+        /** @description jobs-no-motion-yet = diagnosis { $job }: is { jobs-state }; only one that is done proposes a motion */
+        JobsNoMotionYetProblem: {
+            /** @constant */
+            type: "/problems/jobs-no-motion-yet";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-no-motion-yet";
+        });
+        /** @description jobs-no-motion-proposed = diagnosis { $job }: proposes no motion; it leaves nothing open that one could settle */
+        JobsNoMotionProposedProblem: {
+            /** @constant */
+            type: "/problems/jobs-no-motion-proposed";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-no-motion-proposed";
+        });
+        /** @description jobs-no-motion-asked = diagnosis { $job }: asks for no motion but for { $motion } */
+        JobsNoMotionAskedProblem: {
+            /** @constant */
+            type: "/problems/jobs-no-motion-asked";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                motion: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-no-motion-asked";
+        });
+        /** @description jobs-motion-refused = diagnosis { $job }: its motion was not planned ({ $refusal }); diagnose the recording again, in a cell that leaves room */
+        JobsMotionRefusedProblem: {
+            /** @constant */
+            type: "/problems/jobs-motion-refused";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                refusal: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-motion-refused";
+        });
+        /** @description jobs-motion-not-planned = diagnosis { $job }: its motion was not planned; diagnose the recording again, in a cell that leaves room */
+        JobsMotionNotPlannedProblem: {
+            /** @constant */
+            type: "/problems/jobs-motion-not-planned";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-motion-not-planned";
+        });
+        /** @description jobs-robot-changed = diagnosis { $job }: cell "{ $cell }" has changed since the recording: it has another robot; make a new run there */
+        JobsRobotChangedProblem: {
+            /** @constant */
+            type: "/problems/jobs-robot-changed";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-robot-changed";
+        });
+        /** @description jobs-gravity-changed = diagnosis { $job }: cell "{ $cell }" has changed since the recording: gravity at the base is ({ $gravity_m_s2 }) m/s2, it was ({ $recorded_m_s2 }); make a new run there */
+        JobsGravityChangedProblem: {
+            /** @constant */
+            type: "/problems/jobs-gravity-changed";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                cell: string;
+                gravity_m_s2: number[];
+                recorded_m_s2: number[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-gravity-changed";
+        });
+        /** @description jobs-no-effect-yet = diagnosis { $job }: is { jobs-state }; an effect can be taken from one that is done */
+        JobsNoEffectYetProblem: {
+            /** @constant */
+            type: "/problems/jobs-no-effect-yet";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                job: string;
+                state: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-no-effect-yet";
+        });
+        /** @description jobs-twin-busy = twin of { $cell }: addition { $addition } is under way; wait for its end */
+        JobsTwinBusyProblem: {
+            /** @constant */
+            type: "/problems/jobs-twin-busy";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                cell: string;
+                addition: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-twin-busy";
+        });
+        /** @description zone-measured-before = zone "{ $zone }": measured at { $measured_at }, but its place at { $known_at } is known already; send measurements in order */
+        ZoneMeasuredBeforeProblem: {
+            /** @constant */
+            type: "/problems/zone-measured-before";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                zone: string;
+                measured_at: string;
+                known_at: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-measured-before";
+        });
+        /** @description zone-clock-ahead = measured_at: { $measured_at } is ahead of the service's clock, { $now }; set the measuring clock */
+        ZoneClockAheadProblem: {
+            /** @constant */
+            type: "/problems/zone-clock-ahead";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                measured_at: string;
+                now: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-clock-ahead";
+        });
+        /** @description zone-not-moved = zone "{ $zone }": is where the cell's file has it; there is nothing to undo */
+        ZoneNotMovedProblem: {
+            /** @constant */
+            type: "/problems/zone-not-moved";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                zone: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-not-moved";
+        });
+        /** @description zone-moved-on = zone "{ $zone }": has moved { $moves } times, not { $seen_moves }; look where it is now and ask again */
+        ZoneMovedOnProblem: {
+            /** @constant */
+            type: "/problems/zone-moved-on";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                zone: string;
+                moves: number;
+                seen_moves: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-moved-on";
+        });
+        /** @description uploads-cell-exists = cell "{ $cell }" exists already; PUT /api/cells/{ $cell } replaces it */
+        UploadsCellExistsProblem: {
+            /** @constant */
+            type: "/problems/uploads-cell-exists";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-cell-exists";
+        });
+        /** @description request-key-busy = Idempotency-Key "{ $key }": the first request is still under way; ask again */
+        RequestKeyBusyProblem: {
+            /** @constant */
+            type: "/problems/request-key-busy";
+            /** @enum {unknown} */
+            kind: "conflict";
+            parameters: {
+                key: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-key-busy";
+        });
+        /** @description people-role-not-for-machines = role: found { people-role }, expected one of { $roles }: a machine neither releases motion nor makes accounts */
+        PeopleRoleNotForMachinesProblem: {
+            /** @constant */
+            type: "/problems/people-role-not-for-machines";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+            parameters: {
+                role: string;
+                roles: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-role-not-for-machines";
+        });
+        /** @description jobs-effect-not-named = effect: found "{ $effect }", expected one that the diagnosis names: { $effects } */
+        JobsEffectNotNamedProblem: {
+            /** @constant */
+            type: "/problems/jobs-effect-not-named";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+            parameters: {
+                effect: string;
+                effects: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-effect-not-named";
+        });
+        /** @description jobs-no-effect-named = effect: found "{ $effect }", expected one that the diagnosis names: it names none */
+        JobsNoEffectNamedProblem: {
+            /** @constant */
+            type: "/problems/jobs-no-effect-named";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+            parameters: {
+                effect: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-no-effect-named";
+        });
+        /** @description jobs-effect-not-addable = effect: found { $why_not }, expected an effect that a twin can take */
+        JobsEffectNotAddableProblem: {
+            /** @constant */
+            type: "/problems/jobs-effect-not-addable";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+            parameters: {
+                why_not: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-effect-not-addable";
+        });
+        /** @description jobs-effect-not-judged = effect: found a diagnosis that does not say whether a twin can take it, expected an effect that a twin can take */
+        JobsEffectNotJudgedProblem: {
+            /** @constant */
+            type: "/problems/jobs-effect-not-judged";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-effect-not-judged";
+        });
+        /** @description jobs-twin-unchanged = twin of { $cell }: nothing was changed; send it again */
+        JobsTwinUnchangedProblem: {
+            /** @constant */
+            type: "/problems/jobs-twin-unchanged";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+            parameters: {
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-twin-unchanged";
+        });
+        /** @description jobs-work-lost = the process that did it ended unexpectedly; ask for it again. The service's log may know more. */
+        JobsWorkLostProblem: {
+            /** @constant */
+            type: "/problems/jobs-work-lost";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-work-lost";
+        });
+        /** @description zone-not-looked-at = zones of { $cell }: nothing was looked at; send it again */
+        ZoneNotLookedAtProblem: {
+            /** @constant */
+            type: "/problems/zone-not-looked-at";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+            parameters: {
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-not-looked-at";
+        });
+        /** @description uploads-no-zip = Content-Type: found "{ $found }", expected application/zip; send a zip of the { $what }'s folder */
+        UploadsNoZipProblem: {
+            /** @constant */
+            type: "/problems/uploads-no-zip";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+            parameters: {
+                found: string;
+                what: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-no-zip";
+        });
+        /** @description uploads-other-cell = upload: the cell calls itself "{ $cell }", not "{ $name }"; send it to /api/cells/{ $cell } */
+        UploadsOtherCellProblem: {
+            /** @constant */
+            type: "/problems/uploads-other-cell";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+            parameters: {
+                cell: string;
+                name: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-other-cell";
+        });
+        /** @description uploads-checker-ended = upload: the process that checks cells ended; nothing was changed, send it again */
+        UploadsCheckerEndedProblem: {
+            /** @constant */
+            type: "/problems/uploads-checker-ended";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-checker-ended";
+        });
+        /** @description request-key-reused = Idempotency-Key "{ $key }": was used for another body already; take a new key for a new request */
+        RequestKeyReusedProblem: {
+            /** @constant */
+            type: "/problems/request-key-reused";
+            /** @enum {unknown} */
+            kind: "unprocessable";
+            parameters: {
+                key: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-key-reused";
+        });
+        /** @description request-body-too-large = { $method } { $path }: the body is larger than { $limit_bytes } bytes; send a smaller one */
+        RequestBodyTooLargeProblem: {
+            /** @constant */
+            type: "/problems/request-body-too-large";
+            /** @enum {unknown} */
+            kind: "too-large";
+            parameters: {
+                method: string;
+                path: string;
+                limit_bytes: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-body-too-large";
+        });
+        /** @description people-sign-in-blocked = sign-in: too many failures of late; try again in { FIXED($retry_after_s, digits: 0) } s */
+        PeopleSignInBlockedProblem: {
+            /** @constant */
+            type: "/problems/people-sign-in-blocked";
+            /** @enum {unknown} */
+            kind: "too-many";
+            parameters: {
+                retry_after_s: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-sign-in-blocked";
+        });
+        /** @description store-unavailable = the database is locked, full or away; nothing was changed. Try again; if it stays so, see the service's log */
+        StoreUnavailableProblem: {
+            /** @constant */
+            type: "/problems/store-unavailable";
+            /** @enum {unknown} */
+            kind: "store-unavailable";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/store-unavailable";
+        });
+        /** @description store-release-waits = release: the database is locked, full or away, and nothing moves without it; release again when it is back */
+        StoreReleaseWaitsProblem: {
+            /** @constant */
+            type: "/problems/store-release-waits";
+            /** @enum {unknown} */
+            kind: "store-unavailable";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/store-release-waits";
+        });
+        /** @description store-release-not-taken = release: the database did not take it, so nothing moves; the run was ended */
+        StoreReleaseNotTakenProblem: {
+            /** @constant */
+            type: "/problems/store-release-not-taken";
+            /** @enum {unknown} */
+            kind: "store-unavailable";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/store-release-not-taken";
+        });
+        /** @description store-resume-waits = resume: the database is locked, full or away, and nothing begins to move without it; resume when it is back */
+        StoreResumeWaitsProblem: {
+            /** @constant */
+            type: "/problems/store-resume-waits";
+            /** @enum {unknown} */
+            kind: "store-unavailable";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/store-resume-waits";
+        });
+        /** @description store-result-not-there = run { $run }: the database does not have its result yet; accept it again in some seconds */
+        StoreResultNotThereProblem: {
+            /** @constant */
+            type: "/problems/store-result-not-there";
+            /** @enum {unknown} */
+            kind: "store-unavailable";
+            parameters: {
+                run: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/store-result-not-there";
+        });
+        /** @description runs-disk-too-full = disk: { FIXED($free_mb, digits: 0) } MB are free where runs are recorded, this one needs up to { FIXED($needed_mb, digits: 0) } MB; make room, then release it again */
+        RunsDiskTooFullProblem: {
+            /** @constant */
+            type: "/problems/runs-disk-too-full";
+            /** @enum {unknown} */
+            kind: "no-room";
+            parameters: {
+                free_mb: number;
+                needed_mb: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-disk-too-full";
+        });
+        /**
+         * @description uploads-outside-file =
+         *         .found = a file outside the upload's folder
+         *         .expected = files inside it
+         */
+        UploadsOutsideFileProblem: {
+            /** @constant */
+            type: "/problems/uploads-outside-file";
+            /** @enum {unknown} */
+            kind: "bad-input";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-outside-file";
+        });
+        /**
+         * @description uploads-program =
+         *         .found = an attempt at { $event }
+         *         .expected = a cell, which is data only
+         */
+        UploadsProgramProblem: {
+            /** @constant */
+            type: "/problems/uploads-program";
+            /** @enum {unknown} */
+            kind: "bad-input";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                event: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-program";
+        });
+        /**
+         * @description runs-cell-without-payload =
+         *         .found = no payload in cell "{ $cell }"
+         *         .expected = one that the simulated robot can carry; add it to cell.toml
+         */
+        RunsCellWithoutPayloadProblem: {
+            /** @constant */
+            type: "/problems/runs-cell-without-payload";
+            /** @enum {unknown} */
+            kind: "bad-payload";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-cell-without-payload";
+        });
+        /**
+         * @description runs-payload-unknown =
+         *         .found = "{ $payload }"
+         *         .expected = one of { $payloads }, which cell "{ $cell }" knows
+         */
+        RunsPayloadUnknownProblem: {
+            /** @constant */
+            type: "/problems/runs-payload-unknown";
+            /** @enum {unknown} */
+            kind: "bad-payload";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                payload: string;
+                payloads: (string | components["schemas"]["NestedMessage"])[];
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-payload-unknown";
+        });
+        /**
+         * @description uploads-not-unpackable =
+         *         .found = a zip that cannot be unpacked ({ $reason })
+         *         .expected = a plain zip of the folder of a { $what }
+         */
+        UploadsNotUnpackableProblem: {
+            /** @constant */
+            type: "/problems/uploads-not-unpackable";
+            /** @enum {unknown} */
+            kind: "bad-cell" | "bad-recording";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                reason: string;
+                what: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-not-unpackable";
+        });
+        /**
+         * @description uploads-too-many-files =
+         *         .found = { $files } files
+         *         .expected = at most { $most_files }
+         */
+        UploadsTooManyFilesProblem: {
+            /** @constant */
+            type: "/problems/uploads-too-many-files";
+            /** @enum {unknown} */
+            kind: "bad-cell" | "bad-recording";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                files: number;
+                most_files: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-too-many-files";
+        });
+        /**
+         * @description uploads-too-many-bytes =
+         *         .found = { $unpacked_bytes } bytes when unpacked
+         *         .expected = at most { $most_bytes }
+         */
+        UploadsTooManyBytesProblem: {
+            /** @constant */
+            type: "/problems/uploads-too-many-bytes";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                unpacked_bytes: number;
+                most_bytes: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-too-many-bytes";
+        });
+        /**
+         * @description uploads-longer-than-listed =
+         *         .found = more bytes than the zip says
+         *         .expected = { $listed_bytes }
+         */
+        UploadsLongerThanListedProblem: {
+            /** @constant */
+            type: "/problems/uploads-longer-than-listed";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                listed_bytes: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-longer-than-listed";
+        });
+        /**
+         * @description uploads-symbolic-link =
+         *         .found = a symbolic link
+         *         .expected = plain files
+         */
+        UploadsSymbolicLinkProblem: {
+            /** @constant */
+            type: "/problems/uploads-symbolic-link";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-symbolic-link";
+        });
+        /**
+         * @description uploads-special-file =
+         *         .found = a special file
+         *         .expected = plain files
+         */
+        UploadsSpecialFileProblem: {
+            /** @constant */
+            type: "/problems/uploads-special-file";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-special-file";
+        });
+        /**
+         * @description uploads-encrypted-file =
+         *         .found = an encrypted file
+         *         .expected = plain files
+         */
+        UploadsEncryptedFileProblem: {
+            /** @constant */
+            type: "/problems/uploads-encrypted-file";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-encrypted-file";
+        });
+        /**
+         * @description uploads-compression-unknown =
+         *         .found = the compression method { $compression }
+         *         .expected = stored or deflated files
+         */
+        UploadsCompressionUnknownProblem: {
+            /** @constant */
+            type: "/problems/uploads-compression-unknown";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                compression: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-compression-unknown";
+        });
+        /**
+         * @description uploads-name-outside =
+         *         .found = a name that leads outside
+         *         .expected = a relative path without `..`, with forward slashes
+         */
+        UploadsNameOutsideProblem: {
+            /** @constant */
+            type: "/problems/uploads-name-outside";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-name-outside";
+        });
+        /**
+         * @description uploads-name-unusual =
+         *         .found = that name
+         *         .expected = letters, digits, `_`, `-` and `.`, in at most { $levels } levels
+         */
+        UploadsNameUnusualProblem: {
+            /** @constant */
+            type: "/problems/uploads-name-unusual";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                levels: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-name-unusual";
+        });
+        /**
+         * @description uploads-kind-unknown =
+         *         .found = a file of the kind "{ $kind }"
+         *         .expected = one of { $kinds }
+         */
+        UploadsKindUnknownProblem: {
+            /** @constant */
+            type: "/problems/uploads-kind-unknown";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                kind: string;
+                kinds: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-kind-unknown";
+        });
+        /**
+         * @description uploads-same-names =
+         *         .found = { $files } files of that name, letter case aside
+         *         .expected = one
+         */
+        UploadsSameNamesProblem: {
+            /** @constant */
+            type: "/problems/uploads-same-names";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                files: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-same-names";
+        });
+        /**
+         * @description uploads-no-cell-file =
+         *         .found = no { $file } at the top or in the one folder
+         *         .expected = { $file } and the files that it names
+         */
+        UploadsNoCellFileProblem: {
+            /** @constant */
+            type: "/problems/uploads-no-cell-file";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                file: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-no-cell-file";
+        });
+        /**
+         * @description uploads-check-too-large =
+         *         .found = more than can be checked ({ $reason })
+         *         .expected = a cell of ordinary size
+         */
+        UploadsCheckTooLargeProblem: {
+            /** @constant */
+            type: "/problems/uploads-check-too-large";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                reason: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-check-too-large";
+        });
+        /**
+         * @description uploads-check-too-slow =
+         *         .found = more than can be checked in { SIGNIFICANT($limit_s) } s
+         *         .expected = a cell of ordinary size
+         */
+        UploadsCheckTooSlowProblem: {
+            /** @constant */
+            type: "/problems/uploads-check-too-slow";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                limit_s: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-check-too-slow";
+        });
+        /**
+         * @description uploads-check-broken-off =
+         *         .found = something that ended the check (out of memory, or a mesh that cannot be read)
+         *         .expected = a cell of ordinary size
+         */
+        UploadsCheckBrokenOffProblem: {
+            /** @constant */
+            type: "/problems/uploads-check-broken-off";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-check-broken-off";
+        });
+        /**
+         * @description uploads-cell-misnamed =
+         *         .found = "{ $name }"
+         *         .expected = the name of its folder, "{ $folder }"
+         */
+        UploadsCellMisnamedProblem: {
+            /** @constant */
+            type: "/problems/uploads-cell-misnamed";
+            /** @enum {unknown} */
+            kind: "bad-cell";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                name: string;
+                folder: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-cell-misnamed";
+        });
+        /**
+         * @description uploads-model-not-buildable =
+         *         .found = a model that cannot be built ({ $reason })
+         *         .expected = links and meshes that can
+         */
+        UploadsModelNotBuildableProblem: {
+            /** @constant */
+            type: "/problems/uploads-model-not-buildable";
+            /** @enum {unknown} */
+            kind: "bad-robot";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                reason: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-model-not-buildable";
+        });
+        /**
+         * @description uploads-recording-too-large =
+         *         .found = more than { $most_bytes } bytes when unpacked
+         *         .expected = a recording of a plausible size
+         */
+        UploadsRecordingTooLargeProblem: {
+            /** @constant */
+            type: "/problems/uploads-recording-too-large";
+            /** @enum {unknown} */
+            kind: "bad-recording";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                most_bytes: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-recording-too-large";
+        });
+        /**
+         * @description uploads-two-recordings =
+         *         .found = two files of that name
+         *         .expected = one recording
+         */
+        UploadsTwoRecordingsProblem: {
+            /** @constant */
+            type: "/problems/uploads-two-recordings";
+            /** @enum {unknown} */
+            kind: "bad-recording";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-two-recordings";
+        });
+        /**
+         * @description uploads-no-manifest =
+         *         .found = no { $file }
+         *         .expected = a recording folder
+         */
+        UploadsNoManifestProblem: {
+            /** @constant */
+            type: "/problems/uploads-no-manifest";
+            /** @enum {unknown} */
+            kind: "bad-recording";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                file: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-no-manifest";
+        });
+        /**
+         * @description uploads-twin-not-writable =
+         *         .found = a folder that cannot be written ({ $reason })
+         *         .expected = one that the service may change
+         */
+        UploadsTwinNotWritableProblem: {
+            /** @constant */
+            type: "/problems/uploads-twin-not-writable";
+            /** @enum {unknown} */
+            kind: "bad-twin";
+            parameters: {
+                where: string | components["schemas"]["NestedMessage"];
+                reason: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/uploads-twin-not-writable";
+        });
+        /**
+         * @description request-unfit =
+         *         { $more ->
+         *             [0] { $flaw }
+         *            *[other] { $flaw }; and { $more } more, see `flaws`
+         *         }
+         */
+        RequestUnfitProblem: {
+            /** @constant */
+            type: "/problems/request-unfit";
+            /** @enum {unknown} */
+            kind: "bad-request";
+            parameters: {
+                more: number;
+                flaw: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-unfit";
+        });
+        /** @description request-no-json = { $flaw } */
+        RequestNoJsonProblem: {
+            /** @constant */
+            type: "/problems/request-no-json";
+            /** @enum {unknown} */
+            kind: "bad-request";
+            parameters: {
+                flaw: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-no-json";
+        });
+        /** @description request-method-not-allowed = { $method } { $path }: this address does not know the method; see `allowed` */
+        RequestMethodNotAllowedProblem: {
+            /** @constant */
+            type: "/problems/request-method-not-allowed";
+            /** @enum {unknown} */
+            kind: "method-not-allowed";
+            parameters: {
+                method: string;
+                path: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-method-not-allowed";
+        });
+        /** @description request-refused = { $method } { $path }: { $reason } */
+        RequestRefusedProblem: {
+            /** @constant */
+            type: "/problems/request-refused";
+            /** @enum {unknown} */
+            kind: "http-error";
+            parameters: {
+                method: string;
+                path: string;
+                reason: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-refused";
+        });
+        /** @description request-unforeseen = an error that was not foreseen; the service's log has it under request_id */
+        RequestUnforeseenProblem: {
+            /** @constant */
+            type: "/problems/request-unforeseen";
+            /** @enum {unknown} */
+            kind: "internal-error";
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/request-unforeseen";
+        });
+        /** @description What the engine refuses, whose situations are many; `kind` tells of which kind it is. */
+        EngineProblem: {
+            type?: string;
+        } & (components["schemas"]["ProblemDetails"] & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "EngineProblem";
+        });
+        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["JobsTwinBusyProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsEffectNotNamedProblem"] | components["schemas"]["JobsNoEffectNamedProblem"] | components["schemas"]["JobsEffectNotAddableProblem"] | components["schemas"]["JobsEffectNotJudgedProblem"] | components["schemas"]["JobsTwinUnchangedProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["UploadsTwinNotWritableProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
     };
     responses: never;
     parameters: never;
@@ -4022,6 +6182,7 @@ export type Limits = components['schemas']['Limits'];
 export type LinkAnswer = components['schemas']['LinkAnswer'];
 export type LiveBatch = components['schemas']['LiveBatch'];
 export type Lost = components['schemas']['Lost'];
+export type Message = components['schemas']['Message'];
 export type Minor = components['schemas']['Minor'];
 export type MotionBody = components['schemas']['MotionBody'];
 export type NamedEffect = components['schemas']['NamedEffect'];
@@ -4049,11 +6210,10 @@ export type PlanTorques = components['schemas']['PlanTorques'];
 export type Planned = components['schemas']['Planned'];
 export type PlannedPose = components['schemas']['PlannedPose'];
 export type Pose = components['schemas']['Pose'];
-export type ProblemKind = components['schemas']['ProblemKind'];
+export type ProblemDescribed = components['schemas']['ProblemDescribed'];
 export type RecordingWritten = components['schemas']['RecordingWritten'];
 export type ReferencePart = components['schemas']['ReferencePart'];
 export type ReleaseBody = components['schemas']['ReleaseBody'];
-export type Remark = components['schemas']['Remark'];
 export type ResidualPart = components['schemas']['ResidualPart'];
 export type ResultSummary = components['schemas']['ResultSummary'];
 export type Robot = components['schemas']['Robot'];
@@ -4102,6 +6262,133 @@ export type ZoneMove = components['schemas']['ZoneMove'];
 export type ZonePlace = components['schemas']['ZonePlace'];
 export type ZoneShown = components['schemas']['ZoneShown'];
 export type ZoneTry = components['schemas']['ZoneTry'];
+export type NestedMessage = components['schemas']['NestedMessage'];
+export type ProblemDetails = components['schemas']['ProblemDetails'];
+export type PeopleKeyRefusedProblem = components['schemas']['PeopleKeyRefusedProblem'];
+export type PeopleSessionOverProblem = components['schemas']['PeopleSessionOverProblem'];
+export type PeopleSignInRefusedProblem = components['schemas']['PeopleSignInRefusedProblem'];
+export type PeopleNotSignedInProblem = components['schemas']['PeopleNotSignedInProblem'];
+export type PeopleOriginForeignProblem = components['schemas']['PeopleOriginForeignProblem'];
+export type PeopleOriginMissingProblem = components['schemas']['PeopleOriginMissingProblem'];
+export type PeopleCsrfTokenWrongProblem = components['schemas']['PeopleCsrfTokenWrongProblem'];
+export type PeopleEndpointClosedProblem = components['schemas']['PeopleEndpointClosedProblem'];
+export type PeopleRoleLackingProblem = components['schemas']['PeopleRoleLackingProblem'];
+export type PeopleWithoutRoleProblem = components['schemas']['PeopleWithoutRoleProblem'];
+export type PeopleKeyWithoutPasswordProblem = components['schemas']['PeopleKeyWithoutPasswordProblem'];
+export type PeoplePasswordWrongProblem = components['schemas']['PeoplePasswordWrongProblem'];
+export type RunsUnknownProblem = components['schemas']['RunsUnknownProblem'];
+export type RunsWebhookUnknownProblem = components['schemas']['RunsWebhookUnknownProblem'];
+export type PeopleAccountUnknownProblem = components['schemas']['PeopleAccountUnknownProblem'];
+export type PeopleKeyUnknownProblem = components['schemas']['PeopleKeyUnknownProblem'];
+export type JobsUnknownProblem = components['schemas']['JobsUnknownProblem'];
+export type JobsEffectNotInTwinProblem = components['schemas']['JobsEffectNotInTwinProblem'];
+export type ZoneUnknownProblem = components['schemas']['ZoneUnknownProblem'];
+export type RequestCellUnknownProblem = components['schemas']['RequestCellUnknownProblem'];
+export type RequestProblemUnknownProblem = components['schemas']['RequestProblemUnknownProblem'];
+export type RequestConsoleFileUnknownProblem = components['schemas']['RequestConsoleFileUnknownProblem'];
+export type RequestAddressUnknownProblem = components['schemas']['RequestAddressUnknownProblem'];
+export type RunsCommandNotPossibleProblem = components['schemas']['RunsCommandNotPossibleProblem'];
+export type RunsCommandImpossibleProblem = components['schemas']['RunsCommandImpossibleProblem'];
+export type RunsNoPlanProblem = components['schemas']['RunsNoPlanProblem'];
+export type RunsNoResultProblem = components['schemas']['RunsNoResultProblem'];
+export type RunsNoResultBecauseProblem = components['schemas']['RunsNoResultBecauseProblem'];
+export type RunsNoRecordingProblem = components['schemas']['RunsNoRecordingProblem'];
+export type RunsNoReportProblem = components['schemas']['RunsNoReportProblem'];
+export type RunsRecordingOpenProblem = components['schemas']['RunsRecordingOpenProblem'];
+export type RunsNothingLeftProblem = components['schemas']['RunsNothingLeftProblem'];
+export type RunsRecordingNotThereProblem = components['schemas']['RunsRecordingNotThereProblem'];
+export type RunsAcceptedAlreadyProblem = components['schemas']['RunsAcceptedAlreadyProblem'];
+export type RunsNothingToStopProblem = components['schemas']['RunsNothingToStopProblem'];
+export type RunsNoCommonFrameProblem = components['schemas']['RunsNoCommonFrameProblem'];
+export type RunsSpeedNotAllowedProblem = components['schemas']['RunsSpeedNotAllowedProblem'];
+export type RunsStartOfOtherRobotProblem = components['schemas']['RunsStartOfOtherRobotProblem'];
+export type RunsControlTakenProblem = components['schemas']['RunsControlTakenProblem'];
+export type RunsControlFreeProblem = components['schemas']['RunsControlFreeProblem'];
+export type RunsControlElsewhereProblem = components['schemas']['RunsControlElsewhereProblem'];
+export type RunsCommandWithoutControlProblem = components['schemas']['RunsCommandWithoutControlProblem'];
+export type RunsCommandRepeatedProblem = components['schemas']['RunsCommandRepeatedProblem'];
+export type RunsCommandLateProblem = components['schemas']['RunsCommandLateProblem'];
+export type RunsPlanVoidProblem = components['schemas']['RunsPlanVoidProblem'];
+export type RunsOfferForeignProblem = components['schemas']['RunsOfferForeignProblem'];
+export type RunsOfferOldProblem = components['schemas']['RunsOfferOldProblem'];
+export type PeopleAccountExistsProblem = components['schemas']['PeopleAccountExistsProblem'];
+export type PeopleLastAdminProblem = components['schemas']['PeopleLastAdminProblem'];
+export type PeopleKeyExistsProblem = components['schemas']['PeopleKeyExistsProblem'];
+export type JobsOverProblem = components['schemas']['JobsOverProblem'];
+export type JobsNoOverlayProblem = components['schemas']['JobsNoOverlayProblem'];
+export type JobsNoReportProblem = components['schemas']['JobsNoReportProblem'];
+export type JobsNoCellProblem = components['schemas']['JobsNoCellProblem'];
+export type JobsRecordingGoneProblem = components['schemas']['JobsRecordingGoneProblem'];
+export type JobsPayloadUnknownProblem = components['schemas']['JobsPayloadUnknownProblem'];
+export type JobsPayloadUnnamedProblem = components['schemas']['JobsPayloadUnnamedProblem'];
+export type JobsPayloadDiffersProblem = components['schemas']['JobsPayloadDiffersProblem'];
+export type JobsNoMotionYetProblem = components['schemas']['JobsNoMotionYetProblem'];
+export type JobsNoMotionProposedProblem = components['schemas']['JobsNoMotionProposedProblem'];
+export type JobsNoMotionAskedProblem = components['schemas']['JobsNoMotionAskedProblem'];
+export type JobsMotionRefusedProblem = components['schemas']['JobsMotionRefusedProblem'];
+export type JobsMotionNotPlannedProblem = components['schemas']['JobsMotionNotPlannedProblem'];
+export type JobsRobotChangedProblem = components['schemas']['JobsRobotChangedProblem'];
+export type JobsGravityChangedProblem = components['schemas']['JobsGravityChangedProblem'];
+export type JobsNoEffectYetProblem = components['schemas']['JobsNoEffectYetProblem'];
+export type JobsTwinBusyProblem = components['schemas']['JobsTwinBusyProblem'];
+export type ZoneMeasuredBeforeProblem = components['schemas']['ZoneMeasuredBeforeProblem'];
+export type ZoneClockAheadProblem = components['schemas']['ZoneClockAheadProblem'];
+export type ZoneNotMovedProblem = components['schemas']['ZoneNotMovedProblem'];
+export type ZoneMovedOnProblem = components['schemas']['ZoneMovedOnProblem'];
+export type UploadsCellExistsProblem = components['schemas']['UploadsCellExistsProblem'];
+export type RequestKeyBusyProblem = components['schemas']['RequestKeyBusyProblem'];
+export type PeopleRoleNotForMachinesProblem = components['schemas']['PeopleRoleNotForMachinesProblem'];
+export type JobsEffectNotNamedProblem = components['schemas']['JobsEffectNotNamedProblem'];
+export type JobsNoEffectNamedProblem = components['schemas']['JobsNoEffectNamedProblem'];
+export type JobsEffectNotAddableProblem = components['schemas']['JobsEffectNotAddableProblem'];
+export type JobsEffectNotJudgedProblem = components['schemas']['JobsEffectNotJudgedProblem'];
+export type JobsTwinUnchangedProblem = components['schemas']['JobsTwinUnchangedProblem'];
+export type JobsWorkLostProblem = components['schemas']['JobsWorkLostProblem'];
+export type ZoneNotLookedAtProblem = components['schemas']['ZoneNotLookedAtProblem'];
+export type UploadsNoZipProblem = components['schemas']['UploadsNoZipProblem'];
+export type UploadsOtherCellProblem = components['schemas']['UploadsOtherCellProblem'];
+export type UploadsCheckerEndedProblem = components['schemas']['UploadsCheckerEndedProblem'];
+export type RequestKeyReusedProblem = components['schemas']['RequestKeyReusedProblem'];
+export type RequestBodyTooLargeProblem = components['schemas']['RequestBodyTooLargeProblem'];
+export type PeopleSignInBlockedProblem = components['schemas']['PeopleSignInBlockedProblem'];
+export type StoreUnavailableProblem = components['schemas']['StoreUnavailableProblem'];
+export type StoreReleaseWaitsProblem = components['schemas']['StoreReleaseWaitsProblem'];
+export type StoreReleaseNotTakenProblem = components['schemas']['StoreReleaseNotTakenProblem'];
+export type StoreResumeWaitsProblem = components['schemas']['StoreResumeWaitsProblem'];
+export type StoreResultNotThereProblem = components['schemas']['StoreResultNotThereProblem'];
+export type RunsDiskTooFullProblem = components['schemas']['RunsDiskTooFullProblem'];
+export type UploadsOutsideFileProblem = components['schemas']['UploadsOutsideFileProblem'];
+export type UploadsProgramProblem = components['schemas']['UploadsProgramProblem'];
+export type RunsCellWithoutPayloadProblem = components['schemas']['RunsCellWithoutPayloadProblem'];
+export type RunsPayloadUnknownProblem = components['schemas']['RunsPayloadUnknownProblem'];
+export type UploadsNotUnpackableProblem = components['schemas']['UploadsNotUnpackableProblem'];
+export type UploadsTooManyFilesProblem = components['schemas']['UploadsTooManyFilesProblem'];
+export type UploadsTooManyBytesProblem = components['schemas']['UploadsTooManyBytesProblem'];
+export type UploadsLongerThanListedProblem = components['schemas']['UploadsLongerThanListedProblem'];
+export type UploadsSymbolicLinkProblem = components['schemas']['UploadsSymbolicLinkProblem'];
+export type UploadsSpecialFileProblem = components['schemas']['UploadsSpecialFileProblem'];
+export type UploadsEncryptedFileProblem = components['schemas']['UploadsEncryptedFileProblem'];
+export type UploadsCompressionUnknownProblem = components['schemas']['UploadsCompressionUnknownProblem'];
+export type UploadsNameOutsideProblem = components['schemas']['UploadsNameOutsideProblem'];
+export type UploadsNameUnusualProblem = components['schemas']['UploadsNameUnusualProblem'];
+export type UploadsKindUnknownProblem = components['schemas']['UploadsKindUnknownProblem'];
+export type UploadsSameNamesProblem = components['schemas']['UploadsSameNamesProblem'];
+export type UploadsNoCellFileProblem = components['schemas']['UploadsNoCellFileProblem'];
+export type UploadsCheckTooLargeProblem = components['schemas']['UploadsCheckTooLargeProblem'];
+export type UploadsCheckTooSlowProblem = components['schemas']['UploadsCheckTooSlowProblem'];
+export type UploadsCheckBrokenOffProblem = components['schemas']['UploadsCheckBrokenOffProblem'];
+export type UploadsCellMisnamedProblem = components['schemas']['UploadsCellMisnamedProblem'];
+export type UploadsModelNotBuildableProblem = components['schemas']['UploadsModelNotBuildableProblem'];
+export type UploadsRecordingTooLargeProblem = components['schemas']['UploadsRecordingTooLargeProblem'];
+export type UploadsTwoRecordingsProblem = components['schemas']['UploadsTwoRecordingsProblem'];
+export type UploadsNoManifestProblem = components['schemas']['UploadsNoManifestProblem'];
+export type UploadsTwinNotWritableProblem = components['schemas']['UploadsTwinNotWritableProblem'];
+export type RequestUnfitProblem = components['schemas']['RequestUnfitProblem'];
+export type RequestNoJsonProblem = components['schemas']['RequestNoJsonProblem'];
+export type RequestMethodNotAllowedProblem = components['schemas']['RequestMethodNotAllowedProblem'];
+export type RequestRefusedProblem = components['schemas']['RequestRefusedProblem'];
+export type RequestUnforeseenProblem = components['schemas']['RequestUnforeseenProblem'];
+export type EngineProblem = components['schemas']['EngineProblem'];
 export type Problem = components['schemas']['Problem'];
 export type $defs = Record<string, never>;
 export interface operations {
@@ -4163,12 +6450,12 @@ export interface operations {
             };
         };
     };
-    read_problem_kind: {
+    read_problem: {
         parameters: {
             query?: never;
             header?: never;
             path: {
-                kind: string;
+                code: string;
             };
             cookie?: never;
         };
@@ -4180,7 +6467,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ProblemKind"];
+                    "application/json": components["schemas"]["ProblemDescribed"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -5578,7 +7865,9 @@ export interface operations {
     };
     download_report: {
         parameters: {
-            query?: never;
+            query?: {
+                language?: "en" | "de";
+            };
             header?: never;
             path: {
                 run: string;
@@ -5835,7 +8124,9 @@ export interface operations {
     };
     download_diagnosis_report: {
         parameters: {
-            query?: never;
+            query?: {
+                language?: "en" | "de";
+            };
             header?: never;
             path: {
                 diagnosis: string;
@@ -5967,7 +8258,9 @@ export interface operations {
     };
     read_trials: {
         parameters: {
-            query?: never;
+            query?: {
+                language?: "en" | "de";
+            };
             header?: never;
             path: {
                 trials: string;
@@ -6150,3 +8443,6 @@ export interface operations {
         };
     };
 }
+type WithRequired<T, K extends keyof T> = T & {
+    [P in K]-?: T[P];
+};

@@ -2,8 +2,10 @@ import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import type { Flaw } from '../api';
 import { FlawList } from '../ui/flaw-list';
+import { messageOf, type Notice, noticeOf } from '../ui/notice';
 import { Press } from '../ui/press';
 import { Refusal } from '../ui/refusal';
+import { Told } from '../ui/told';
 import { words } from '../words';
 import { cells } from './cells';
 import { checkCell, takeCellIn } from './shown-cell';
@@ -14,6 +16,8 @@ interface Checked {
   name?: string;
   /** Why it cannot be used. */
   flaws?: Flaw[];
+  /** Why it could not be checked. */
+  unchecked?: Notice;
   taken?: boolean;
 }
 
@@ -58,20 +62,16 @@ async function judged(file: File): Promise<Checked> {
   try {
     return { file, name: await checkCell(file) };
   } catch (error) {
-    const problem = error instanceof Refusal ? error.problem : null;
-    const whole = {
-      where: file.name,
-      found: String(error instanceof Error ? error.message : error),
-      expected: '',
-    };
-    return { file, flaws: problem?.flaws?.length ? problem.flaws : [whole] };
+    const flaws = error instanceof Refusal ? (error.problem.flaws ?? []) : [];
+    return flaws.length > 0 ? { file, flaws } : { file, unchecked: noticeOf(error) };
   }
 }
 
 function Judgement({ checked, taken }: { checked: Checked; taken: (done: Checked) => void }) {
   const said = words.value.cells;
-  const { file, name, flaws } = checked;
+  const { file, name, flaws, unchecked } = checked;
   if (flaws) return <FlawList title={said.flawed(file.name)} flaws={flaws} />;
+  if (unchecked) return <Unchecked why={unchecked} />;
   if (name === undefined) return <p role="status">{said.checking(file.name)}</p>;
   if (checked.taken) return <p role="status">{said.taken(name)}</p>;
   const replaces = (cells.value ?? []).some((each) => each.name === name);
@@ -87,5 +87,13 @@ function Judgement({ checked, taken }: { checked: Checked; taken: (done: Checked
         {replaces ? said.replace(name) : said.add}
       </Press>
     </>
+  );
+}
+
+function Unchecked({ why }: { why: Notice }) {
+  return (
+    <div class="abnormal" role="alert">
+      <span aria-hidden="true">▲</span> <Told message={messageOf(why)} />
+    </div>
   );
 }

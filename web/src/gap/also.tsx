@@ -1,9 +1,8 @@
 import type { Also as Seen } from '../api';
-import { EngineSentence } from '../ui/engine-sentence';
+import { MessageText } from '../ui/message-text';
 import { words } from '../words';
 import { EffectParameters } from './effect-parameters';
 import { effectName, times } from './effect-values';
-import { seenSaid } from './remarks';
 
 /** What was seen elsewhere than in the wrench and matters: at the joints, in the readings, against the reference. */
 export function Also({ also }: { also: Seen[] }) {
@@ -18,12 +17,12 @@ export function Also({ also }: { also: Seen[] }) {
           <li key={each.id}>
             <h3>{effectName(each.id)}</h3>
             <p class="sentence">
-              <EngineSentence said={seenSaid(each)} english={each.sentence} />
+              <MessageText message={each.message} />
             </p>
             <dl class="advice">
               <dt>{said.todo}</dt>
               <dd>
-                <EngineSentence said={said.remedies[each.id]} english={each.advice} />
+                <MessageText message={each.advice} />
               </dd>
             </dl>
             <Measure seen={each} />
@@ -45,7 +44,7 @@ export function Unimportant({ seen }: { seen: Seen }) {
     <li>
       <b>{effectName(seen.id)}</b>
       <p>
-        <EngineSentence said={seenSaid(seen)} english={seen.sentence} />
+        <MessageText message={seen.message} />
       </p>
       <Measure seen={seen} />
     </li>

@@ -1,5 +1,6 @@
 import type { DiagnosisAnswer } from '../api';
 import { queueMotion } from '../run/runs';
+import { language } from '../session/settings';
 import { addressOf } from '../ui/client';
 import { JobProgress } from '../ui/job-progress';
 import { isUnderWay } from '../ui/jobs';
@@ -45,7 +46,11 @@ function Diagnosis() {
         <p class="downloads">
           <a
             class="download"
-            href={addressOf('/api/diagnoses/{diagnosis}/report', { diagnosis: shown.diagnosis })}
+            href={addressOf(
+              '/api/diagnoses/{diagnosis}/report',
+              { diagnosis: shown.diagnosis },
+              { language: language.value },
+            )}
             target="_blank"
             rel="noreferrer"
           >

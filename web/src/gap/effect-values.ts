@@ -1,4 +1,4 @@
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisAnswer, Message } from '../api';
 import { number, type Scale, type Shown, scaled, scaleOf } from '../ui/units';
 import { words } from '../words';
 
@@ -19,11 +19,11 @@ export interface Candidate {
   closure: number;
   /** Whether the twin would take it, and what stands against it where not. */
   addable: boolean;
-  whyNot: string | null;
+  whyNot: Message | null;
   interval: readonly [number, number] | null;
   stages: string[];
-  /** What to do about each of its effects, as the engine says it. */
-  advice: [effect: string, english: string][];
+  /** What to do about each of its effects. */
+  advice: Message[];
   /** By the effect that they belong to. */
   parameters: Record<string, Record<string, Parameter>>;
 }
@@ -44,14 +44,14 @@ export function candidatesOf(diagnosis: Diagnosis): Candidate[] {
     ...takenBy(rest),
     id,
     stages: [stage],
-    advice: [[id, advice] as [string, string]],
+    advice: [advice],
     interval: closure_interval,
     parameters: { [id]: parameters },
   }));
   const both = pairs.map(({ ids, probability, closure, parameters = {}, ...rest }) => {
     const parts = effects.filter(({ id }) => ids.includes(id));
     const stages = parts.map(({ stage }) => stage);
-    const advice = parts.map((each): [string, string] => [each.id, each.advice]);
+    const advice = parts.map((each) => each.advice);
     const said = { id: ids.join('+'), probability, closure, interval: null, stages, advice, parameters };
     return { ...said, ...takenBy(rest) };
   });
@@ -59,7 +59,7 @@ export function candidatesOf(diagnosis: Diagnosis): Candidate[] {
 }
 
 /** Older diagnoses do not say whether the twin takes what they name: it is not offered. */
-function takenBy({ addable = false, why_not = null }: { addable?: boolean; why_not?: string | null }) {
+function takenBy({ addable = false, why_not = null }: { addable?: boolean; why_not?: Message | null }) {
   return { addable, whyNot: why_not };
 }
 

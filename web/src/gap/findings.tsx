@@ -1,11 +1,10 @@
 import type { DiagnosisAnswer } from '../api';
-import { EngineSentence } from '../ui/engine-sentence';
+import { MessageText } from '../ui/message-text';
 import { number } from '../ui/units';
 import { words } from '../words';
 import { Unimportant } from './also';
 import { EffectParameters } from './effect-parameters';
 import { effectName } from './effect-values';
-import { motionSaid } from './gap-sentences';
 
 type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
 
@@ -26,7 +25,7 @@ export function Findings({ diagnosis }: { diagnosis: Diagnosis }) {
                 <b>{ids.map(effectName).join(' – ')}</b>
                 <p>{said.apart(number(distance_sigma, 1))}</p>
                 <p>
-                  {said.settles}: <EngineSentence said={settling(diagnosis, ids)} english={splits} />
+                  {said.settles}: <MessageText message={splits} />
                 </p>
               </li>
             ))}
@@ -54,29 +53,13 @@ export function Findings({ diagnosis }: { diagnosis: Diagnosis }) {
           <summary>{said.limits}</summary>
           <ul>
             {limits.map((each) => (
-              <Limit key={each} english={each} />
+              <li key={each.text}>
+                <MessageText message={each} />
+              </li>
             ))}
           </ul>
         </details>
       )}
     </>
-  );
-}
-
-/** The proposed motion, where it is what tells these apart. */
-function settling({ next_experiment }: Diagnosis, tied: string[]): string | undefined {
-  const settled = next_experiment?.splits.some((ids) => ids.join() === tied.join()) ?? false;
-  return settled && next_experiment ? motionSaid(next_experiment) : undefined;
-}
-
-/** What a recording cannot show: an effect with the reason, or something as a whole. */
-function Limit({ english }: { english: string }) {
-  const [, effect, reason] = /^(\w+): (.*)$/.exec(english) ?? [];
-  if (effect === undefined || reason === undefined) return <li lang="en">{english}</li>;
-  return (
-    <li>
-      <b>{effectName(effect)}</b>:{' '}
-      <EngineSentence said={words.value.remarks.limits[reason]} english={reason} />
-    </li>
   );
 }

@@ -64,8 +64,3 @@ export function consequence({ verdict, payload }: Diagnosis): string | null {
   const inertia = Math.max(...rest.slice(3).map(Math.abs));
   return said.shifted(spelt('mass', mass), spelt('moment', moment), spelt('inertia', inertia));
 }
-
-/** What the motion that is proposed does, where the chosen language has words for it. */
-export function motionSaid(motion: NonNullable<Diagnosis['next_experiment']>): string | undefined {
-  return words.value.gap.motions[motion.id];
-}

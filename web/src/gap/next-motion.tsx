@@ -1,13 +1,12 @@
 import type { DiagnosisAnswer } from '../api';
 import { runs } from '../run/runs';
-import { EngineSentence } from '../ui/engine-sentence';
+import { MessageText } from '../ui/message-text';
 import { to } from '../ui/route';
 import { StateMark } from '../ui/state-mark';
 import { Told } from '../ui/told';
 import { clock, number } from '../ui/units';
 import { words } from '../words';
 import { effectName } from './effect-values';
-import { motionSaid } from './gap-sentences';
 
 type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
 
@@ -20,12 +19,12 @@ interface Props {
 /** The motion that tells apart what is open and what it is predicted to do; it can be planned, shown and released like any run. */
 export function NextMotion({ motion, diagnosis }: Props) {
   const said = words.value.gap;
-  const { stops, splits, sigma_before, sigma_after, seconds, planned, refused, refused_kind } = motion;
+  const { stops, splits, sigma_before, sigma_after, seconds, planned, refused } = motion;
   return (
     <section class="next-motion">
       <h2>{said.experiment}</h2>
       <p class="sentence">
-        <EngineSentence said={motionSaid(motion)} english={motion.motion} />
+        <MessageText message={motion.motion} />
       </p>
       <p>
         {splits.map((ids) => ids.map(effectName).join(' – ')).join('; ')}.{' '}
@@ -36,7 +35,7 @@ export function NextMotion({ motion, diagnosis }: Props) {
       {stops.length > 0 && !planned && (
         <>
           <p>{said.notPlanned}</p>
-          <Told kind={refused_kind ?? null} english={refused ?? ''} />
+          {refused && <Told message={refused} />}
         </>
       )}
       {stops.length > 0 && planned && <p class="hint">{said.planMotionHint}</p>}

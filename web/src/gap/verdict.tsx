@@ -1,10 +1,8 @@
 import type { DiagnosisAnswer } from '../api';
-import { EngineSentence } from '../ui/engine-sentence';
+import { MessageText } from '../ui/message-text';
 import { words } from '../words';
-import { engineSaid } from '../words/engine-words';
 import { effectName, openOf } from './effect-values';
 import { consequence, gapSentence } from './gap-sentences';
-import { remarkSaid } from './remarks';
 
 type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
 
@@ -19,28 +17,25 @@ export function Verdict({ diagnosis }: { diagnosis: Diagnosis }) {
       <h1>{gapSentence(diagnosis)}</h1>
       {diagnosis.lacking && (
         <p class="hint">
-          <EngineSentence said={remarkSaid(diagnosis.lacking)} english={diagnosis.summary} />
+          <MessageText message={diagnosis.lacking} />
         </p>
       )}
       <dl class="advice">
         {advised && best && (
           <>
             <dt>{said.todo}</dt>
-            {best.advice.map(
-              ([effect, english]) =>
-                english && (
-                  <dd key={effect}>
-                    <EngineSentence said={said.remedies[effect]} english={english} />
-                  </dd>
-                ),
-            )}
+            {best.advice.map((advice) => (
+              <dd key={advice.text}>
+                <MessageText message={advice} />
+              </dd>
+            ))}
           </>
         )}
         {advised && best?.whyNot && (
           <>
             <dt>{said.notForTwin}</dt>
             <dd>
-              <EngineSentence said={engineSaid(best.whyNot)} english={best.whyNot} />
+              <MessageText message={best.whyNot} />
             </dd>
           </>
         )}

@@ -1,6 +1,7 @@
 import type { DiagnosisAnswer } from '../api';
 import { percent } from '../ui/units';
 import { words } from '../words';
+import { say } from '../words/messages';
 import { phaseName, times } from './effect-values';
 import { bandName, HeatMap, tintOf } from './heat-map';
 import { JointTable } from './joint-table';
@@ -36,9 +37,9 @@ export function Where({ where }: { where: Place }) {
   );
 }
 
-function sentenceOf({ cells, sentence }: Place): string {
+function sentenceOf({ cells, message }: Place): string {
   const [most] = cells;
-  if (most === undefined) return sentence;
+  if (most === undefined) return say(message);
   const { channel, phase, band_hz, times_noise, share } = most;
   const said = words.value.gap;
   return said.whereSentence(channel, phaseName(phase), bandName(band_hz), times(times_noise), percent(share));

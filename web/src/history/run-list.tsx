@@ -55,7 +55,7 @@ function Listed({ run }: { run: RunAnswer }) {
         {found ? (
           <span>{said.determined(found.determined)}</span>
         ) : (
-          run.reason && <Told kind={run.reason_kind} english={run.reason} />
+          run.reason && <Told message={run.reason} />
         )}
         <small>{whoOf(run)}</small>
       </td>

@@ -1,6 +1,6 @@
 import { session } from '../session/session';
 import { lost } from '../ui/connection';
-import { notice } from '../ui/notice';
+import { messageOf, notice } from '../ui/notice';
 import { Press } from '../ui/press';
 import type { Screen } from '../ui/screen';
 import { Told } from '../ui/told';
@@ -20,7 +20,7 @@ export function CommandBar({ screen }: { screen: Screen }) {
       {notice.value && (
         <div class="notice" role="alert">
           <span aria-hidden="true">▲</span>
-          <Told {...notice.value} />
+          <Told message={messageOf(notice.value)} />
           <Press
             act={() => {
               notice.value = null;

@@ -32,7 +32,7 @@ function Ended() {
         <StateMark state={shown.state} />
         <h1>{said[end]}</h1>
         <ProposedBy />
-        {shown.reason && <Told kind={shown.reason_kind} english={shown.reason} said={latenessSaid(shown)} />}
+        {shown.reason && <Told message={shown.reason} said={latenessSaid(shown)} />}
         {shown.in_the_way && (
           <p class="in-the-way">
             <span aria-hidden="true">▲</span> {said.inTheWay}: <b>{shown.in_the_way}</b>

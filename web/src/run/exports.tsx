@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { ExportListed } from '../api';
 import { addressOf, ask } from '../ui/client';
-import { EngineSentence } from '../ui/engine-sentence';
+import { MessageText } from '../ui/message-text';
 import { attempt } from '../ui/notice';
 import { Told } from '../ui/told';
 import { words } from '../words';
@@ -35,11 +35,11 @@ export function Exports({ run }: { run: string }) {
             )}
             {refused === null ? (
               <p>
-                <EngineSentence said={words.value.remarks.exports[target]} english={says} />
+                <MessageText message={says} />
                 {lost.length > 0 && ` · ${said.lost}: ${lost.map((each) => each.name).join(', ')}`}
               </p>
             ) : (
-              <Told kind="bad-payload" english={refused} />
+              <Told message={refused} />
             )}
           </li>
         ))}

@@ -1,6 +1,6 @@
-import type { PayloadAnswer } from '../api';
+import type { Message, PayloadAnswer } from '../api';
 import type { Quantity } from '../ui/units';
-import { words } from '../words';
+import { say } from '../words/messages';
 
 /** One line of the answer; SI. */
 export interface Row {
@@ -49,7 +49,7 @@ export function payloadRows(answer: Body): Row[] {
     value,
     std,
     reference: reference[k],
-    reason: whyNot(part, answer.reasons[PHI[k] ?? '']),
+    reason: whyNot(answer.reasons[PHI[k] ?? '']),
   });
   return [
     row('mass', '', 'mass', 0, answer.mass_kg, answer.mass_std_kg),
@@ -78,6 +78,6 @@ function aboutCom(phi: (number | null)[]): (number | null)[] {
 }
 
 /** Why a parameter is not determined, where it is not. */
-function whyNot(part: Row['part'], english: string | undefined): string | undefined {
-  return english && (words.value.remarks.undetermined[part] ?? english);
+function whyNot(reason: Message | undefined): string | undefined {
+  return reason && say(reason);
 }

@@ -1,11 +1,11 @@
-import type { Remark } from '../api';
+import type { Message } from '../api';
 import { DiagnoseRun } from '../gap/diagnose-run';
-import { remarkSaid } from '../gap/remarks';
 import { RunBefore } from '../history/run-before';
 import { may } from '../session/session';
+import { language } from '../session/settings';
 import { addressOf } from '../ui/client';
-import { EngineSentence } from '../ui/engine-sentence';
 import { Facts } from '../ui/facts';
+import { MessageText } from '../ui/message-text';
 import { nameOf } from '../ui/names';
 import { Press } from '../ui/press';
 import { go } from '../ui/route';
@@ -55,7 +55,7 @@ function Result() {
           </a>
           <a
             class="download"
-            href={addressOf('/api/runs/{run}/report', { run: answer.run })}
+            href={addressOf('/api/runs/{run}/report', { run: answer.run }, { language: language.value })}
             target="_blank"
             rel="noreferrer"
           >
@@ -84,7 +84,7 @@ function whichRun(): string {
   ].join(' · ');
 }
 
-function Warnings({ all }: { all: Remark[] }) {
+function Warnings({ all }: { all: Message[] }) {
   if (all.length === 0) return null;
   return (
     <section class="warnings">
@@ -93,8 +93,8 @@ function Warnings({ all }: { all: Remark[] }) {
       </h2>
       <ul>
         {all.map((each) => (
-          <li key={each.sentence}>
-            <EngineSentence said={remarkSaid(each)} english={each.sentence} />
+          <li key={each.text}>
+            <MessageText message={each} />
           </li>
         ))}
       </ul>

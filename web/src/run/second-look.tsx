@@ -1,8 +1,9 @@
 import type { ClosestPair, LeftOutPair, PlanSummary } from '../api';
-import { EngineSentence } from '../ui/engine-sentence';
+import { MessageText } from '../ui/message-text';
 import { number, seconds, spelt } from '../ui/units';
 import { words } from '../words';
-import { engineSaid } from '../words/engine-words';
+import type { Message } from '../words/catalogue';
+import { quote, say } from '../words/messages';
 
 /** What a check found that shares no code with the planner: where it is closest, where it is fastest, and what it does not judge. */
 export function SecondLook({ summary }: { summary: PlanSummary }) {
@@ -100,17 +101,17 @@ function Torque({ summary }: { summary: PlanSummary }) {
 function LeftOut({ pairs }: { pairs: LeftOutPair[] }) {
   const said = words.value.secondLook;
   if (pairs.length === 0) return null;
-  const reasons = [...new Set(pairs.map(({ why }) => why))];
+  const reasons = new Map(pairs.map(({ why }) => [why.text, why]));
   return (
     <details class="others">
       <summary>{said.leftOut(pairs.length)}</summary>
       <ul>
-        {reasons.map((why) => (
-          <li key={why}>
-            <EngineSentence said={engineSaid(why)} english={why} />
+        {[...reasons].map(([text, why]) => (
+          <li key={text}>
+            <MessageText message={why} />
             <small>
               {pairs
-                .filter((pair) => pair.why === why)
+                .filter((pair) => pair.why.text === text)
                 .map(({ first, second }) => betweenSaid(first, second))
                 .join(', ')}
             </small>
@@ -128,4 +129,24 @@ export const betweenSaid = (first: string, second: string) =>
 const bodySaid = (name: string) => (name === 'payload' ? words.value.secondLook.load : name);
 
 const when = (part: string, time_s: number) =>
-  words.value.secondLook.when(engineSaid(part) ?? part, seconds(time_s));
+  words.value.secondLook.when(say(partMessage(part)), seconds(time_s));
+
+/** A part of the motion, such as `transfer x+`, in the words that the engine's messages have for it. */
+function partMessage(part: string): Message {
+  const [kind, axis = ''] = part.split(' ');
+  const parameters = { axis };
+  switch (kind) {
+    case 'transfer':
+      return { code: 'planning-part-transfer', parameters };
+    case 'rotation':
+      return { code: 'planning-part-rotation', parameters };
+    case 'wave':
+      return { code: 'planning-part-wave', parameters };
+    case 'home':
+      return { code: 'planning-part-home' };
+    case 'start':
+      return { code: 'planning-part-start' };
+    default:
+      return quote(part);
+  }
+}

@@ -1,6 +1,5 @@
 import type { PayloadAnswer } from '../api';
-import { remarkSaid } from '../gap/remarks';
-import { EngineSentence } from '../ui/engine-sentence';
+import { MessageText } from '../ui/message-text';
 import { spelt } from '../ui/units';
 import { words } from '../words';
 import { ParameterTable } from './parameter-table';
@@ -28,8 +27,8 @@ export function Workpiece({ answer }: { answer: PayloadAnswer }) {
         }}
       />
       {alone.remarks.map((each) => (
-        <p class="hint" key={each.sentence}>
-          <EngineSentence said={remarkSaid(each)} english={each.sentence} />
+        <p class="hint" key={each.text}>
+          <MessageText message={each} />
         </p>
       ))}
     </section>

@@ -1,6 +1,6 @@
 import type { OpenedTrial, Seal } from '../api';
 import { effectName, inWords } from '../gap/effect-values';
-import { EngineSentence } from '../ui/engine-sentence';
+import { MessageText } from '../ui/message-text';
 import { number, percent } from '../ui/units';
 import { words } from '../words';
 import { SealCheck } from './seal-check';
@@ -78,13 +78,13 @@ function Planted({ trial, seal }: { trial: OpenedTrial; seal: string }) {
       </p>
       {ids.length > 0 && (
         <p>
-          <span lang="en">{trial.planted}</span>; {said.size(number(trial.size, 1))}
+          <MessageText message={trial.planted} />; {said.size(number(trial.size, 1))}
         </p>
       )}
       <p>
         {said.mark}:{' '}
         <b>
-          <EngineSentence said={said.marks[trial.mark]} english={trial.mark} />
+          <MessageText message={trial.mark} />
         </b>
       </p>
       <SealCheck sealed={trial.sealed} seal={seal} />

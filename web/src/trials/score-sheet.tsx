@@ -1,37 +1,42 @@
 import { useEffect, useState } from 'preact/hooks';
-import type { OpenedTrial } from '../api';
-import { EngineSentence } from '../ui/engine-sentence';
+import type { Message, OpenedTrial } from '../api';
+import type { Language } from '../session/settings';
+import { MessageText } from '../ui/message-text';
+import { attempt } from '../ui/notice';
 import { words } from '../words';
+import { readSheet } from './trials';
 
 interface Props {
-  /** Of the trials, for the file's name. */
-  name: string;
+  /** Of the trials. */
+  id: string;
   trials: OpenedTrial[];
-  /** Markdown. */
-  sheet: string;
+  language: Language;
 }
 
 /** How many trials were judged how, and the score sheet to keep. */
-export function ScoreSheet({ name, trials, sheet }: Props) {
+export function ScoreSheet({ id, trials, language }: Props) {
   const said = words.value.gap.trials;
   const [address, keep] = useState('');
   useEffect(() => {
-    const made = URL.createObjectURL(new Blob([sheet], { type: 'text/markdown' }));
-    keep(made);
+    let made = '';
+    void attempt(async () => {
+      made = URL.createObjectURL(new Blob([await readSheet(id, language)], { type: 'text/markdown' }));
+      keep(made);
+    });
     return () => URL.revokeObjectURL(made);
-  }, [sheet]);
+  }, [id, language]);
   return (
     <section class="score-sheet">
       <h2>{said.score(trials.length)}</h2>
       <ul class="plain">
         {counted(trials).map(([mark, count]) => (
-          <li key={mark}>
-            <b>{count}</b> <EngineSentence said={said.marks[mark]} english={mark} />
+          <li key={mark.text}>
+            <b>{count}</b> <MessageText message={mark} />
           </li>
         ))}
       </ul>
       <p class="downloads">
-        <a class="download" href={address} download={`trials-${name}.md`}>
+        <a class="download" href={address} download={`trials-${id}.md`}>
           {said.sheet}
         </a>
       </p>
@@ -40,11 +45,11 @@ export function ScoreSheet({ name, trials, sheet }: Props) {
 }
 
 /** Marks with how often they were given, the most frequent first. */
-function counted(trials: OpenedTrial[]): [string, number][] {
-  const marks = trials.map(({ mark }) => mark);
-  const counts = [...new Set(marks)].map((mark): [string, number] => [
+function counted(trials: OpenedTrial[]): [Message, number][] {
+  const marks = new Map(trials.map(({ mark }) => [mark.text, mark]));
+  const counts = [...marks.values()].map((mark): [Message, number] => [
     mark,
-    marks.filter((each) => each === mark).length,
+    trials.filter((each) => each.mark.text === mark.text).length,
   ]);
   return counts.sort(([, one], [, other]) => other - one);
 }

@@ -1,4 +1,5 @@
 import { computed } from '@preact/signals';
+import { language } from '../session/settings';
 import { JobProgress } from '../ui/job-progress';
 import { isUnderWay } from '../ui/jobs';
 import { Press } from '../ui/press';
@@ -37,8 +38,8 @@ function Trial() {
       {answered.value && (
         <OpenedTrials trials={answered.value} seals={shown.seals ?? []} opened={opened.value} />
       )}
-      {opened.value && answered.value && shown.sheet !== null && (
-        <ScoreSheet name={shown.trials} trials={answered.value} sheet={shown.sheet} />
+      {opened.value && answered.value && (
+        <ScoreSheet id={shown.trials} trials={answered.value} language={language.value} />
       )}
     </div>
   );

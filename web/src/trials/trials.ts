@@ -1,5 +1,6 @@
 import { computed, signal } from '@preact/signals';
 import type { TrialsAnswer } from '../api';
+import type { Language } from '../session/settings';
 import { ask } from '../ui/client';
 import { jobsOf } from '../ui/jobs';
 
@@ -11,6 +12,12 @@ export const { listed: trialsListed, shown: trials } = jobsOf<TrialsAnswer>(
   () => ask('GET /api/trials', { query: { limit: 30 } }),
   (id) => ask('GET /api/trials/{trials}', { path: { trials: id } }),
 );
+
+/** The score sheet of trials that are done, Markdown. */
+export async function readSheet(id: string, language: Language): Promise<string> {
+  const path = { trials: id };
+  return (await ask('GET /api/trials/{trials}', { path, query: { language } })).sheet ?? '';
+}
 
 /** Begins trials whose faults nobody has chosen: their seed is drawn here. */
 export async function beginTrials(count: number): Promise<TrialsAnswer> {

@@ -1,4 +1,4 @@
-import type { Problem, paths, Session } from '../api';
+import type { ProblemDetails, paths, Session } from '../api';
 import { csrfToken, session } from '../session/session';
 import { heard, unheard } from './connection';
 import { Refusal } from './refusal';
@@ -108,14 +108,14 @@ async function renewSession(): Promise<void> {
   if (response.ok) session.value = (await response.json()) as Session;
 }
 
-async function problemOf(response: Response): Promise<Problem> {
+async function problemOf(response: Response): Promise<ProblemDetails> {
   const said: unknown = await response.json().catch(() => null);
   if (isProblem(said)) return said;
   const title = `${response.status} ${response.statusText}`;
   const request_id = response.headers.get('X-Request-Id') ?? '';
-  return { type: 'about:blank', title, status: response.status, detail: title, request_id };
+  return { type: 'about:blank', title, status: response.status, detail: title, kind: '', request_id };
 }
 
-function isProblem(said: unknown): said is Problem {
+function isProblem(said: unknown): said is ProblemDetails {
   return typeof said === 'object' && said !== null && 'detail' in said && 'title' in said;
 }

@@ -1,26 +1,15 @@
 import type { Flaw } from '../api';
 import { words } from '../words';
-import { engineSaid } from '../words/engine-words';
-import { EngineSentence } from './engine-sentence';
+import { sayPart, sayValue } from '../words/messages';
 
 /** What cannot be used: where it is, what was found there and what would have been right. */
-export function FlawSentence({ where, found, expected }: Flaw) {
+export function FlawSentence({ where, found, expected, code, parameters = {} }: Flaw) {
   const said = words.value.cells;
+  const part = (name: 'found' | 'expected', text: string) => sayPart({ code, parameters, text }, name);
   return (
     <>
-      <b>
-        <Phrase english={where} />
-      </b>
-      : {said.foundWord} <Phrase english={found} />
-      {expected && (
-        <>
-          , {said.expected} <Phrase english={expected} />
-        </>
-      )}
+      <b>{sayValue(parameters.where ?? where)}</b>: {said.foundWord} {part('found', found)}, {said.expected}{' '}
+      {part('expected', expected)}
     </>
   );
 }
-
-const Phrase = ({ english }: { english: string }) => (
-  <EngineSentence said={engineSaid(english)} english={english} />
-);

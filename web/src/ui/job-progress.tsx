@@ -1,15 +1,16 @@
 import type { JobStatus } from '../api';
 import { words } from '../words';
+import type { Message } from '../words/catalogue';
 import { Told } from './told';
 import { number } from './units';
 
 interface Props {
   title: string;
-  job: { state: JobStatus; progress: number; reason: string | null; reason_kind: string | null };
+  job: { state: JobStatus; progress: number; reason: Message | null };
 }
 
 /** How far a job is, or why it came to nothing. */
-export function JobProgress({ title, job: { state, progress, reason, reason_kind } }: Props) {
+export function JobProgress({ title, job: { state, progress, reason } }: Props) {
   const said = words.value.gap.jobs[state];
   const ended = state === 'failed' || state === 'cancelled';
   return (
@@ -19,7 +20,7 @@ export function JobProgress({ title, job: { state, progress, reason, reason_kind
       <p role="status" class={state === 'failed' ? 'flaw hint' : undefined}>
         <b>{said}</b> {state === 'running' && progress > 0 && `${number(100 * progress, 0)} %`}
       </p>
-      {reason && <Told kind={reason_kind} english={reason} />}
+      {reason && <Told message={reason} />}
     </section>
   );
 }

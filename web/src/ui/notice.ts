@@ -1,13 +1,15 @@
 import { signal } from '@preact/signals';
-import type { Flaw as FileFlaw } from '../api';
+import { words } from '../words';
+import type { Message } from '../words/catalogue';
+import type { mishaps } from '../words/en-mishaps';
+import { quote } from '../words/messages';
 import { Refusal } from './refusal';
 
-/** What went wrong: its kind, a sentence about it in English, and what of a file or of what was asked for cannot be used. */
-export interface Notice {
-  kind: string | null;
-  english: string;
-  flaws?: FileFlaw[] | undefined;
-}
+/** What can go wrong on this screen alone. */
+export type Mishap = keyof typeof mishaps;
+
+/** What went wrong: on this screen, or what the service says. */
+export type Notice = Mishap | Message;
 
 /** What went wrong last; null where nothing did, or it was read. */
 export const notice = signal<Notice | null>(null);
@@ -25,24 +27,27 @@ export async function attempt(act: () => Promise<void>): Promise<void> {
 /** A no becomes the notice; whatever else went wrong is thrown on. */
 export function told(error: unknown): null {
   if (!(error instanceof Refusal)) throw error;
-  notice.value = noticeOf(error);
+  notice.value = error.said;
   return null;
 }
 
-/** What goes wrong on this screen alone, by its kind in the catalogue. */
+/** What goes wrong on this screen alone. */
 export class Flaw extends Error {
-  constructor(readonly kind: string) {
-    super(kind);
+  constructor(readonly mishap: Mishap) {
+    super(mishap);
   }
 }
 
-function noticeOf(error: unknown): Notice {
-  if (error instanceof Flaw) return { kind: error.kind, english: '' };
-  if (error instanceof Refusal) {
-    const { type, detail, flaws } = error.problem;
-    return { kind: type.split('/').at(-1) ?? null, english: detail, flaws };
-  }
+/** It as a message, in the chosen language where it is this screen's own. */
+export function messageOf(shown: Notice): Message {
+  return typeof shown === 'string' ? quote(words.value.mishaps[shown]) : shown;
+}
+
+/** What an error says. */
+export function noticeOf(error: unknown): Notice {
+  if (error instanceof Flaw) return error.mishap;
+  if (error instanceof Refusal) return error.said;
   const unreachable =
     error instanceof TypeError || (error instanceof DOMException && error.name === 'TimeoutError');
-  return unreachable ? { kind: 'unreachable', english: '' } : { kind: null, english: String(error) };
+  return unreachable ? 'unreachable' : quote(String(error));
 }

@@ -76,10 +76,10 @@ export const link: typeof enLink = {
 };
 
 export const absent: typeof enAbsent = {
-  page: 'Diese Seite gibt es nicht',
-  run: 'Diesen Lauf gibt es nicht',
+  page: 'Seite nicht gefunden',
+  run: 'Lauf nicht gefunden',
   here: (address) => `Unter ${address} ist nichts.`,
-  next: 'Vielleicht ist die Adresse falsch geschrieben, oder was sie nennt, ist auf einem anderen Dienst. Gehen Sie von der Startseite aus weiter.',
+  next: 'Vielleicht ist die Adresse falsch geschrieben, oder sie gehört zu einem anderen Dienst. Gehen Sie von der Startseite aus weiter.',
   start: 'Startseite',
 };
 
@@ -87,5 +87,5 @@ export const continuing: typeof enContinuing = {
   finished: (done, steps) => `Fertig und aufgezeichnet: ${done} von ${steps} Schritten.`,
   act: 'Lauf fortsetzen',
   next: 'Roboter gestoppt. „Lauf fortsetzen“ plant den Rest als neuen Lauf; vor Ihrer Freigabe bewegt sich nichts.',
-  afterClear: 'Sehen Sie nach der Zelle; dann quittieren Sie. Danach kann der Rest des Laufs folgen.',
+  afterClear: 'Prüfen Sie die Zelle, dann quittieren Sie. Danach kann der Rest des Laufs folgen.',
 };

@@ -2,9 +2,9 @@ import type { secondLook as enSecondLook } from './en-plan';
 
 /** Was sich fand, als ein fertiger Plan noch einmal vermessen wurde, mit einem Programm, das der Planer nicht benutzt. */
 export const secondLook: typeof enSecondLook = {
-  title: 'Ein zweites Mal geprüft',
+  title: 'Zweitprüfung',
   how: (points) =>
-    `Mit einem anderen Programm als dem des Planers, an allen ${points} Punkten der Bewegung. Alle Grenzen sind eingehalten.`,
+    `Geprüft mit Code, den der Planer nicht benutzt, an allen ${points} Punkten der Bewegung. Alle Grenzen sind eingehalten.`,
   what: 'Was',
   least: 'Gemessen',
   where: 'Wo und wann',
@@ -18,14 +18,14 @@ export const secondLook: typeof enSecondLook = {
   },
   fastest: 'Schnellster Punkt',
   limit: (limit) => `Grenze ${limit}`,
-  mayTouch: 'dürfen nicht ineinander',
+  mayTouch: 'dürfen nicht ineinander eindringen',
   between: (first, second) => `${first} – ${second}`,
   corner: (body) => `${body} (eine Ecke)`,
   when: (part, time) => `${part}, nach ${time}`,
   load: 'Last',
-  lost: 'Last, die sich löst',
+  lost: 'Abfallende Last',
   past: (zone) => `vorbei an Zone ${zone}`,
   torque: 'Größtes Gelenkmoment',
   ofTorque: (torque, share) => `${torque}, ${share} %`,
-  leftOut: (count) => `${count} Paare, die nicht beurteilt werden, und warum`,
+  leftOut: (count) => `${count} Paare, die nicht geprüft werden, und warum`,
 };

@@ -17,8 +17,8 @@ export const lost = {
     `The robot stops by itself within ${lease} of a lost connection and keeps its place.`,
   keepsPlace: 'The robot was stopped when the connection was lost. It keeps its place until it is resumed.',
   others: (who: string) =>
-    `${who} has control on another device. This screen does not know what the robot does now.`,
-  notKnown: 'This screen does not know what the robot does now.',
+    `${who} has control on another device. This screen does not know what the robot is doing now.`,
+  notKnown: 'This screen does not know what the robot is doing now.',
   noStop: 'STOP on this screen does not work now. Stop the robot with the emergency stop at the robot.',
   again: 'This screen keeps trying. It shows the true state as soon as the connection is back.',
 };
@@ -43,10 +43,10 @@ export const held = {
   keepsPlace: 'Robot stopped, keeps its place.',
   stopped: 'Robot stopped.',
   waits: (left: string) => `Waits ${left} more for Resume, then the run ends; it can be continued later.`,
-  next: 'Robot stopped. Resume goes on along the plan; STOP ends the run.',
+  next: 'Robot stopped. Resume continues the plan; STOP ends the run.',
   restoring: 'control is being restored',
-  takesControl: 'takes control and goes on',
-  goesOn: 'goes on along the plan',
+  takesControl: 'takes control and resumes',
+  goesOn: 'resumes along the plan',
 };
 
 export const link = {
@@ -60,10 +60,10 @@ export const link = {
 };
 
 export const absent = {
-  page: 'There is no such page',
-  run: 'There is no such run',
-  here: (address: string) => `Nothing is at ${address}.`,
-  next: 'The address may be mistyped, or what it named is on another service. Go on from the start page.',
+  page: 'Page not found',
+  run: 'Run not found',
+  here: (address: string) => `There is nothing at ${address}.`,
+  next: 'The address may be mistyped, or it belongs to another service. Continue from the start page.',
   start: 'Start page',
 };
 
@@ -71,5 +71,5 @@ export const continuing = {
   finished: (done: number, steps: number) => `Finished and recorded: ${done} of ${steps} steps.`,
   act: 'Continue the run',
   next: 'Robot stopped. “Continue the run” plans the rest as a new run; nothing moves before you release it.',
-  afterClear: 'Look at the cell; then clear it. The rest of the run can be made after that.',
+  afterClear: 'Check the cell, then clear it. After that the rest of the run can be made.',
 };
