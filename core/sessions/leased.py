@@ -37,6 +37,16 @@ CATCH_UP_S = 0.05
 """What a loop that was away gives the renewals that wait in its pipe; it commands nothing meanwhile."""
 LOOP_S = 0.3
 """How long a control loop may get no time; the robot's own watchdog has stopped it by then, and it does not go on by itself."""
+LATE: dict[Cause, str] = {
+    Cause.NETWORK: "session-late-network",
+    Cause.PAGE: "session-late-page",
+    Cause.SERVICE: "session-late-service",
+    Cause.STORE: "session-late-store",
+    Cause.CONTROL_PROCESS: "session-late-control-process",
+    Cause.SENSOR: "session-late-sensor",
+    Cause.ROBOT: "session-late-robot",
+}
+"""The message that says it, by what was late."""
 
 
 @dataclass(frozen=True)
@@ -104,20 +114,22 @@ class Lease:
         """An answer came, but the page behind it has not responded for so long."""
         self._page = (self._clock(), late_s)
 
-    def hold(self, lateness: Lateness | None = None, message: Message | None = None) -> None:
-        """The robot is to pause: somebody asked for it, or something that only the service sees was late, which the message tells."""
-        if lateness is not None and message is not None:
-            self._held = ControlLost(message.code, lateness, **message.parameters)
+    def hold(self, lateness: Lateness | None = None) -> None:
+        """The robot is to pause: somebody asked for it, or something that only the service sees was late."""
+        if lateness is not None:
+            self._held = ControlLost(LATE[lateness.cause], lateness)
         else:
-            self._held = Held("the robot was asked to pause; it keeps its place until it is told to go on.", value=1.0, limit=0.0)
+            self._held = Held("session-pause-asked", value=1.0, limit=0.0)
 
     def resume(self) -> None:
         """It may go on, as far as the lease is valid."""
         self._held = None
 
     def end(self, reason: Message) -> None:
-        """The robot is to stop for good, and why."""
-        self._ended = Commanded(reason.code, value=1.0, limit=0.0, **reason.parameters)
+        """The robot is to stop for good."""
+        ended = Commanded(reason.code, value=1.0, limit=0.0)
+        ended.message = reason
+        self._ended = ended
 
     @property
     def held(self) -> bool:
@@ -138,12 +150,7 @@ class Lease:
         """Whether the robot is on hold and goes on waiting; a hold during which nobody has been in control for `hold_limit_s` ends."""
         age = self.age_s - self.length_s
         if self.held and age > hold_limit_s and self._ended is None:
-            self._ended = HoldExpired(
-                f"nobody has been in control of the robot for {age:.0f} s while it was on hold (limit {hold_limit_s:.0f} s); the run was "
-                "ended. Begin the rest of it as a new run.",
-                value=age,
-                limit=hold_limit_s,
-            )
+            self._ended = HoldExpired("session-hold-expired", value=age, limit=hold_limit_s)
         return self.held and self._ended is None
 
     def overdue(self) -> Lateness | None:
@@ -180,23 +187,10 @@ class Lease:
             return self._ended
         if self._held is None and self._away_s > LOOP_S:
             lateness = Lateness(cause=Cause.CONTROL_PROCESS, late_s=self._away_s, limit_s=LOOP_S)
-            self._held = ControlLost(_sentence(lateness), lateness)
+            self._held = ControlLost(LATE[lateness.cause], lateness)
         if self._held is None and (late := self.overdue()) is not None:
-            self._held = ControlLost(_sentence(late), late)
+            self._held = ControlLost(LATE[late.cause], late)
         return self._held
-
-
-_LATE = {
-    Cause.NETWORK: "no answer from the console for {}: the connection was late or is lost",
-    Cause.PAGE: "the console's page has not responded for {}: the tablet is too busy, or the page stands still",
-    Cause.SERVICE: "no sign of life from the service for {}: its computer is too busy, or it was stopped",
-    Cause.CONTROL_PROCESS: "the control process got no time for {}: its computer is too busy",
-}
-
-
-def _sentence(lateness: Lateness) -> str:
-    what = _LATE[lateness.cause].format(lateness)
-    return f"{what}; the robot was stopped and keeps its place. Resume the run when the cause is gone."
 
 
 class LeasedSession(RobotSession):

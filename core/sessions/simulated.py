@@ -113,14 +113,13 @@ class SimulatedSession(RobotSession):
         if not self._open:
             raise RuntimeError("command() outside of the session; use it inside `with session:`")
         if self._stopped:
-            raise BadState("a command after a stop; call release() when it is safe to go on.", value=1.0, limit=0.0)
+            raise BadState("session-command-after-stop", value=1.0, limit=0.0)
         q = np.array(q, dtype=float)
         if q.shape != self._q_now.shape or not np.isfinite(q).all():
             self.stop()
+            wrong = int(np.count_nonzero(~np.isfinite(q)))
             raise BadState(
-                f"command {q.tolist()}: expected {len(self._names)} finite joint positions; the robot was stopped.",
-                value=float(np.count_nonzero(~np.isfinite(q))),
-                limit=0.0,
+                "session-command-not-finite", value=float(wrong), limit=0.0, count=q.size, not_finite=wrong, joints=len(self._names)
             )
         step = np.abs(q - self._q_now)
         if (step > self._step).any() or (q < self._lower).any() or (q > self._upper).any():
@@ -154,17 +153,7 @@ class SimulatedSession(RobotSession):
         if outside.any():
             j = int(np.argmax(outside))
             limit = float(np.clip(q[j], self._lower[j], self._upper[j]))
-            raise OutOfLimits(
-                f"joint {self._names[j]}: commanded position {q[j]:.4f} rad (limit {limit:.4f} rad); "
-                "the drives refused it and stopped. Check the plan's joint limits.",
-                value=float(q[j]),
-                limit=limit,
-            )
+            raise OutOfLimits("session-command-out-of-limits", value=float(q[j]), limit=limit, joint=self._names[j])
         j = int(np.argmax(step / self._step))
         speed, limit = float(step[j] / PERIOD), float(self._velocity[j])
-        raise TooFast(
-            f"joint {self._names[j]}: commanded {step[j]:.5f} rad away in one period, {speed:.3f} rad/s "
-            f"(limit {limit:.3f} rad/s); the drives refused it and stopped. Start from the robot's present q_cmd.",
-            value=speed,
-            limit=limit,
-        )
+        raise TooFast("session-command-too-far", value=speed, limit=limit, joint=self._names[j], step_rad=float(step[j]))

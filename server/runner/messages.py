@@ -91,10 +91,9 @@ class PageLate:
 
 @dataclass(frozen=True)
 class Hold:
-    """Pause; `lateness` and a message about it where nobody asked for it."""
+    """Pause; `lateness` where nobody asked for it."""
 
     lateness: Lateness | None = None
-    message: Message | None = None
 
 
 @dataclass(frozen=True)

@@ -52,7 +52,7 @@ class Listener:
             case Release(plan_sha256=released):
                 self.released = released
             case Hold():
-                self._lease.hold(message.lateness, message.message)
+                self._lease.hold(message.lateness)
             case Resume():
                 self._lease.resume()
             case End(reason=reason):

@@ -218,7 +218,7 @@ class ActiveRun:
             behind = self._follower.behind_s
             if behind > STORE_PATIENCE_S and self.state is State.EXECUTE:
                 lateness = Lateness(cause=Cause.STORE, late_s=behind, limit_s=STORE_PATIENCE_S)
-                self._process.tell(Hold(lateness, Message.of("runs-store-behind")))
+                self._process.tell(Hold(lateness))
 
     async def _hear(self, message: FromChild) -> None:
         match message:

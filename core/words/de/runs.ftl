@@ -44,7 +44,6 @@ runs-release-not-kept = die Freigabe ließ sich nicht schreiben, darum hat sich 
 runs-control-process-lost = die Steuerung endete mit { $exit_code }; ihr Roboter bekam keine Befehle mehr. Sehen Sie im Protokoll nach.
 runs-control-process-not-started = die Steuerung ließ sich nicht starten; nichts hat sich bewegt. Sehen Sie im Protokoll nach.
 runs-planner-lost = die Planung endete unerwartet; beginnen Sie einen neuen Lauf.
-runs-store-behind = die Datenbank nahm seit { FIXED($value, digits: 0) } s nicht auf, was geschah (Grenze { FIXED($limit, digits: 0) } s); der Roboter wurde gestoppt und bleibt, wo er ist, und nichts ist verloren. Lassen Sie den Lauf fortfahren, sobald die Datenbank wieder da ist.
 
 # Was nicht zum Zustand eines Laufs passt.
 runs-unknown = Lauf: keiner heißt „{ $run }“. Sehen Sie nach, welche es gibt, und versuchen Sie es noch einmal.

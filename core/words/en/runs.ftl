@@ -16,7 +16,6 @@ runs-release-not-kept = the release could not be written, so nothing has moved; 
 runs-control-process-lost = the control process ended with code { $exit_code }; its robot got no more commands. See the log.
 runs-control-process-not-started = the control process could not be started; nothing has moved. See the log.
 runs-planner-lost = the planning process ended unexpectedly; start a new run.
-runs-store-behind = the database has not taken what happened for { FIXED($value, digits: 0) } s (limit { FIXED($limit, digits: 0) } s); the robot was stopped and keeps its place, and nothing is lost. Resume the run when the database is back.
 
 # What does not go with a run's state.
 runs-unknown = run: there is none called "{ $run }". List what there is and ask again.

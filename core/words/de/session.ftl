@@ -1,0 +1,15 @@
+session-late-network = keine Antwort vom bedienenden Bildschirm seit { session-late }: die Verbindung war zu langsam oder ist verloren; { session-keeps-its-place }
+session-late-page = die Seite auf dem bedienenden Bildschirm reagierte nicht seit { session-late }: das Tablet ist überlastet, oder die Seite steht still; { session-keeps-its-place }
+session-late-service = kein Lebenszeichen vom Dienst seit { session-late }: sein Rechner ist überlastet, oder er wurde angehalten; { session-keeps-its-place }
+session-late-control-process = die Steuerung bekam keine Rechenzeit seit { session-late }: ihr Rechner ist überlastet; { session-keeps-its-place }
+session-late-store = die Datenbank nahm seit { FIXED($value, digits: 0) } s nicht auf, was geschah (Grenze { FIXED($limit, digits: 0) } s); der Roboter wurde gestoppt und bleibt, wo er ist, und nichts ist verloren. Lassen Sie den Lauf fortfahren, sobald die Datenbank wieder da ist.
+session-late-sensor = Kraft und Moment änderten sich nicht seit { session-late }; { session-keeps-its-place }
+session-late-robot = der Zustand des Roboters kam erst nach { session-late }; { session-keeps-its-place }
+session-late = { MILLI($value) } ms (Grenze { MILLI($limit) } ms)
+session-keeps-its-place = der Roboter wurde gestoppt und bleibt, wo er ist. Lassen Sie den Lauf fortfahren, sobald die Ursache behoben ist.
+session-pause-asked = der Roboter sollte anhalten; er bleibt, wo er ist, bis er fortfahren soll.
+session-hold-expired = seit { FIXED($value, digits: 0) } s bediente niemand den Roboter, während er angehalten war (Grenze { FIXED($limit, digits: 0) } s); der Lauf wurde beendet. Beginnen Sie seinen Rest als neuen Lauf.
+session-command-after-stop = ein Befehl nach einem Stopp; geben Sie mit release() frei, sobald es sicher weitergehen kann.
+session-command-not-finite = ein Befehl aus { $count } Gelenkstellungen, davon { $not_finite } nicht endlich: erwartet { $joints } endliche Gelenkstellungen; der Roboter wurde gestoppt.
+session-command-out-of-limits = Gelenk { $joint }: befohlene Stellung { FIXED($value, digits: 4) } rad (Grenze { FIXED($limit, digits: 4) } rad); die Antriebe nahmen sie nicht an und stoppten. Prüfen Sie die Gelenkgrenzen des Plans.
+session-command-too-far = Gelenk { $joint }: { FIXED($step_rad, digits: 5) } rad in einer Periode befohlen, { FIXED($value, digits: 3) } rad/s (Grenze { FIXED($limit, digits: 3) } rad/s); die Antriebe nahmen es nicht an und stoppten. Beginnen Sie bei der jetzt befohlenen Stellung (q_cmd).
