@@ -46,7 +46,7 @@ def main() -> None:
         for effects in (library()[::3], library()):
             began = time.perf_counter()
             windows = Windows(basis_of(recording))
-            Residual(windows, fit_nominal(windows)).sentence()
+            Residual(windows, fit_nominal(windows)).describe()
             where = time.perf_counter() - began
             gather(windows, effects)
             print(f"{np.ptp(recording.t):14.1f}{len(effects):9d}{where:10.2f}{time.perf_counter() - began:16.1f}", flush=True)

@@ -8,10 +8,12 @@ from typing import Annotated
 import typer
 
 from core.cli.commands import EngineCommands
-from core.cli.terminal import HELP, answers, enter, start
+from core.cli.terminal import HELP, LANGUAGES, answers, enter, start
 from core.words.catalogue import find_language
 
-app = typer.Typer(name="heft", cls=EngineCommands, help=HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
+app = typer.Typer(
+    name="heft", cls=EngineCommands, help=HELP, epilog=LANGUAGES, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False
+)
 app.callback()(start)
 audit = typer.Typer(help="The log of what was done, by whom.", no_args_is_help=True)
 app.add_typer(audit, name="audit")

@@ -8,7 +8,7 @@ from core.cli.tables import (
     reason_lines,
     verification_lines,
 )
-from core.cli.terminal import answers
+from core.cli.terminal import answers, find_wording
 from core.cli.workpiece_table import workpiece_lines, workpiece_table
 from core.estimation.result import Result
 from core.files.whole_file import write_whole
@@ -20,6 +20,7 @@ def print_answer(result: Result, json: str | None) -> None:
         write_json(result.model_dump_json(indent=2), json)
     if json == "-":
         return
+    words = find_wording()
     answers.print(parameters_table(result))
     if result.workpiece is not None:
         answers.print(workpiece_table(result.workpiece))
@@ -28,12 +29,12 @@ def print_answer(result: Result, json: str | None) -> None:
     for line in reason_lines(result):
         answers.print(line, highlight=False)
     if result.accounted:
-        answers.print(f"Accounted for, as the cell's twin has it: {', '.join(result.accounted)}", highlight=False)
+        answers.print(words.say("result-accounted", effects=result.accounted), highlight=False)
     for line in verification_lines(result):
         answers.print(line, highlight=False)
     for warning in result.warnings:
-        answers.print(f"Warning: {warning.text}", highlight=False)
-    answers.print(result.verdict.text, highlight=False)
+        answers.print(words.say("result-warning", warning=words.quote(warning)), highlight=False)
+    answers.print(words.quote(result.verdict), highlight=False)
 
 
 def write_json(text: str, target: str) -> None:

@@ -10,12 +10,13 @@ from typing import Annotated
 import typer
 
 from core.cell.folder import find_cell
-from core.cli.terminal import answers, messages
+from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput
 from core.files.whole_file import write_whole
 from core.new_cell.findings import CellFinding, findings_of
 from core.new_cell.making import PICTURE, make_cell
 from core.new_cell.order import Behind, CellOrder
+from core.words.catalogue import find_language
 
 app = typer.Typer(help="Make a cell from a robot's description, and look for what is wrong in one.", no_args_is_help=True)
 
@@ -61,11 +62,11 @@ def new(
         behind=behind_sensor,
     )
     made = make_cell(order, _ask if sys.stdin.isatty() else None)
+    words = find_wording()
     for note in made.notes:
-        _say(str(note))
-    _say(f"Made {made.folder}; its home is pictured in {made.folder / PICTURE}.")
-    known = name if into == Path("cells") else made.folder
-    _say(f"Next: look at cell.toml, put in what stands there, then `heft cell check {known}` and `heft plan {known}`.")
+        _print(words.quote(note))
+    _print(words.say("cli-cell-made", folder=str(made.folder), picture=str(made.folder / PICTURE)))
+    _print(words.say("cli-cell-next", cell=name if into == Path("cells") else str(made.folder)))
 
 
 @app.command()
@@ -80,9 +81,9 @@ def check(
         _write(_as_json(folder, found), json)
     if json != "-":
         for each in found:
-            _say(f"{each.severity}: {each.where}: {each.found}; {each.advice}.")
+            _print(each.say(find_language()))
         wrong = sum(each.severity == "wrong" for each in found)
-        _say(f"{folder.name}: {wrong or 'nothing'} wrong, {len(found) - wrong or 'nothing'} doubtful.")
+        _print(find_wording().say("cli-cell-counts", name=folder.name, wrong=wrong, doubtful=len(found) - wrong))
     if any(each.severity == "wrong" for each in found):
         raise typer.Exit(BadInput.exit_code)
 
@@ -96,7 +97,7 @@ def _write(text: str, target: str) -> None:
         sys.stdout.write(text + "\n")
         return
     if not Path(target).absolute().parent.is_dir():
-        raise BadInput(target, "a folder that does not exist", "a file in an existing folder")
+        raise BadInput(target, "cli-folder-missing")
     write_whole(Path(target), text + "\n")
 
 
@@ -106,7 +107,7 @@ def _ask(question: str, possible: tuple[str, ...]) -> str:
         given = str(typer.prompt(f"{question} [{'/'.join(possible)}]", err=True)).strip().lower()
         if given in possible:
             return given
-        messages.print(f"One of {', '.join(possible)}, please.", highlight=False, markup=False)
+        messages.print(find_wording().say("cli-one-of-please", possible=possible), highlight=False, markup=False)
 
 
 def _arguments(given: list[str]) -> dict[str, str]:
@@ -119,10 +120,10 @@ def _arguments(given: list[str]) -> dict[str, str]:
     for each in given:
         name, separator, value = each.partition(":=")
         if not separator or not name:
-            raise BadInput("--xacro-arg", repr(each), "NAME:=VALUE")
+            raise BadInput("--xacro-arg", "cli-not-xacro-argument", found=each)
         arguments[name] = value
     return arguments
 
 
-def _say(sentence: str) -> None:
+def _print(sentence: str) -> None:
     answers.print(sentence, highlight=False, markup=False, soft_wrap=True)

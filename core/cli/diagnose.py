@@ -14,7 +14,7 @@ from core.cli.tables import (
     diagnosis_lines,
     diagnosis_table,
 )
-from core.cli.terminal import answers, messages
+from core.cli.terminal import answers, find_wording, messages
 from core.gap.diagnosis import examine
 from core.gap.twin_addition import addable_to
 from core.recording.folder import read_recording
@@ -48,7 +48,7 @@ def diagnose_command(
     twin = NOMINAL if made_in is None else read_twin(made_in)
     loaded = read_recording(recording)
     loaded = loaded if made_in is None else with_cell_friction(loaded, made_in)
-    with messages.status("fitting effects") if messages.is_terminal else nullcontext():
+    with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
         diagnosis, evidence = examine(loaded, twin=twin)
     if made_in is not None:
         diagnosis = addable_to(diagnosis, made_in, loaded, recording)
@@ -66,4 +66,4 @@ def diagnose_command(
         for line in diagnosis_lines(diagnosis):
             answers.print(line, highlight=False)
     if report is not None and json != "-":
-        answers.print(f"Report: {report / 'diagnosis.html'}", soft_wrap=True, highlight=False)
+        answers.print(find_wording().say("cli-report", file=str(report / "diagnosis.html")), soft_wrap=True, highlight=False)

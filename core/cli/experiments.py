@@ -7,6 +7,7 @@ from pathlib import Path
 from rich.console import Console
 
 from core.cell.cell import Cell
+from core.cli.terminal import find_wording
 from core.errors import BadInput, Refused, slug
 from core.gap.answer import Diagnosis
 from core.gap.choice import choose_experiment
@@ -14,6 +15,7 @@ from core.gap.evidence import Evidence
 from core.gap.experiment_file import ExperimentFile, experiment_file, read_continued_recording, read_experiment, write_experiment
 from core.procedure.progress import watch
 from core.recording.recording import Recording
+from core.words.message import Message
 
 
 def check_experiment_file(file: Path | None, cell: str | None) -> None:
@@ -25,9 +27,9 @@ def check_experiment_file(file: Path | None, cell: str | None) -> None:
     if file is None:
         return
     if cell is None:
-        raise BadInput("--experiment", "no cell to plan it in", "--cell CELL beside it")
+        raise BadInput("--experiment", "cli-experiment-without-cell")
     if not file.absolute().parent.is_dir():
-        raise BadInput(str(file), "a folder that does not exist", "a file in an existing folder")
+        raise BadInput(str(file), "cli-folder-missing")
 
 
 def plan_next(
@@ -36,16 +38,16 @@ def plan_next(
     """The diagnosis with its next motion planned in a cell, and that motion in a file where one is named."""
     if evidence is None or diagnosis.next_experiment is None:
         if file is not None:
-            messages.print(f"There is nothing to settle: {file} is not written.", highlight=False, soft_wrap=True)
+            messages.print(find_wording().say("cli-nothing-to-settle", file=str(file)), highlight=False, soft_wrap=True)
         return diagnosis
     known = cell.payloads.get(recording.payload or "")
     box = cell.payload_box if known is None else known.box
     try:
         choice = watch(choose_experiment(cell, recording, evidence, box), messages)
     except Refused as reason:
-        answer = diagnosis.next_experiment.model_copy(update={"refused": str(reason), "refused_kind": slug(type(reason).__name__)})
+        answer = diagnosis.next_experiment.model_copy(update={"refused": reason.message, "refused_kind": slug(type(reason).__name__)})
     else:
-        refused = "" if choice.plan is not None else "it is not a motion"
+        refused = None if choice.plan is not None else Message.of("gap-no-motion-asked")
         answer = choice.proposal.answer.model_copy(update={"planned": choice.plan is not None, "refused": refused})
         if file is not None:
             write_experiment(experiment_file(choice, cell, recording, folder), file)
@@ -60,7 +62,7 @@ def read_request(file: Path, folder: Path | None, cell: Cell) -> tuple[Experimen
     """
     asked = read_experiment(file)
     if asked.cell != cell.name:
-        raise BadInput(f"{file}: cell", repr(asked.cell), f"{cell.name!r}, the cell that is to carry it out")
+        raise BadInput(f"{file}: cell", "cli-experiment-of-another-cell", found=asked.cell, cell=cell.name)
     if not asked.stops:
-        raise BadInput(f"{file}: stops", "none", f"a motion; what it asks for is {asked.motion}")
+        raise BadInput(f"{file}: stops", "cli-experiment-without-motion", motion=asked.motion)
     return asked, read_continued_recording(asked, folder)

@@ -9,8 +9,8 @@ import typer
 from pydantic import ValidationError
 
 from core.cell.folder import find_cell, load_cell
-from core.cli.terminal import answers, messages
-from core.errors import BadInput
+from core.cli.terminal import answers, find_wording, messages
+from core.errors import BadInput, together
 from core.estimation.result import Result
 from core.export.exports import TARGETS, frame_of, payload_of, target_of
 from core.export.target import Lack, Target
@@ -31,13 +31,15 @@ def export(
     name = cell or found.cell
     made_in = None if name is None else load_cell(find_cell(name))
     payload = payload_of(found, made_in)
+    words = find_wording()
     if target is None:
         for each in TARGETS:
-            answers.print(f"{each.name:<13} {each.title}: {each.says.text}", highlight=False, soft_wrap=True)
+            told = words.say("cli-export-target", title=each.title, says=each.says)
+            answers.print(f"{each.name:<13} {told}", highlight=False, soft_wrap=True)
         return
     chosen = target_of(target)
     answers.print(chosen.render_file(payload), end="", markup=False, highlight=False, soft_wrap=True)
-    messages.print(f"In {frame_of(made_in).text}; {chosen.says.text}.", highlight=False, soft_wrap=True)
+    messages.print(words.say("cli-export-frame", frame=frame_of(made_in), says=chosen.says), highlight=False, soft_wrap=True)
     for sentence in lack_sentences(chosen, payload):
         messages.print(sentence, highlight=False, soft_wrap=True)
 
@@ -51,10 +53,10 @@ def read_result_file(file: Path) -> Result:
     try:
         return Result.model_validate_json(file.read_bytes())
     except OSError as error:
-        raise BadInput(str(file), f"nothing that can be read ({error.strerror})", "a file that --json wrote") from error
+        raise BadInput(str(file), "cli-result-unreadable", reason=str(error.strerror)) from error
     except ValidationError as error:
         flaw = schema_flaw(error.errors()[0]).refusal(BadInput, str(file))
-        raise BadInput(flaw.where, flaw.found, "the answer of `heft run` or `heft identify`") from error
+        raise together([flaw, BadInput(str(file), "cli-no-result")]) from error
 
 
 def lack_sentences(target: Target, payload: UncertainParameters) -> list[str]:
@@ -63,5 +65,6 @@ def lack_sentences(target: Target, payload: UncertainParameters) -> list[str]:
 
 
 def _sentence(target: Target, lack: Lack) -> str:
-    size = f"{lack.value:.3g} {lack.unit}, {lack.times_std:.1f} times its uncertainty"
-    return f"{target.title} has no place for {lack.name} = {size}."
+    return find_wording().say(
+        "cli-export-lack", target=target.title, name=lack.name, lost=lack.value, unit=lack.unit, times=float(lack.times_std)
+    )

@@ -10,7 +10,7 @@ import typer
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import print_answer
 from core.cli.options import JsonOption, LanguageOption, check_new
-from core.cli.terminal import messages
+from core.cli.terminal import find_wording, messages
 from core.estimation.identification import identify_recording
 from core.estimation.result import SecondsPart, result_of
 from core.recording.folder import read_recording
@@ -35,7 +35,7 @@ def identify_command(
     twin = NOMINAL if cell is None else read_twin(load_cell(find_cell(cell)))
     loaded = read_recording(recording)
     began = time.perf_counter()
-    with messages.status("estimating") if messages.is_terminal else nullcontext():
+    with messages.status(find_wording().say("cli-estimating")) if messages.is_terminal else nullcontext():
         identification = identify_recording(loaded, twin)
     seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
     if report is not None:

@@ -5,7 +5,7 @@ from rich.table import Table
 
 from core.cell.cell import Cell
 from core.cell.folder import list_cell_folders, load_cell
-from core.cli.terminal import answers
+from core.cli.terminal import answers, find_wording
 from core.errors import BadInput
 
 app = typer.Typer()
@@ -27,8 +27,10 @@ def cells() -> None:
 
 def cells_table(cells: list[Cell]) -> Table:
     """The cells at hand."""
-    table = Table()
-    for heading in ("cell", "title", "axes", "obstacles", "protected zones", "payloads"):
+    table, words = Table(), find_wording()
+    for heading in (words.say("cli-cell"), words.say("cli-title"), words.say("cli-axes")):
+        table.add_column(heading)
+    for heading in (words.say("cli-obstacles"), words.say("cli-zones"), words.say("cli-payloads")):
         table.add_column(heading)
     for cell in cells:
         table.add_row(
@@ -44,4 +46,7 @@ def cells_table(cells: list[Cell]) -> Table:
 
 def broken_lines(broken: dict[str, BadInput]) -> list[str]:
     """What keeps cells at hand from being used, a sentence each, by their names."""
-    return [f"{name} cannot be used: {flaw}" for name, error in broken.items() for flaw in (error, *error.others)]
+    words = find_wording()
+    return [
+        words.say("cli-cell-unusable", name=name, flaw=flaw.message) for name, error in broken.items() for flaw in (error, *error.others)
+    ]

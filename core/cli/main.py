@@ -5,9 +5,11 @@ from __future__ import annotations
 import typer
 
 from core.cli.commands import EngineCommands
-from core.cli.terminal import HELP, enter, start
+from core.cli.terminal import HELP, LANGUAGES, enter, start
 
-app = typer.Typer(name="heft", cls=EngineCommands, help=HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
+app = typer.Typer(
+    name="heft", cls=EngineCommands, help=HELP, epilog=LANGUAGES, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False
+)
 
 
 app.callback()(start)

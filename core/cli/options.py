@@ -32,13 +32,16 @@ def choose_payload(cell: Cell, name: str | None) -> tuple[str, Payload]:
     """The payload that the simulated robot is to carry."""
     chosen = name or next(iter(cell.payloads), "none")
     if chosen not in cell.payloads:
-        raise BadPayload(f"{cell.folder / 'cell.toml'}: payloads", repr(chosen), f"one of {', '.join(cell.payloads) or 'none'}")
+        where = f"{cell.folder / 'cell.toml'}: payloads"
+        if not cell.payloads:
+            raise BadPayload(where, "cli-no-payloads", name=chosen)
+        raise BadPayload(where, "cli-no-such-payload", name=chosen, names=list(cell.payloads))
     return chosen, cell.payloads[chosen]
 
 
 def check_new(target: Path | None, json: str | None) -> None:
     """Before anything long begins: what is to be written can be written, and overwrites nothing but a JSON file."""
     if target is not None and target.exists() and not (target.is_dir() and not any(target.iterdir())):
-        raise BadInput(str(target), "something that exists already", "a new name, or an empty folder")
+        raise BadInput(str(target), "cli-exists-already")
     if json is not None and json != "-" and not Path(json).absolute().parent.is_dir():
-        raise BadInput(json, "a folder that does not exist", "a file in an existing folder")
+        raise BadInput(json, "cli-folder-missing")

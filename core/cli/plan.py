@@ -14,7 +14,7 @@ from core.cli.tables import (
     plan_table,
     torque_lines,
 )
-from core.cli.terminal import answers, messages
+from core.cli.terminal import answers, find_wording, messages
 from core.planning.joint_torques import find_known_load
 from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
 from core.planning.plan import plan_summary
@@ -67,6 +67,6 @@ def plan(
         write_json(plan_summary(loaded, found).model_dump_json(indent=2), json)
     if json != "-":
         answers.print(plan_table(found))
-        answers.print(f"Robot time {found.robot_s:.0f} s, planned in {found.plan_s:.1f} s.", highlight=False)
+        answers.print(find_wording().say("result-plan-times", robot_s=found.robot_s, plan_s=found.plan_s), highlight=False)
         for line in (*not_excited_lines(scope), *torque_lines(found.torques), *opinion_lines(found.opinion)):
             answers.print(line, highlight=False)

@@ -20,7 +20,7 @@ from core.cli.options import (
     check_new,
     choose_payload,
 )
-from core.cli.terminal import answers, messages
+from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput
 from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
 from core.planning.settings import WHOLE
@@ -65,9 +65,7 @@ def run(
     loaded = limit_speed(load_cell(find_cell(cell)), speed, "--speed")
     scope = scope_of(axes, holds_only=holds_only)
     if experiment is not None and (start is not None or scope != WHOLE):
-        raise BadInput(
-            "--experiment", "--from, --axes or --holds-only beside it", "none of these: the experiment has its own motion, from home"
-        )
+        raise BadInput("--experiment", "cli-experiment-beside-others")
     asked, before = (None, None) if experiment is None else read_request(experiment, recording, loaded)
     name, carried = choose_payload(loaded, payload or (asked.payload if asked else None))
     folder = out or Path("recordings") / f"{loaded.name}-{name}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
@@ -102,4 +100,4 @@ def run(
     page = folder / "report.html"
     write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary, language=language)
     if json != "-":
-        answers.print(f"Report: {page}", soft_wrap=True, highlight=False)
+        answers.print(find_wording().say("cli-report", file=str(page)), soft_wrap=True, highlight=False)

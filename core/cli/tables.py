@@ -1,4 +1,4 @@
-"""The tables that the command line prints."""
+"""The tables that the command line prints, in the terminal's language."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.table import Table
 
+from core.cli.terminal import find_wording
 from core.estimation.result import Result
 from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
@@ -15,18 +16,37 @@ from core.planning.plan import Plan
 from core.planning.settings import Scope
 from core.planning.summary import PlanTorques
 from core.report.verification_words import verification_sentence
-from core.second_opinion.left_out import describe_left_out
 from core.second_opinion.opinion import Opinion
+from core.second_opinion.pairs import PairKind
+from core.words.message import Message
+from core.words.wording import Wording
 
 Array = NDArray[np.float64]
 
 SHOWN_EFFECTS = 5
 SHOWN_PARAMETERS = 4
 
+PAIRS = {
+    PairKind.ENVIRONMENT: Message.of("result-pairs-environment"),
+    PairKind.FIRST_LINK: Message.of("result-pairs-first-link"),
+    PairKind.MOUNT: Message.of("result-pairs-mount"),
+    PairKind.PAYLOAD: Message.of("result-pairs-payload"),
+    PairKind.LINKS: Message.of("result-pairs-links"),
+    PairKind.NEAR: Message.of("result-pairs-near"),
+    PairKind.JOINED: Message.of("result-pairs-joined"),
+}
+VERDICTS = {
+    "explained": Message.of("result-explained"),
+    "ambiguous": Message.of("result-ambiguous"),
+    "unknown": Message.of("result-unknown-cause"),
+    "no_gap": Message.of("result-no-gap"),
+    "not_enough": Message.of("result-not-enough"),
+}
+
 
 def number(value: float | None, digits: int = 5) -> str:
     """A value with significant digits; empty where there is none."""
-    return "" if value is None else f"{value:.{digits}g}"
+    return "" if value is None else find_wording().mark(f"{value:.{digits}g}")
 
 
 def decimals_of(half_width: float | None) -> int:
@@ -36,17 +56,18 @@ def decimals_of(half_width: float | None) -> int:
 
 def format_decimals(value: float | None, decimals: int) -> str:
     """A value with decimal places; empty where there is none."""
-    return "" if value is None else f"{value:.{decimals}f}"
+    return "" if value is None else find_wording().mark(f"{value:.{decimals}f}")
 
 
 def parameters_table(result: Result) -> Table:
     """All ten parameters: reference, the paper's estimate, ours with its 95 % half-width, and the error against the reference."""
-    title = "Payload in the sensor frame" if result.workpiece is None else "The whole in the sensor frame, tools and workpiece"
-    table = Table(title=title, caption="± is the half-width of the 95 % interval; inertia about the sensor origin")
+    words = find_wording()
+    title = words.say("result-payload-title") if result.workpiece is None else words.say("result-whole-title")
+    table = Table(title=title, caption=words.say("result-payload-caption"))
     table.add_column("")
-    for heading in ("reference", "paper's method", "Heft", "±", "error"):
+    for heading in (words.say("result-reference"), words.say("result-papers-method"), "Heft", "±", words.say("result-error")):
         table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("unit", no_wrap=True)
+    table.add_column(words.say("result-unit"), no_wrap=True)
     estimate, reference = result.estimate, result.reference
     for k, (name, unit) in enumerate(zip(PHI_NAMES, PHI_UNITS, strict=True)):
         truth = reference.phi[k] if reference else None
@@ -59,7 +80,7 @@ def parameters_table(result: Result) -> Table:
             name,
             number(truth),
             format_decimals(result.paper.phi[k], places),
-            format_decimals(value, places) if known else "not determined",
+            format_decimals(value, places) if known else words.say("result-not-determined"),
             format_decimals(half, places),
             format_error(value if known else None, truth),
             unit,
@@ -71,13 +92,16 @@ def format_error(value: float | None, truth: float | None) -> str:
     """Of a value against the truth, relative where that is not zero; empty where either is unknown."""
     if value is None or truth is None:
         return ""
-    return f"{value - truth:+.2g}" if truth == 0 else f"{100 * (value / truth - 1):+.3f} %"
+    return find_wording().mark(f"{value - truth:+.2g}" if truth == 0 else f"{100 * (value / truth - 1):+.3f} %")
 
 
 def reason_lines(result: Result) -> list[str]:
     """Why parameters are not determined, those with the same reason in one line."""
-    reasons = {} if result.estimate is None else result.estimate.reasons
-    return [f"{', '.join(name for name in reasons if reasons[name] == why)}: {why}" for why in dict.fromkeys(reasons.values())]
+    words, reasons = find_wording(), {} if result.estimate is None else result.estimate.reasons
+    return [
+        words.say("result-undetermined", names=[name for name in reasons if reasons[name] == why], reason=why)
+        for why in dict.fromkeys(reasons.values())
+    ]
 
 
 def verification_lines(result: Result) -> list[str]:
@@ -87,106 +111,179 @@ def verification_lines(result: Result) -> list[str]:
 
 def plan_table(plan: Plan) -> Table:
     """Where each pose is, how close it gets, and how long it takes."""
-    table = Table(title="Plan (nothing has moved)")
-    for heading in ("axis", "joints, deg", "clearance, m", "nearest", "manipulability", "transfer, s", "least margin, m", "rotation, s"):
-        table.add_column(heading, justify="left" if heading in ("axis", "nearest", "joints, deg") else "right")
+    words = find_wording()
+    table = Table(title=words.say("result-plan-title"))
+    table.add_column(words.say("result-axis"))
+    table.add_column(words.say("result-joints"))
+    table.add_column(words.say("result-clearance"), justify="right")
+    table.add_column(words.say("result-nearest"))
+    for heading in (
+        words.say("result-manipulability"),
+        words.say("result-transfer"),
+        words.say("result-least-margin"),
+        words.say("result-rotation"),
+    ):
+        table.add_column(heading, justify="right")
     for leg in plan.legs:
         table.add_row(
             leg.axis,
             " ".join(f"{v:.0f}" for v in np.degrees(leg.start.q)),
-            f"{leg.start.clearance_m:.3f}",
-            leg.start.nearest,
-            f"{leg.start.manipulability:.3f}",
-            f"{leg.transfer.trajectory.duration:.1f}",
-            f"{leg.transfer.least_margin_m:.3f}",
-            "" if leg.profile is None else f"{leg.profile.duration:.1f}",
+            format_decimals(leg.start.clearance_m, 3),
+            words.quote(leg.start.nearest),
+            format_decimals(leg.start.manipulability, 3),
+            format_decimals(leg.transfer.trajectory.duration, 1),
+            format_decimals(leg.transfer.least_margin_m, 3),
+            "" if leg.profile is None else format_decimals(leg.profile.duration, 1),
         )
-    table.add_row("home", "", "", "", "", f"{plan.home.trajectory.duration:.1f}", f"{plan.home.least_margin_m:.3f}", "")
+    home = plan.home
+    times = format_decimals(home.trajectory.duration, 1), format_decimals(home.least_margin_m, 3)
+    table.add_row(words.say("result-home"), "", "", "", "", *times, "")
     return table
 
 
 def not_excited_lines(scope: Scope) -> list[str]:
     """What a part of the procedure does not show, those with the same reason in one line."""
-    left_out = scope.not_excited
+    words, left_out = find_wording(), scope.not_excited
     return [
-        f"Not to be determined by rotations: {', '.join(name for name in left_out if left_out[name] == why)} ({why})"
+        words.say("result-not-excited", names=[name for name in left_out if left_out[name] == why], reason=why)
         for why in dict.fromkeys(left_out.values())
     ]
 
 
 def opinion_lines(opinion: Opinion) -> list[str]:
     """What the second opinion found, a line for each kind of pair and one for the fastest point."""
-    lines = [f"A second opinion on {opinion.samples} set points, sharing no code with the planner:"]
-    for each in opinion.approaches:
-        limit = f"limit {each.required_m:.3f} m"
-        where = f"{each.part!r} after {each.time_s:.3f} s"
-        lines.append(f"  {each.kind}: {each.first!r} {each.distance_m:.3f} m from {each.second!r} ({limit}), {where}")
-    fast = opinion.fastest
-    where = f"{fast.part!r} after {fast.time_s:.3f} s"
-    lines.append(f"  fastest point: a corner of {fast.body!r} at {fast.speed_m_s:.3f} m/s (limit {fast.limit_m_s:.3f} m/s), {where}")
-    without = describe_left_out(opinion.left_out)
-    lines += [*(["Pairs of which nothing is asked:"] if without else []), *(f"  {line}" for line in without)]
-    lost = opinion.lost_load
+    words, fast, lost = find_wording(), opinion.fastest, opinion.lost_load
+    lines = [
+        words.say(
+            "result-opinion-pair",
+            kind=PAIRS[each.kind],
+            first=each.first,
+            second=each.second,
+            distance_m=each.distance_m,
+            required_m=each.required_m,
+            part=each.part,
+            time_s=each.time_s,
+        )
+        for each in opinion.approaches
+    ]
+    lines.append(
+        words.say(
+            "result-opinion-fastest",
+            body=fast.body,
+            speed_m_s=fast.speed_m_s,
+            limit_m_s=fast.limit_m_s,
+            part=fast.part,
+            time_s=fast.time_s,
+        )
+    )
+    left_out = _left_out_lines(opinion, words)
+    said = [words.say("result-opinion", samples=opinion.samples), *(f"  {line}" for line in lines)]
+    said += [words.say("result-opinion-left-out"), *(f"  {line}" for line in left_out)] if left_out else []
     if lost is None:
-        return lines
-    where = f"{lost.part!r} after {lost.time_s:.3f} s"
-    return [*lines, f"  a load that comes off: flies past zone {lost.zone!r} at {lost.distance_m:.3f} m or more, from {where}"]
+        return said
+    flight = words.say("result-opinion-lost-load", zone=lost.zone, distance_m=lost.distance_m, part=lost.part, time_s=lost.time_s)
+    return [*said, f"  {flight}"]
+
+
+def _left_out_lines(opinion: Opinion, words: Wording) -> list[str]:
+    """The pairs of which nothing is asked, those with the same reason in one line."""
+    return [
+        words.say(
+            "result-opinion-left-out-because",
+            pairs=[
+                Message.of("result-opinion-left-out-pair", first=pair.first, second=pair.second)
+                for pair in opinion.left_out
+                if pair.why == why
+            ],
+            reason=why,
+        )
+        for why in dict.fromkeys(pair.why for pair in opinion.left_out)
+    ]
 
 
 def torque_lines(torques: PlanTorques) -> list[str]:
     """What the plan asks of the joints, and which of them could not be judged."""
-    carried = f"{torques.mass_kg:.3f} kg ({torques.load})"
-    most = torques.largest
+    words, most = find_wording(), torques.largest
     if most is None:
-        line = f"Joint torques with {carried}: not judged."
+        line = words.say("result-torques-not-judged", mass_kg=torques.mass_kg, load=torques.load)
     else:
-        of_limit = f"{most.torque_n_m:.1f} N m of {most.limit_n_m:.1f} N m ({100 * most.ratio:.0f} %)"
-        line = f"Joint torques with {carried}: at most {of_limit}, {most.joint!r} in {most.part!r} after {most.time_s:.3f} s."
-    return [line, *(f"  not judged: {why}" for why in torques.not_judged)]
+        line = words.say(
+            "result-torques",
+            mass_kg=torques.mass_kg,
+            load=torques.load,
+            torque_n_m=most.torque_n_m,
+            limit_n_m=most.limit_n_m,
+            ratio=most.ratio,
+            joint=most.joint,
+            part=most.part,
+            time_s=most.time_s,
+        )
+    return [line, *(f"  {words.say('result-joint-not-judged', reason=why)}" for why in torques.not_judged)]
 
 
 def diagnosis_table(diagnosis: Diagnosis) -> Table:
     """The effects that may explain the gap, the most probable first."""
-    gap = "" if diagnosis.gap is None else f"gap before {diagnosis.gap.before:.2f}, after {diagnosis.gap.after:.2f} (noise is 1)"
-    table = Table(title=f"{diagnosis.verdict}: {diagnosis.summary}", caption=gap)
-    for heading in ("effect", "probability", "gap after", "closure", "parameters"):
-        table.add_column(heading, justify="right" if heading in ("probability", "gap after", "closure") else "left")
+    words, gap = find_wording(), diagnosis.gap
+    title = words.say("result-diagnosis-title", verdict=VERDICTS[diagnosis.verdict], summary=diagnosis.summary)
+    table = Table(title=title, caption="" if gap is None else words.say("result-gap", before=gap.before, after=gap.after))
+    table.add_column(words.say("result-effect"))
+    for heading in (words.say("result-probability"), words.say("result-gap-after"), words.say("result-closure")):
+        table.add_column(heading, justify="right")
+    table.add_column(words.say("result-parameters"))
     for effect in diagnosis.effects[:SHOWN_EFFECTS]:
-        values = ", ".join(
-            f"{name} {number(v.value, 4)} ± {number(v.std, 2)}" for name, v in list(effect.parameters.items())[:SHOWN_PARAMETERS]
-        )
+        fitted = list(effect.parameters.items())[:SHOWN_PARAMETERS]
+        values = ", ".join(f"{name} {number(v.value, 4)} ± {number(v.std, 2)}" for name, v in fitted)
         more = len(effect.parameters) - SHOWN_PARAMETERS
-        values += f" and {more} more" if more > 0 else ""
-        table.add_row(effect.id, f"{effect.probability:.3f}", f"{effect.gap_after:.3f}", f"{effect.closure:.3f}", values)
+        values = words.say("result-more-parameters", parameters=values, count=more) if more > 0 else values
+        shares = (format_decimals(share, 3) for share in (effect.probability, effect.gap_after, effect.closure))
+        table.add_row(effect.id, *shares, values)
     if diagnosis.effects:
-        table.add_row("none", f"{diagnosis.none_probability:.3f}", "", "", "")
-        table.add_row("unknown", f"{diagnosis.unknown_probability:.3f}", "", "", "")
+        table.add_row(words.say("result-no-effect"), format_decimals(diagnosis.none_probability, 3), "", "", "")
+        table.add_row(words.say("result-unknown-effect"), format_decimals(diagnosis.unknown_probability, 3), "", "", "")
     return table
 
 
 def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
     """Everything else that a person should read."""
-    lines = [diagnosis.where.sentence] if diagnosis.where and diagnosis.verdict != "no_gap" else []
-    lines += [f"{' or '.join(tie.ids)}: {tie.why}. What would settle it: {tie.splits}." for tie in diagnosis.indistinguishable]
-    lines += [_experiment_line(diagnosis.next_experiment)] if diagnosis.next_experiment else []
-    lines += [_also_line(also) for also in diagnosis.also]
-    lines += [f"Minor: {minor.id}: {minor.sentence}" for minor in diagnosis.minor]
-    lines += [diagnosis.consequence] if diagnosis.consequence else []
-    lines += [f"To do: {diagnosis.effects[0].advice}"] if diagnosis.effects and diagnosis.verdict in ("explained", "ambiguous") else []
-    return lines + [f"Not looked at: {limit}" for limit in diagnosis.limits]
+    words = find_wording()
+    lines = [words.quote(diagnosis.where.message)] if diagnosis.where and diagnosis.verdict != "no_gap" else []
+    lines += [
+        words.say("result-tie", effects=_either(tie.ids, words), reason=tie.why, splits=tie.splits) for tie in diagnosis.indistinguishable
+    ]
+    lines += [_experiment_line(diagnosis.next_experiment, words)] if diagnosis.next_experiment else []
+    lines += [_also_line(also, words) for also in diagnosis.also]
+    lines += [words.say("result-minor", effect=minor.id, seen=minor.message) for minor in diagnosis.minor]
+    lines += [words.quote(diagnosis.consequence)] if diagnosis.consequence else []
+    if diagnosis.effects and diagnosis.verdict in ("explained", "ambiguous"):
+        lines.append(words.say("result-to-do", advice=diagnosis.effects[0].advice))
+    return lines + [words.say("result-not-looked-at", limit=limit) for limit in diagnosis.limits]
 
 
-def _also_line(also: Also) -> str:
+def _either(names: tuple[str, ...], words: Wording) -> str:
+    """One of several, in words."""
+    said = names[0]
+    for name in names[1:]:
+        said = words.say("result-either", effect=said, other=name)
+    return said
+
+
+def _also_line(also: Also, words: Wording) -> str:
     """What is seen elsewhere than in the wrench, and what to do about it where it matters."""
-    advice = f" To do: {also.advice}" if also.material else " It does not matter."
-    return f"Also, {SIDES[also.side]}: {also.id}: {also.sentence}{advice}"
+    side = SIDES[also.side]
+    if also.material:
+        return words.say("result-also-material", side=side, effect=also.id, seen=also.message, advice=also.advice)
+    return words.say("result-also-immaterial", side=side, effect=also.id, seen=also.message)
 
 
-def _experiment_line(experiment: Experiment) -> str:
+def _experiment_line(experiment: Experiment, words: Wording) -> str:
     """What to measure next, and what it is going to tell."""
-    pairs = "; ".join(" or ".join(names) for names in experiment.splits)
-    how = "planned" if experiment.planned else f"not planned: {experiment.refused}"
-    return (
-        f"Next: {experiment.motion} ({experiment.seconds:.0f} s of robot time, {how}). It tells {pairs}: "
-        f"{experiment.sigma_before:.1f} standard deviations apart now, about {experiment.sigma_after:.1f} with both recordings."
+    refused = experiment.refused or ""
+    return words.say(
+        "result-next-experiment",
+        motion=experiment.motion,
+        seconds_s=experiment.seconds,
+        how=Message.of("result-planned") if experiment.planned else Message.of("result-not-planned", reason=refused),
+        pairs="; ".join(_either(names, words) for names in experiment.splits),
+        sigma_before=experiment.sigma_before,
+        sigma_after=experiment.sigma_after,
     )

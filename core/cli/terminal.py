@@ -1,7 +1,8 @@
 """What every command does on a terminal: where it writes, and how an error or an interrupt ends it.
 
 Answers go to standard output, progress and errors to standard error; in a pipe there is no progress. Exit codes: 0 done, 2 bad input,
-3 refused by planning, 4 stopped by the guard, 130 interrupted.
+3 refused by planning, 4 stopped by the guard, 130 interrupted. What people read is said in the language of
+`find_language`; help and JSON are English.
 """
 
 import signal
@@ -13,11 +14,20 @@ import typer
 from rich.console import Console
 
 from core.errors import BadInput, HeftError
+from core.words.catalogue import find_language
+from core.words.wording import Wording
 
 HELP = "Finds out what a robot carries, safely, with people around. Not a safety function."
 
+LANGUAGES = "Answers and errors are in English or German: HEFT_LANGUAGE=en or de, else as LC_ALL, LC_MESSAGES or LANG say."
+
 answers = Console()
 messages = Console(stderr=True)
+
+
+def find_wording() -> Wording:
+    """The words of this terminal."""
+    return Wording(find_language())
 
 
 def show_version(wanted: bool) -> None:
@@ -43,10 +53,10 @@ def enter(program: typer.Typer) -> None:
         program()
     except HeftError as error:
         for each in (error, *error.others) if isinstance(error, BadInput) else (error,):
-            messages.print(f"heft: {each}", highlight=False, markup=False, soft_wrap=True)
+            messages.print(find_wording().say("cli-error", error=each.message), highlight=False, markup=False, soft_wrap=True)
         sys.exit(error.exit_code)
     except KeyboardInterrupt:
-        messages.print("heft: interrupted; nothing was moving.", highlight=False)
+        messages.print(find_wording().say("cli-interrupted"), highlight=False)
         sys.exit(130)
 
 

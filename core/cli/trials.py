@@ -12,7 +12,7 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
 
 from core.cli.options import LanguageOption
-from core.cli.terminal import answers, messages
+from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput
 from core.trial.batch import cores, on_cluster, on_cores, outcomes
 from core.trial.draw import Drawn, draw
@@ -41,14 +41,15 @@ def trial(
     wanted = seeds_of(seeds) if seeds else list(range(seed, seed + count))
     done = {} if report is None else read_outcomes(report)
     where = on_cluster(dask) if dask else on_cores(min(processes or cores(), len(wanted)))
-    with messages.status("planning") if messages.is_terminal else nullcontext():
+    with messages.status(find_wording().say("cli-planning")) if messages.is_terminal else nullcontext():
         drawn = [draw(k) for k in wanted]
     check_seals(drawn, done)
     missing = [one for one in drawn if one.sealed.seed not in done]
     if keep is not None:
         _make_room(keep, missing)
     for one in missing:
-        answers.print(f"trial {one.sealed.seed}: sealed {one.sealed.hash}", highlight=False, soft_wrap=True)
+        told = find_wording().say("cli-trial-sealed", seed=one.sealed.seed, hash=one.sealed.hash)
+        answers.print(told, highlight=False, soft_wrap=True)
     if report is not None:
         open_folder(report, drawn, done)
     try:
@@ -81,7 +82,7 @@ def seeds_of(text: str) -> list[int]:
     for part in text.split(","):
         first, dash, last = part.strip().partition("-")
         if not first.isdecimal() or (dash and not last.isdecimal()):
-            raise BadInput("--seeds", repr(part), "seeds like 300,305,400-420")
+            raise BadInput("--seeds", "cli-not-seeds", found=part)
         found.update(dict.fromkeys(range(int(first), int(last or first) + 1)))
     return list(found)
 
@@ -90,7 +91,7 @@ def _make_room(keep: Path, missing: Sequence[Drawn]) -> None:
     """Before anything long begins: no recording is there already."""
     for one in missing:
         if (keep / str(one.sealed.seed)).exists():
-            raise BadInput(str(keep / str(one.sealed.seed)), "something that exists already", "a new folder for --keep")
+            raise BadInput(str(keep / str(one.sealed.seed)), "cli-kept-already")
     keep.mkdir(parents=True, exist_ok=True)
 
 
@@ -98,7 +99,7 @@ def _track_outcomes(
     drawn: Sequence[Drawn], where: AbstractContextManager[Executor], keep: Path | None
 ) -> Generator[TrialOutcome, None, None]:
     """The outcomes with a bar that tells how long the rest will take."""
-    columns = (SpinnerColumn(), TextColumn("trials"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    columns = (SpinnerColumn(), TextColumn(find_wording().say("cli-trials")), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with where as executor, Progress(*columns, console=messages, transient=True, disable=not messages.is_terminal) as progress:
         yield from progress.track(outcomes(drawn, executor, keep), total=len(drawn))
 
@@ -106,8 +107,7 @@ def _track_outcomes(
 def _show(outcome: TrialOutcome) -> None:
     sealed = outcome.sealed
     answer = outcome.stopped or f"{outcome.verdict} {outcome.first or ''}".strip()
-    answers.print(
-        f"trial {sealed.seed}: planted {sealed.in_words}, size {sealed.size:.2f}; answered {answer}: {mark(outcome)}",
-        highlight=False,
-        soft_wrap=True,
+    told = find_wording().say(
+        "cli-trial-answered", seed=sealed.seed, planted=sealed.in_words, size=sealed.size, answer=answer, mark=mark(outcome)
     )
+    answers.print(told, highlight=False, soft_wrap=True)

@@ -12,12 +12,13 @@ from rich.table import Table
 
 from core.cell.folder import find_cell, load_cell
 from core.cli.options import CellArgument
-from core.cli.terminal import answers, messages
+from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput, BadTwin
 from core.files.whole_file import write_whole
 from core.gap.twin_addition import find_effects, with_effect
-from core.twin.file import close_name, read_twin, write_twin
+from core.twin.file import read_twin, write_twin
 from core.twin.twin import Entry, Twin
+from core.words.message import Message
 
 app = typer.Typer(help="What has been added to a cell's simulation.", no_args_is_help=True)
 
@@ -32,12 +33,14 @@ def add(
     chosen = find_effects(effect)
     loaded = load_cell(find_cell(cell))
     before = read_twin(loaded)
-    with messages.status("fitting effects") if messages.is_terminal else nullcontext():
+    with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
         after = with_effect(before, loaded, recording, effect)
     write_twin(loaded, after)
     for identifier in [one.id for one in chosen]:
-        verb = "replaced by the new fit in" if identifier in before.ids else "added to"
-        answers.print(f"{identifier} {verb} the twin of {loaded.name}.", highlight=False)
+        if identifier in before.ids:
+            answers.print(find_wording().say("cli-twin-replaced", effect=identifier, cell=loaded.name), highlight=False)
+        else:
+            answers.print(find_wording().say("cli-twin-added", effect=identifier, cell=loaded.name), highlight=False)
     answers.print(twin_table(loaded.name, after))
 
 
@@ -57,7 +60,7 @@ def show(
     if twin.effects:
         answers.print(twin_table(loaded.name, twin))
     else:
-        answers.print(f"The twin of {loaded.name} is the nominal one: nothing has been added to it.", highlight=False)
+        answers.print(find_wording().say("cli-twin-empty", cell=loaded.name), highlight=False)
 
 
 @app.command()
@@ -68,30 +71,36 @@ def remove(
     loaded = load_cell(find_cell(cell))
     twin = read_twin(loaded)
     if effect not in twin.ids:
-        expected = str(close_name(effect, list(twin.ids))) if twin.ids else "nothing: the twin is the nominal one"
-        raise BadTwin(f"twin of {loaded.name}: effect", repr(effect), expected)
+        where = Message.of("cli-effect-of-twin", cell=loaded.name)
+        if not twin.ids:
+            raise BadTwin(where, "cli-twin-nominal", effect=effect)
+        raise BadTwin(where, "cli-twin-without-effect", effect=effect, effects=list(twin.ids))
     write_twin(loaded, twin.without(effect))
-    answers.print(f"{effect} taken out of the twin of {loaded.name}.", highlight=False)
+    answers.print(find_wording().say("cli-twin-removed", effect=effect, cell=loaded.name), highlight=False)
 
 
 def twin_table(name: str, twin: Twin) -> Table:
     """One row per effect."""
-    table = Table(title=f"Twin of {name}", caption="± is the standard uncertainty; the gap is in units of noise")
-    for heading in ("effect", "parameters", "gap before, after", "recording", "added"):
+    words = find_wording()
+    table = Table(title=words.say("cli-twin-title", cell=name), caption=words.say("cli-twin-caption"))
+    for heading in (words.say("result-effect"), words.say("result-parameters")):
+        table.add_column(heading)
+    for heading in (words.say("cli-twin-gap"), words.say("cli-twin-recording"), words.say("cli-twin-entered")):
         table.add_column(heading)
     for entry in twin.effects:
-        gap = f"{entry.gap_before:.3f}, {entry.gap_after:.3f}"
+        gap = words.list_numbers([f"{entry.gap_before:.3f}", f"{entry.gap_after:.3f}"])
         source = f"{entry.recording} ({entry.sha256[:12]})"
         table.add_row(entry.effect, _parameters(entry), gap, source, f"{entry.added:%Y-%m-%d %H:%M} UTC")
     return table
 
 
 def _parameters(entry: Entry) -> str:
-    return "\n".join(f"{name} {p.value:.4g} ± {p.std:.2g}" for name, p in entry.parameters.items())
+    mark = find_wording().mark
+    return "\n".join(mark(f"{name} {p.value:.4g} ± {p.std:.2g}") for name, p in entry.parameters.items())
 
 
 def _write(twin: Twin, file: Path) -> None:
     """A file that appears only when it is whole."""
     if not file.absolute().parent.is_dir():
-        raise BadInput(str(file), "a folder that does not exist", "a file in an existing folder")
+        raise BadInput(str(file), "cli-folder-missing")
     write_whole(file, twin.model_dump_json(indent=2) + "\n")

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.payload.rotations import cross, rotation_of
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -20,7 +21,7 @@ class BaseTilt(Effect):
     """
 
     id = "base_tilt"
-    title = "a base that is not level"
+    title = Message.of("effect-base-tilt-title")
     stage = "mounting"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -34,14 +35,11 @@ class BaseTilt(Effect):
         dg = (rotation_of(vector) @ scene.gravity - scene.gravity) @ scene.rotation
         return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises levelling the base, with its two angles in deg, or correcting the direction of gravity in the cell."""
         i, j = _axes(scene)
-        a, b = -np.degrees(theta)
-        return (
-            f"Level the base: it stands turned by {a:+.2f} deg about {'xyz'[i]} and {b:+.2f} deg about {'xyz'[j]} of the base frame; "
-            "or correct the direction of gravity in the cell."
-        )
+        a, b = -theta
+        return Message.of("advice-base-tilt", first_rad=a, first_axis="xyz"[i], second_rad=b, second_axis="xyz"[j])
 
 
 def _axes(scene: Scene) -> list[int]:

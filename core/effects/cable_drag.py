@@ -11,6 +11,7 @@ from core.effects.scene import Scene
 from core.effects.window_search import weights
 from core.payload.inertia import regressor
 from core.payload.rotations import cross
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -43,7 +44,7 @@ class CableDrag(Effect):
     """
 
     id = "cable_drag"
-    title = "a hose or cable that pulls"
+    title = Message.of("effect-cable-drag-title")
     stage = "environment"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -95,24 +96,25 @@ class CableDrag(Effect):
             slack.append(cable)
         return [hose, *slack]
 
-    def explain_lack(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> Message | None:
         """A reason where the recording does not say where the sensor is."""
-        return "the recording does not say where the sensor is" if scene.position is None else None
+        return Message.of("effect-no-position") if scene.position is None else None
 
-    def explain_absence(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> Message | None:
         """A reason where the sensor's position is not known or stays within 1 cm along each axis of the base."""
         if scene.position is None:
             return self.explain_lack(scene)
-        return None if np.ptp(scene.position, axis=0).max() > 0.01 else "the sensor stays in one place"
+        return None if np.ptp(scene.position, axis=0).max() > 0.01 else Message.of("effect-one-place")
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises freeing the hose: pull at the start, N, change per metre, N, friction, N, and torsion, N m/rad."""
         pull = float(np.linalg.norm(taut(theta[None, 1:4], theta[8])))
-        twisting = f", and it twists with {theta[10]:.2f} N m per rad" if len(theta) > 10 and abs(theta[10]) > 0.01 else ""
-        return (
-            f"Free the hose or cable: it pulls with {pull:.1f} N at the start, changes by {theta[0]:.1f} N per metre "
-            f"and rubs with {theta[4] + theta[9]:.1f} N{twisting}."
-        )
+        stiffness, friction = theta[0], theta[4] + theta[9]
+        if len(theta) > 10 and abs(theta[10]) > 0.01:
+            return Message.of(
+                "advice-cable-drag-twisting", pull_n=pull, stiffness_n_per_m=stiffness, friction_n=friction, twist_nm_per_rad=theta[10]
+            )
+        return Message.of("advice-cable-drag", pull_n=pull, stiffness_n_per_m=stiffness, friction_n=friction)
 
 
 def taut(f: Array, slack: float) -> Array:

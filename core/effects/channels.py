@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -52,11 +53,11 @@ def full_scale(scene: Scene, w: Array) -> Array:
     return np.asarray(np.maximum(np.abs(w).max(axis=0), expand_to_channels(1.0, 0.05)))
 
 
-def without_range(scene: Scene) -> str | None:
+def without_range(scene: Scene) -> Message | None:
     """Why shares of full scale have a meaning in this run only, None where the sensor's range is known."""
     if scene.range is not None:
         return None
-    return "its parameters are shares of the sensor's range, which the recording does not state; the largest load of this run stood for it"
+    return Message.of("effect-no-range")
 
 
 def find_largest_channel(values: Array) -> tuple[int, str]:
@@ -65,7 +66,14 @@ def find_largest_channel(values: Array) -> tuple[int, str]:
     return k, CHANNELS[k]
 
 
-def in_words(values: Array) -> str:
-    """Force and torque (6,) in words: the largest force in N and the largest torque in N m, with their channels."""
+def say_load(value: float, channel: int) -> Message:
+    """A value of one channel with its unit, N or N m."""
+    return Message.of("effect-force", force_n=value) if channel < 3 else Message.of("effect-torque", torque_nm=value)
+
+
+def say_largest(values: Array) -> Message:
+    """The largest force and the largest torque of a wrench (6,), with their channels."""
     f, t = int(np.abs(values[:3]).argmax()), 3 + int(np.abs(values[3:]).argmax())
-    return f"{values[f]:+.2g} N in {CHANNELS[f]} and {values[t]:+.2g} N m in {CHANNELS[t]}"
+    return Message.of(
+        "effect-force-and-torque", force_n=values[f], force_channel=CHANNELS[f], torque_nm=values[t], torque_channel=CHANNELS[t]
+    )

@@ -15,13 +15,22 @@ from numpy.typing import NDArray
 from core.effects.scene import Scene
 from core.effects.sides import Side
 from core.recording.recording import Recording
-from core.remark import Remark
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
 Stage = Literal["sensor", "timing", "mounting", "kinematics", "payload", "environment", "actuation"]
 STAGES: tuple[Stage, ...] = ("mounting", "kinematics", "actuation", "payload", "environment", "timing", "sensor")
 """From the robot to the reading: the order in which effects act on the wrench."""
+STAGE_NAMES: dict[Stage, Message] = {
+    "mounting": Message.of("effect-stage-mounting"),
+    "kinematics": Message.of("effect-stage-kinematics"),
+    "actuation": Message.of("effect-stage-actuation"),
+    "payload": Message.of("effect-stage-payload"),
+    "environment": Message.of("effect-stage-environment"),
+    "timing": Message.of("effect-stage-timing"),
+    "sensor": Message.of("effect-stage-sensor"),
+}
 
 
 @dataclass(frozen=True)
@@ -49,8 +58,8 @@ class Effect(ABC):
 
     id: ClassVar[str]
     """Identifier that reports use."""
-    title: ClassVar[str]
-    """In words, lower case, as in "the gap is explained by <title>"."""
+    title: ClassVar[Message]
+    """As in "the gap is explained by <title>"."""
     stage: ClassVar[Stage]
 
     @abstractmethod
@@ -68,16 +77,16 @@ class Effect(ABC):
             theta: parameters, in the order of `parameters`. At their `absent` values the result equals `w`.
         """
 
-    def explain_lack(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> Message | None:
         """Why the model cannot be evaluated in this scene (no joints, no positions), None where it can."""
         del scene
         return None
 
-    def explain_absence(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> Message | None:
         """Why this recording cannot show the effect (the sensor stays still, no load changes its side ...), None where it can."""
         return self.explain_lack(scene)
 
-    def explain_tie_to_run(self, scene: Scene) -> str | None:
+    def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """Why parameters found in this run have no meaning in another, or the effect cannot be simulated sample by sample; else None."""
         del scene
         return None
@@ -92,8 +101,8 @@ class Effect(ABC):
         return [np.array([p.absent + 0.3 * p.scale for p in self.parameters(scene)])]
 
     @abstractmethod
-    def advice(self, scene: Scene, theta: Array) -> str:
-        """What a person should do about it, one sentence in the imperative with the numbers in everyday units."""
+    def advice(self, scene: Scene, theta: Array) -> Message:
+        """What a person should do about it, one sentence in the imperative with its figures."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +114,7 @@ class Finding:
         sigma: how many standard deviations it stands above what chance gives.
         material: whether it matters by the effect's own measure (its docstring says which).
         times_expected: how many times what is stated or tolerated it is, by that measure; None where nothing is.
-        remark: what was seen, with numbers and units.
+        message: what was seen, with its numbers.
     """
 
     theta: Array
@@ -113,7 +122,7 @@ class Finding:
     sigma: float
     material: bool
     times_expected: float | None
-    remark: Remark
+    message: Message
 
 
 class Symptom(ABC):
@@ -121,7 +130,7 @@ class Symptom(ABC):
     and stands beside the verdict. Stateless."""
 
     id: ClassVar[str]
-    title: ClassVar[str]
+    title: ClassVar[Message]
     stage: ClassVar[Stage]
     side: ClassVar[Side]
     explains: ClassVar[tuple[str, ...]] = ()
@@ -138,7 +147,7 @@ class Symptom(ABC):
         """What the recording shows of it; None where the recording cannot show it or shows nothing."""
 
     @abstractmethod
-    def advice(self, finding: Finding) -> str:
+    def advice(self, finding: Finding) -> Message:
         """What a person should do about it, one sentence in the imperative."""
 
 

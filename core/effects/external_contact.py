@@ -9,6 +9,7 @@ from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.effects.window_search import best_windows, onset_parameter_scale, weights
 from core.payload.rotations import cross
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -28,7 +29,7 @@ class ExternalContact(Effect):
     """
 
     id = "external_contact"
-    title = "a contact during part of the run"
+    title = Message.of("effect-external-contact-title")
     stage = "environment"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -59,13 +60,10 @@ class ExternalContact(Effect):
             np.concatenate([[begin, min(end - begin, _longest(scene)), 0.3], _push(scene, residual, begin, end)]) for begin, end in found
         ]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises keeping the payload clear: force, N, begin and end of the contact, s."""
         force = float(np.linalg.norm(theta[3:6]))
-        return (
-            f"Keep the payload clear: something pushed it with up to {force:.1f} N from {theta[0]:.1f} to {theta[0] + theta[1]:.1f} s; "
-            "leave that part out or run again."
-        )
+        return Message.of("advice-external-contact", force_n=force, begin_s=theta[0], end_s=theta[0] + theta[1])
 
 
 def _longest(scene: Scene) -> float:

@@ -11,6 +11,7 @@ from core.effects.gear_search import COARSEST, FINEST, Peak, RippleSearch
 from core.effects.joint_error import joint_count, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -25,7 +26,7 @@ class GearRipple(Effect):
     """
 
     id = "gear_ripple"
-    title = "ripple of the gears"
+    title = Message.of("effect-gear-ripple-title")
     stage = "kinematics"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -45,29 +46,26 @@ class GearRipple(Effect):
         ratio, c, s = theta.reshape(-1, 3).T
         return w + wrench_change(scene, true_motion(scene, *angle_wave(scene, 2.0 * ratio, c, s)))
 
-    def explain_lack(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> Message | None:
         """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
-    def explain_absence(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> Message | None:
         """A reason where there are no joints, or none moves faster than 1e-3 rad/s."""
         if reason := self.explain_lack(scene):
             return reason
-        return None if scene.dq is not None and np.abs(scene.dq).max() > 1e-3 else "no joint moves in this recording"
+        return None if scene.dq is not None and np.abs(scene.dq).max() > 1e-3 else Message.of("effect-no-joint-moves")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Ratios at which the residual, divided by what an acceleration of each joint does to the wrench, is periodic in its angle."""
         return [_find_ripples(scene, residual)]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises another speed for the joint with the largest ripple: amplitude, arcmin, and waves per turn."""
         ratio, c, s = theta.reshape(-1, 3).T
         amplitude = np.hypot(c, s)
         j = int(np.argmax(amplitude))
-        return (
-            f"Turn joint {j + 1} at another speed while measuring: its gear errs by {60 * np.degrees(amplitude[j]):.2f} arcmin "
-            f"{2 * ratio[j]:.0f} times per turn."
-        )
+        return Message.of("advice-gear-ripple", joint=j + 1, amplitude_rad=amplitude[j], per_turn=2 * ratio[j])
 
 
 def _find_ripples(scene: Scene, residual: Array) -> Array:

@@ -11,6 +11,7 @@ from core.effects.joint_error import find_largest_joint, joint_count, joint_torq
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.effects.splines import smooth_by_splines
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -25,7 +26,7 @@ class JointBacklash(Effect):
     """
 
     id = "joint_backlash"
-    title = "play in the joints"
+    title = Message.of("effect-joint-backlash-title")
     stage = "kinematics"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -44,24 +45,24 @@ class JointBacklash(Effect):
         rate = derivative(error, scene.period, scene.past("error"))
         return w + wrench_change(scene, true_motion(scene, error, derivative(rate, scene.period, scene.past("rate"))))
 
-    def explain_lack(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> Message | None:
         """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
-    def explain_absence(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> Message | None:
         """A reason where there are no joints, or no joint's load goes from below -1 N m to above 1 N m."""
         if reason := self.explain_lack(scene):
             return reason
         tau = joint_torque(scene)
         reversed_ = (tau.min(axis=0) < -CONTACT_TORQUE) & (tau.max(axis=0) > CONTACT_TORQUE)
-        return None if reversed_.any() else "no joint's load changes its side: play looks like an offset of the encoder"
+        return None if reversed_.any() else Message.of("effect-no-load-reverses")
 
     def starts(self, scene: Scene, residual: Array) -> list[Array]:
         """Light and heavy contact, quick and slow."""
         play = np.full(joint_count(scene), 1.5e-4)
         return [np.append(play, [torque, lag]) for torque in (0.5, 1.5) for lag in (0.01, 0.03)]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises adjusting the gear with most play, deg from side to side."""
         j = find_largest_joint(theta[:-2])
-        return f"Have the gear of joint {j + 1} adjusted: it has {2 * np.degrees(theta[j]):.3f} deg of play from side to side."
+        return Message.of("advice-joint-backlash", joint=j + 1, play_rad=2 * theta[j])

@@ -10,6 +10,7 @@ from core.effects.effect import Effect, Parameter
 from core.effects.joint_error import find_largest_joint, joint_count, rigid_load, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -23,7 +24,7 @@ class JointElasticity(Effect):
     """
 
     id = "joint_elasticity"
-    title = "joints that give under load"
+    title = Message.of("effect-joint-elasticity-title")
     stage = "kinematics"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -48,17 +49,14 @@ class JointElasticity(Effect):
         swinging = [np.concatenate((np.full(n, compliance), [1.0, 0.2])) for compliance in (1e-4, 2e-4, 4e-4, 8e-4)]
         return [*swinging, np.concatenate((np.full(n, 1e-4), [0.0, 0.2]))]
 
-    def explain_lack(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> Message | None:
         """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
-    def advice(self, scene: Scene, theta: Array) -> str:
-        """Advises entering the stiffness in the twin: for the joint that gives most its stiffness, kN m/rad, and deflection, deg."""
+    def advice(self, scene: Scene, theta: Array) -> Message:
+        """Advises entering the stiffness in the twin: for the joint that gives most its stiffness, N m/rad, and deflection, deg."""
         most = np.abs(rigid_load(scene)).max(axis=0)
         j = find_largest_joint(theta[:-2] * most)
-        give = np.degrees(theta[j] * most[j])
-        stiffness = f"{1e-3 / theta[j]:.1f} kN m/rad" if theta[j] > 0 else "rigid"
-        return (
-            f"Enter the joints' stiffness in the cell's twin (joint {j + 1}: {stiffness}, it gives by up to {give:.2f} deg), "
-            "or use encoders on the link side."
-        )
+        if theta[j] <= 0:
+            return Message.of("advice-joint-elasticity-rigid")
+        return Message.of("advice-joint-elasticity", joint=j + 1, stiffness_nm_per_rad=1.0 / theta[j], give_rad=theta[j] * most[j])

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -105,10 +106,10 @@ def true_motion(scene: Scene, error: Array, acceleration: Array | None = None) -
     return Motion(out[0], out[1], out[2], out[3])
 
 
-def without_joints(scene: Scene) -> str | None:
+def without_joints(scene: Scene) -> Message | None:
     """Why errors of the joints cannot show in this recording."""
     if scene.q is None or scene.dq is None or scene.jacobian is None:
-        return "the recording has no joint positions"
+        return Message.of("effect-no-joints")
     return None
 
 

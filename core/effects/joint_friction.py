@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.friction_fit import FrictionFit, FrictionSignals, fit_joint, noise_of, sigma_of, tracking_error
 from core.recording.recording import Recording
-from core.remark import Remark
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -47,7 +47,7 @@ class JointFriction(Symptom):
     """
 
     id = "joint_friction"
-    title = "friction in the joints"
+    title = Message.of("effect-joint-friction-title")
     stage = "actuation"
     side = "joints"
 
@@ -77,14 +77,11 @@ class JointFriction(Symptom):
         if verdict is None:
             return None
         sigma = max(0.0 if fit is None else sigma_of(fit.friction[:count], fit.covariance[:count, :count]) for fit in fits)
-        return Finding(theta, std, sigma, verdict.material, verdict.times, verdict.remark)
+        return Finding(theta, std, sigma, verdict.material, verdict.times, verdict.message)
 
-    def advice(self, finding: Finding) -> str:
+    def advice(self, finding: Finding) -> Message:
         """Advises warming up, a look at joints that rub more than before, and stating the friction that is left in cell.toml."""
-        return (
-            "Warm the joints up by a few minutes of motion, have those looked at that rub more than they did, and state the friction that "
-            "is left in cell.toml (robot.friction)."
-        )
+        return Message.of("advice-joint-friction")
 
 
 class _Verdict(NamedTuple):
@@ -92,7 +89,7 @@ class _Verdict(NamedTuple):
 
     material: bool
     times: float | None
-    remark: Remark
+    message: Message
 
 
 @dataclass(frozen=True)
@@ -135,14 +132,9 @@ class _Seen:
             return None
         joint = self._worst(self.drags if self.drags.any() else self.rubs, self.sizes / np.maximum(self.noise, TINY))
         if self.theta.shape[1] == 1:
-            lag, lag_std = 1e3 * self.theta[joint, 0], 1e3 * self.std[joint, 0]
-            text = (
-                f"Joint {joint + 1} lags its command by {lag:.3f} +- {lag_std:.3f} mrad in the direction of motion: Coulomb friction in "
-                "the tracking error; without joint torques there is nothing to compare with the cell."
-            )
-            return self._conclude(None, "friction_in_tracking", text, {"joint": str(joint + 1), "lag_rad": float(self.theta[joint, 0])})
-        text = f"Joint {joint + 1} rubs with {self._describe(joint)}; the cell states no friction to compare it with."
-        return self._conclude(None, "friction_not_stated", text, self._values(joint))
+            lag, std = self.theta[joint, 0], self.std[joint, 0]
+            return self._conclude(None, Message.of("symptom-friction-in-tracking", joint=joint + 1, lag_rad=lag, lag_std_rad=std))
+        return self._conclude(None, Message.of("symptom-friction-not-stated", joint=joint + 1, friction=self._say_friction(joint)))
 
     def against(self, stated: Array) -> _Verdict | None:
         """Compared with (n, 2) what is stated; None where none is found and none is missed."""
@@ -155,14 +147,13 @@ class _Seen:
             return None
         joint = self._worst(chosen, apart / np.maximum(expected, TINY))
         coulomb, viscous = (float(value) for value in stated[joint])
-        values = {**self._values(joint), "stated_coulomb_nm": coulomb, "stated_viscous_nms": viscous}
         times = float(self.sizes[joint] / expected[joint]) if expected[joint] > 0.0 else None
-        beside = f"the cell states {coulomb:.2f} and {viscous:.2f}"
+        found = self._say_friction(joint)
+        beside = Message.of("symptom-stated-friction", coulomb_nm=coulomb, viscous_nms_per_rad=viscous)
         if differs.any():
-            text = f"Joint {joint + 1} rubs with {self._describe(joint)}; {beside}."
-            return self._conclude(times, "friction_differs", text, values)
-        text = f"Friction in the joints is as the cell states it: joint {joint + 1} differs most, {self._describe(joint)}; {beside}."
-        return self._conclude(times, "friction_as_stated", text, values)
+            seen = Message.of("symptom-friction-differs", joint=joint + 1, friction=found, stated=beside)
+            return self._conclude(times, seen, differs=True)
+        return self._conclude(times, Message.of("symptom-friction-as-stated", joint=joint + 1, friction=found, stated=beside))
 
     @property
     def _takes_energy(self) -> Flags:
@@ -182,20 +173,22 @@ class _Seen:
     def _worst(self, among: Flags, measure: Array) -> int:
         return int(np.argmax(np.where(among, measure, -1.0)))
 
-    def _describe(self, joint: int) -> str:
+    def _say_friction(self, joint: int) -> Message:
         (coulomb, viscous), (coulomb_std, viscous_std) = self.theta[joint], self.std[joint]
-        return f"{coulomb:.2f} +- {coulomb_std:.2f} N m (Coulomb) and {viscous:.2f} +- {viscous_std:.2f} N m s/rad (viscous)"
+        return Message.of(
+            "symptom-friction",
+            coulomb_nm=coulomb,
+            coulomb_std_nm=coulomb_std,
+            viscous_nms_per_rad=viscous,
+            viscous_std_nms_per_rad=viscous_std,
+        )
 
-    def _values(self, joint: int) -> dict[str, float | str]:
-        return {"joint": str(joint + 1), "coulomb_nm": float(self.theta[joint, 0]), "viscous_nms": float(self.theta[joint, 1])}
-
-    def _conclude(self, times: float | None, name: str, sentence: str, values: dict[str, float | str]) -> _Verdict:
+    def _conclude(self, times: float | None, seen: Message, *, differs: bool = False) -> _Verdict:
         """With the tracking error, where that matters."""
-        differs, drags = name == "friction_differs", self.drags
+        drags = self.drags
         if self.tracking is None or not drags.any():
-            return _Verdict(differs, times, Remark(name, sentence, values))
+            return _Verdict(differs, times, seen)
         late = self._worst(drags, self.tracking)
         error = float(self.tracking[late])
-        sentence += f" Joint {late + 1} follows its command with an error of {np.degrees(error):.2f} deg, r.m.s. while it moves."
-        values = {**values, "late_joint": str(late + 1), "tracking_rad": error}
-        return _Verdict(True, times if differs else error / TRACKING, Remark(name, sentence, values))
+        also_late = Message.of("symptom-friction-and-tracking", seen=seen, joint=late + 1, tracking_rad=error)
+        return _Verdict(True, times if differs else error / TRACKING, also_late)

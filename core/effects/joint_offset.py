@@ -10,6 +10,7 @@ from core.effects.effect import Effect, Parameter
 from core.effects.joint_error import find_largest_joint, joint_count, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -21,7 +22,7 @@ class JointOffset(Effect):
     """
 
     id = "joint_offset"
-    title = "joint encoders whose zero is off"
+    title = Message.of("effect-joint-offset-title")
     stage = "kinematics"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -38,17 +39,17 @@ class JointOffset(Effect):
         error, acceleration = angle_wave(scene, np.ones(len(zero)), c, s)
         return w + wrench_change(scene, true_motion(scene, zero + error, acceleration))
 
-    def explain_lack(self, scene: Scene) -> str | None:
+    def explain_lack(self, scene: Scene) -> Message | None:
         """A reason where the recording has no joint positions."""
         return without_joints(scene)
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises centring the worst encoder where its wave exceeds all zeros' errors, else calibrating the worst zero; errors in deg."""
         zero, *wave = theta.reshape(3, -1)
         uneven = np.hypot(*wave)
         k = find_largest_joint(uneven)
         if uneven[k] > np.abs(zero).max():
-            return f"Centre or replace the encoder of joint {k + 1}, which errs by {np.degrees(uneven[k]):.2f} deg once per turn."
+            return Message.of("advice-joint-offset-uneven", joint=k + 1, error_rad=uneven[k])
         j = find_largest_joint(zero)
-        zeros = ", ".join(f"{x:+.2f}" for x in np.degrees(zero))
-        return f"Calibrate the zero of joint {j + 1}, which is off by {np.degrees(zero[j]):+.2f} deg (all joints: {zeros} deg)."
+        zeros = [Message.of("effect-angle", angle_rad=x) for x in zero]
+        return Message.of("advice-joint-offset", joint=j + 1, error_rad=zero[j], zeros=zeros)

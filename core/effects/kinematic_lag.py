@@ -9,6 +9,7 @@ from core.effects.effect import Effect, Parameter
 from core.effects.excitation import stillness
 from core.effects.filters import derivative
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -22,7 +23,7 @@ class KinematicLag(Effect):
     """
 
     id = "kinematic_lag"
-    title = "a lag of the recorded motion"
+    title = Message.of("effect-kinematic-lag-title")
     stage = "timing"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -33,7 +34,7 @@ class KinematicLag(Effect):
         """`w + tau dw/dt`, the derivative from each row and the three before it."""
         return np.asarray(w + theta[0] * derivative(w, scene.period, scene.past("wrench")))
 
-    def explain_absence(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> Message | None:
         """A reason where the sensor stays still: a lag shows only while loads change."""
         return stillness(scene)
 
@@ -41,6 +42,6 @@ class KinematicLag(Effect):
         """Lags of 10 and 30 ms."""
         return [np.array([lag]) for lag in (0.01, 0.03)]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises unfiltered joint positions, or time stamps that are earlier by the lag, ms."""
-        return f"Record unfiltered joint positions, or shift the joints' time stamps {1e3 * theta[0]:.1f} ms earlier."
+        return Message.of("advice-kinematic-lag", lag_s=theta[0])

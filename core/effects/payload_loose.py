@@ -13,6 +13,7 @@ from core.effects.oscillator import oscillate, spectral_peaks
 from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
 from core.payload.rotations import cross
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -30,7 +31,7 @@ class PayloadLoose(Effect):
     """
 
     id = "payload_loose"
-    title = "a loose part in the payload"
+    title = Message.of("effect-payload-loose-title")
     stage = "payload"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -67,16 +68,14 @@ class PayloadLoose(Effect):
         tried = [*((f, kind) for f in peaks for kind in kinds), *((f, "sprung") for f in grid)]
         return [np.array([f, 0.05, *kinds[kind], *[0.0] * 9]) for f, kind in tried]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises fastening the loose part: share of the mass, %, sag or length, mm, and frequency, Hz."""
         part = _Part(theta)
-        sag = 1e3 * GRAVITY / part.angular_frequency**2
+        sag_m = GRAVITY / part.angular_frequency**2
         sprung, hanging = float(np.abs(np.linalg.eigvalsh(part.shares)).max()), abs(part.hanging_share)
-        gives = f"hangs {sag:.0f} mm below where it is held" if hanging > sprung else f"gives by {sag:.0f} mm under its weight"
-        return (
-            f"Fasten the loose part of the payload: about {100 * max(sprung, hanging):.0f} % of its mass {gives} "
-            f"and swings at {part.frequency_hz:.1f} Hz."
-        )
+        if hanging > sprung:
+            return Message.of("advice-payload-loose-hanging", mass_share=hanging, sag_m=sag_m, frequency_hz=part.frequency_hz)
+        return Message.of("advice-payload-loose", mass_share=sprung, sag_m=sag_m, frequency_hz=part.frequency_hz)
 
 
 def _compute_sprung_load(scene: Scene, part: _Part, b: Array) -> tuple[Array, Array]:

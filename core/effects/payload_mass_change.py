@@ -10,6 +10,7 @@ from core.effects.scene import Scene
 from core.effects.window_search import best_windows, onset_parameter_scale, ramp
 from core.payload.inertia import regressor, six_of
 from core.payload.rigid_wrench import wrench as rigid_wrench
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -21,7 +22,7 @@ class PayloadMassChange(Effect):
     """
 
     id = "payload_mass_change"
-    title = "a payload that gained or lost mass"
+    title = Message.of("effect-payload-mass-change-title")
     stage = "payload"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -46,11 +47,9 @@ class PayloadMassChange(Effect):
         times = [t0 for t0, _ in best_windows(scene, residual, columns, 2, open_end=True)]
         return [np.array([t0, m, 0.0, 0.0, 0.05, over]) for t0 in times for m in (-0.05, 0.05) for over in (0.0, 5.0)]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises checking the payload: time, s, mass gained or lost, g, and its place, mm."""
-        verb = "gained" if theta[1] > 0 else "lost"
-        x, y, z = 1e3 * theta[2:5]
-        return (
-            f"Check the payload: at {theta[0]:.1f} s it {verb} {1e3 * abs(theta[1]):.0f} g "
-            f"at ({x:.0f}, {y:.0f}, {z:.0f}) mm from the sensor; identify it again afterwards."
-        )
+        at_s, mass_kg, x, y, z = theta[:5]
+        if mass_kg > 0:
+            return Message.of("advice-payload-mass-gained", at_s=at_s, mass_kg=mass_kg, x_m=x, y_m=y, z_m=z)
+        return Message.of("advice-payload-mass-lost", at_s=at_s, mass_kg=-mass_kg, x_m=x, y_m=y, z_m=z)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import chi2
@@ -9,7 +11,7 @@ from scipy.stats import chi2
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.recording.recording import Recording
-from core.remark import Remark
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -18,7 +20,12 @@ CHANCE = 1e-4
 SMALLEST_LEVER = 1e-3
 """m; a first moment is compared with at least the mass on this lever, else a centred payload could never be right."""
 
-_PARTS = {"mass": (slice(0, 1), 0.01), "first moment": (slice(1, 4), 0.01), "inertia": (slice(4, 10), 0.03)}
+_Part = Literal["mass", "first_moment", "inertia"]
+_PARTS: dict[_Part, tuple[slice, float]] = {
+    "mass": (slice(0, 1), 0.01),
+    "first_moment": (slice(1, 4), 0.01),
+    "inertia": (slice(4, 10), 0.03),
+}
 _SUFFIXES = {"kg": "kg", "kg m": "kgm", "kg m2": "kgm2"}
 _SCALES = (0.1, *[0.01] * 3, *[0.002] * 6)
 
@@ -32,7 +39,7 @@ class PayloadMismatch(Symptom):
     """
 
     id = "payload_mismatch"
-    title = "a payload that is not the reference"
+    title = Message.of("effect-payload-mismatch-title")
     stage = "payload"
     side = "reference"
 
@@ -60,14 +67,17 @@ class PayloadMismatch(Symptom):
             sigma=_sigma(float(z @ z), int(known.sum())),
             material=bool(material),
             times_expected=max(times.values()),
-            remark=_remark(difference, shares, tuple(material), recording.source_of_whole),
+            message=_say_difference(difference, shares, tuple(material), recording.source_of_whole),
         )
 
-    def advice(self, finding: Finding) -> str:
+    def advice(self, finding: Finding) -> Message:
         """Advises checking which payload is mounted and replacing the reference, with the difference of mass, g, where determined."""
-        grams = 1e3 * finding.theta[0]
-        mass = f" (mass {grams:+.0f} g)" if np.isfinite(grams) else ""
-        return f"Check that the right payload is mounted and replace the reference by the identified parameters{mass}."
+        mass_kg = float(finding.theta[0])
+        if not np.isfinite(mass_kg):
+            return Message.of("advice-payload-mismatch")
+        if mass_kg > 0:
+            return Message.of("advice-payload-mismatch-heavier", mass_kg=mass_kg)
+        return Message.of("advice-payload-mismatch-lighter", mass_kg=-mass_kg)
 
 
 def _times(share: float, z: Array, known: NDArray[np.bool_]) -> float:
@@ -81,21 +91,26 @@ def _times(share: float, z: Array, known: NDArray[np.bool_]) -> float:
     return min(share, beyond) if np.isfinite(share) else 0.0
 
 
-def _remark(difference: Array, shares: dict[str, float], material: tuple[str, ...], source: str | None) -> Remark:
+def _say_difference(difference: Array, shares: dict[_Part, float], material: tuple[_Part, ...], source: str | None) -> Message:
     """What is off, or by how little. The mass has a direction: more than the reference says, or less."""
-    more = difference[0] > 0
-    told = [part for part in material or _PARTS if np.isfinite(shares[part])]
-    percent = {part: f"{100 * shares[part]:.1f} %" for part in told}
-    parts = [f"{percent[part]} {'heavier' if more else 'lighter'}" if part == "mass" else f"{part} off by {percent[part]}" for part in told]
-    words, of = ", ".join(parts), f" ({source})" if source else ""
-    signs = {part: -1.0 if part == "mass" and not more else 1.0 for part in told}
-    values: dict[str, float | str] = {f"{part.replace(' ', '_')}_share": signs[part] * shares[part] for part in told}
+    parts = [_say_part(part, shares[part], more=difference[0] > 0) for part in material or _PARTS if np.isfinite(shares[part])]
+    reference = Message.of("symptom-reference-of", source=source) if source else Message.of("symptom-reference")
     if material:
-        return Remark("other_payload", f"The payload is not the reference{of}: {words}.", values)
-    return Remark("as_referred", f"The payload is the reference{of} as far as it matters: {words}.", values)
+        return Message.of("symptom-other-payload", reference=reference, differences=parts)
+    return Message.of("symptom-as-referred", reference=reference, differences=parts)
 
 
-def _shares(difference: Array, reference: Array) -> dict[str, float]:
+def _say_part(part: _Part, share: float, *, more: bool) -> Message:
+    match part:
+        case "mass":
+            return Message.of("symptom-heavier", mass_share=share) if more else Message.of("symptom-lighter", mass_share=share)
+        case "first_moment":
+            return Message.of("symptom-first-moment-off", first_moment_share=share)
+        case "inertia":
+            return Message.of("symptom-inertia-off", inertia_share=share)
+
+
+def _shares(difference: Array, reference: Array) -> dict[_Part, float]:
     """How far each part is off as a share of its size; NaN where it was not determined."""
     m, mc, I6 = reference[0], reference[1:4], reference[4:]
     full = np.array([[I6[0], I6[1], I6[2]], [I6[1], I6[3], I6[4]], [I6[2], I6[4], I6[5]]])

@@ -11,6 +11,7 @@ from core.effects.scene import Scene
 from core.effects.window_search import best_windows, onset_parameter_scale, ramp
 from core.payload.inertia import regressor, six_of
 from core.payload.rigid_wrench import wrench as rigid_wrench
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -22,7 +23,7 @@ class PayloadShift(Effect):
     """
 
     id = "payload_shift"
-    title = "a payload that slipped"
+    title = Message.of("effect-payload-shift-title")
     stage = "payload"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -47,8 +48,9 @@ class PayloadShift(Effect):
         found = best_windows(scene, residual, columns, 3, open_end=True)
         return [np.array([t0, 0.005, 0.005, 0.005, over]) for t0, _ in found for over in (0.0, 3.0)]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises clamping more firmly: time, s, change of first moment, kg mm, and for payloads above 10 g the way of the whole, mm."""
         d = float(np.linalg.norm(theta[1:4]))
-        whole = f" (the whole payload by {1e3 * d / scene.phi[0]:.1f} mm)" if scene.phi[0] > 0.01 else ""
-        return f"Clamp the payload more firmly: at {theta[0]:.1f} s it slipped by {1e3 * d:.1f} kg mm{whole}; identify it again afterwards."
+        if scene.phi[0] > 0.01:
+            return Message.of("advice-payload-shift-of-whole", at_s=theta[0], first_moment_kg_m=d, distance_m=d / scene.phi[0])
+        return Message.of("advice-payload-shift", at_s=theta[0], first_moment_kg_m=d)

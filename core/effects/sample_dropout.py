@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.recording.recording import PAUSE_S, Recording
-from core.remark import Remark
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -36,7 +36,7 @@ class SampleDropout(Symptom):
     """
 
     id = "sample_dropout"
-    title = "samples that are held or lost"
+    title = Message.of("effect-sample-dropout-title")
     stage = "sensor"
     side = "reading"
     explains = ("sensor_noise", "sensor_quantization")
@@ -57,20 +57,13 @@ class SampleDropout(Symptom):
         if sigma < SIGNIFICANT or max(held, lost) < LEAST:
             return None
         period = float(np.median(np.diff(recording.t)))
-        sentence = (
-            f"{100 * held:.1f} % of the wrench samples repeat the one before, for up to {1e3 * longest * period:.0f} ms, "
-            f"and {100 * lost:.1f} % of the samples are missing."
-        )
-        remark = Remark("held_or_lost", sentence, {"held_share": held, "lost_share": lost, "longest_s": longest * period})
+        seen = Message.of("symptom-held-or-lost", held_share=held, lost_share=lost, longest_s=longest * period)
         times = (held + lost) / MATERIAL
-        return Finding(np.array([held, lost]), std, sigma, times > 1.0, times, remark)
+        return Finding(np.array([held, lost]), std, sigma, times > 1.0, times, seen)
 
-    def advice(self, finding: Finding) -> str:
+    def advice(self, finding: Finding) -> Message:
         """Advises matching the recorder's rate to the sensor's or relieving its bus, with both shares in %."""
-        return (
-            f"Match the recorder's rate to the sensor's or relieve its bus: {100 * finding.theta[0]:.1f} % of the samples are held "
-            f"and {100 * finding.theta[1]:.1f} % are lost."
-        )
+        return Message.of("advice-sample-dropout", held_share=finding.theta[0], lost_share=finding.theta[1])
 
 
 def find_held_share(wrench: Array) -> tuple[float, int, int]:

@@ -9,6 +9,7 @@ from core.effects.channels import find_largest_channel, shares
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import low_pass
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -17,7 +18,7 @@ class SensorCreep(Effect):
     """`W = w + K w / (1 + tau s)`: every step of load is followed by `K (1 - exp(-t / tau))` of it. At the start all creep is over."""
 
     id = "sensor_creep"
-    title = "creep of the sensor"
+    title = Message.of("effect-sensor-creep-title")
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -32,10 +33,7 @@ class SensorCreep(Effect):
         """Creep of 0.2 % in all channels with time constants of 10, 2 and 60 s."""
         return [np.append(np.full(6, 0.002), tau) for tau in (10.0, 2.0, 60.0)]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises waiting for three time constants, s, after a change of load; the largest creep in %."""
         k, channel = find_largest_channel(theta[:6])
-        return (
-            f"Wait about {3 * theta[6]:.0f} s after a change of load before taring or measuring: "
-            f"{channel} creeps by {100 * theta[k]:+.2f} % of the change within {theta[6]:.0f} s."
-        )
+        return Message.of("advice-sensor-creep", wait_s=3 * theta[6], channel=channel, creep_share=theta[k], within_s=theta[6])

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS
+from core.effects.channels import CHANNELS, SUFFIXES, UNITS, say_load
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -26,7 +27,7 @@ class SensorCrosstalk(Effect):
     """
 
     id = "sensor_crosstalk"
-    title = "cross-talk between the sensor's channels"
+    title = Message.of("effect-sensor-crosstalk-title")
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -52,11 +53,9 @@ class SensorCrosstalk(Effect):
         """No entries, with angles of -45 and 45 deg."""
         return [np.append(np.zeros(30), angle) for angle in (-0.25 * np.pi, 0.25 * np.pi)]  # the entries are linear: one step finds them
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises a new calibration matrix, with the entry that is largest against its plausible size."""
         largest = int(np.abs(theta[:30] / [p.scale for p in self.parameters(scene)[:30]]).argmax())
         i, j = ROW[largest], COLUMN[largest]
-        return (
-            f"Load the sensor's calibration matrix anew or have it recalibrated: each {UNITS[j]} of {CHANNELS[j]} "
-            f"shows as {theta[largest]:+.2g} {UNITS[i]} in {CHANNELS[i]}."
-        )
+        load, shown = say_load(1.0, j), say_load(theta[largest], i)
+        return Message.of("advice-sensor-crosstalk", load=load, of_channel=CHANNELS[j], shown=shown, in_channel=CHANNELS[i])

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import amplitudes, expand_to_channels, in_words
+from core.effects.channels import amplitudes, expand_to_channels, say_largest
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -23,7 +24,7 @@ class SensorDrift(Effect):
     """
 
     id = "sensor_drift"
-    title = "drift of the sensor's offset"
+    title = Message.of("effect-sensor-drift-title")
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -53,13 +54,13 @@ class SensorDrift(Effect):
         start[:6] = 0.3 * sign * [p.scale for p in parameters[:6]]
         return [np.concatenate([start[:6], [k], start[7:]]) for k in (0.01, 0.05, 0.2)]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises 20 min of warming up and taring before the run, with the drift over the run in N and N m."""
         seconds = float(scene.t[-1] - scene.t[0])
         drift = theta[:6] * settling(np.array([seconds]), theta[6])
         if scene.temperature is not None:
             drift = drift + theta[7:] * (scene.temperature[-1] - scene.temperature[0])
-        return f"Let the sensor warm up for 20 min and tare it just before the run: its offset went {in_words(drift)} in {seconds:.0f} s."
+        return Message.of("advice-sensor-drift", drift=say_largest(drift), within_s=seconds)
 
 
 def settling(t: Array, k: float) -> Array:

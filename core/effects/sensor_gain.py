@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from core.effects.channels import find_largest_channel, shares
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -16,7 +17,7 @@ class SensorGain(Effect):
     """`W = w + e w + a |w|`: a channel is off by `e + a` where it is pulled and by `e - a` where it is pushed."""
 
     id = "sensor_gain"
-    title = "a gain error of the sensor's channels"
+    title = Message.of("effect-sensor-gain-title")
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -34,11 +35,8 @@ class SensorGain(Effect):
         """All zero."""
         return [np.zeros(12)]  # linear in its parameters: one step finds them
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises recalibration in both directions, with the errors of the worst channel for positive and negative loads in %."""
         pulled, pushed = theta[:6] + theta[6:], theta[:6] - theta[6:]
         k, channel = find_largest_channel(np.abs(pulled) + np.abs(pushed))
-        return (
-            f"Have the sensor recalibrated with known weights in both directions: against the other channels {channel} reads "
-            f"{100 * pulled[k]:+.1f} % where it is positive and {100 * pushed[k]:+.1f} % where it is negative."
-        )
+        return Message.of("advice-sensor-gain", channel=channel, positive_share=pulled[k], negative_share=pushed[k])

@@ -11,6 +11,7 @@ from core.effects.channels import CHANNELS, find_largest_channel, full_scale, sh
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import play
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -31,7 +32,7 @@ class SensorHysteresis(Effect):
     """
 
     id = "sensor_hysteresis"
-    title = "hysteresis of the sensor"
+    title = Message.of("effect-sensor-hysteresis-title")
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -51,7 +52,7 @@ class SensorHysteresis(Effect):
         turned = (load - play(load, radius.ravel(), scene.past("play"))) / radius.ravel()
         return np.asarray(w - theta[:6] * full * turned.reshape(len(w), len(SPREAD), 6).mean(axis=1))
 
-    def explain_tie_to_run(self, scene: Scene) -> str | None:
+    def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """A reason where the sensor's range is not known: shares of it then hold for this run only."""
         return without_range(scene)
 
@@ -60,10 +61,7 @@ class SensorHysteresis(Effect):
         # the heights are linear: one step finds them
         return [np.concatenate([np.zeros(6), np.full(6, math.log(share)), [0.3]]) for share in TURNING]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises checking the flanges' bolts, or one side of approach, with the height of the largest loop in % of full scale."""
         k, channel = find_largest_channel(theta[:6])
-        return (
-            f"Check the bolts of the sensor's flanges for slip, else approach every pose from the same side: "
-            f"{channel} differs by {200 * theta[k]:.2f} % of full scale between loading and unloading."
-        )
+        return Message.of("advice-sensor-hysteresis", channel=channel, height_share=2 * theta[k])

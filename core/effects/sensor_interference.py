@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, in_words
+from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, say_largest
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.hold_noise import hold_noise, line_in, rate, steady
 from core.recording.recording import Recording
-from core.remark import Remark
+from core.words.message import Message
 
 SOURCES_HZ = (50.0, 60.0, 100.0, 120.0, 150.0, 180.0, 300.0)
 """Mains of both kinds with their strongest harmonics."""
@@ -26,7 +26,7 @@ class SensorInterference(Symptom):
     """
 
     id = "sensor_interference"
-    title = "electrical interference in the sensor's signal"
+    title = Message.of("effect-sensor-interference-title")
     stage = "sensor"
     side = "reading"
     explains = ("sensor_noise",)
@@ -55,30 +55,24 @@ class SensorInterference(Symptom):
         stated = recording.sensor.noise_std
         times = relative if stated is None else line.amplitude / stated
         worst = int(times.argmax())
-        source, as_alias = _source(line.frequency, samples_per_second)
-        sentence = (
-            f"There is a line at {line.frequency:.2f} Hz{as_alias} with amplitudes up to "
-            f"{in_words(line.amplitude).replace('+', '')}, {times[worst]:.1f} times the noise in {CHANNELS[worst]}."
-        )
-        values: dict[str, float | str] = {"frequency_hz": line.frequency, "times": float(times[worst]), "channel": CHANNELS[worst]}
-        remark = Remark("line", sentence, values) if source is None else Remark("mains_line", sentence, {**values, "source_hz": source})
+        place = _say_frequency(line.frequency, samples_per_second)
+        amplitude, channel = say_largest(line.amplitude), CHANNELS[worst]
+        seen = Message.of("symptom-line", place=place, amplitude=amplitude, times=times[worst], channel=channel)
         theta = np.append(line.frequency, line.amplitude)
         std = np.append(line.frequency_std, line.amplitude_std)
-        return Finding(theta, std, line.sigma, bool(times[worst] > MATERIAL), float(times[worst]), remark)
+        return Finding(theta, std, line.sigma, bool(times[worst] > MATERIAL), float(times[worst]), seen)
 
-    def advice(self, finding: Finding) -> str:
+    def advice(self, finding: Finding) -> Message:
         """Advises leading the cable away from motor and mains cables and grounding its shield, with the line's frequency in Hz."""
-        return (
-            "Lead the sensor's cable away from motor and mains cables and ground its shield at one end, "
-            f"to be rid of the line at {finding.theta[0]:.1f} Hz."
-        )
+        return Message.of("advice-sensor-interference", frequency_hz=finding.theta[0])
 
 
-def _source(frequency: float, samples_per_second: float) -> tuple[float | None, str]:
-    """The mains line that appears at this frequency once sampled, Hz, and the same in words; None and nothing where there is none."""
+def _say_frequency(frequency: float, samples_per_second: float) -> Message:
+    """The frequency of a line, Hz, with the mains line that appears there once sampled, where there is one."""
     for source in SOURCES_HZ:
         alias = abs(source - samples_per_second * round(source / samples_per_second))
         if abs(alias - frequency) < 0.01 * source:
-            seen = "" if source < 0.5 * samples_per_second else f", seen as its alias at {samples_per_second:.0f} samples per second"
-            return source, f" (mains, {source:.0f} Hz{seen})"
-    return None, ""
+            if source < 0.5 * samples_per_second:
+                return Message.of("symptom-mains", frequency_hz=frequency, source_hz=source)
+            return Message.of("symptom-mains-alias", frequency_hz=frequency, source_hz=source, samples_per_second=samples_per_second)
+    return Message.of("symptom-frequency", frequency_hz=frequency)

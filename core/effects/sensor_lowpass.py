@@ -12,6 +12,7 @@ from core.effects.effect import Effect, Parameter
 from core.effects.excitation import stillness
 from core.effects.filters import low_pass
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -24,7 +25,7 @@ class SensorLowpass(Effect):
     """
 
     id = "sensor_lowpass"
-    title = "a low-pass filter inside the sensor"
+    title = Message.of("effect-sensor-lowpass-title")
     stage = "timing"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -41,7 +42,7 @@ class SensorLowpass(Effect):
         once = low_pass(w, slow, scene.period, scene.past("slow pole"))
         return np.ascontiguousarray(low_pass(once, fast, scene.period, scene.past("fast pole")).real)
 
-    def explain_absence(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> Message | None:
         """A reason where the sensor stays still: a filter shows only while loads change."""
         return stillness(scene)
 
@@ -51,7 +52,7 @@ class SensorLowpass(Effect):
             np.array([1 / (2 * math.pi * cutoff_hz), kappa]) for cutoff_hz, kappa in ((8.0, 0.05), (20.0, 0.05), (3.0, 0.05), (8.0, 0.45))
         ]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises switching the filter off or raising it above its corner, Hz, with its delay in ms."""
         cutoff_hz = 1 / (2 * math.pi * max(float(theta[0]), 1e-6))
-        return f"Switch the sensor's filter off or raise it well above {cutoff_hz:.0f} Hz; it delays by {1e3 * theta[0]:.0f} ms."
+        return Message.of("advice-sensor-lowpass", cutoff_hz=cutoff_hz, delay_s=theta[0])

@@ -12,7 +12,7 @@ from core.effects.sample_dropout import find_held_share
 from core.effects.sensor_interference import SIGNIFICANT
 from core.effects.sensor_quantization import step_of
 from core.recording.recording import Recording
-from core.remark import Remark
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -36,7 +36,7 @@ class SensorNoise(Symptom):
     """
 
     id = "sensor_noise"
-    title = "noise of the sensor above what is stated"
+    title = Message.of("effect-sensor-noise-title")
     stage = "sensor"
     side = "reading"
     resembled_by = ("payload_loose", "joint_elasticity", "tool_flexibility")  # what swings after a motion, swings in the hold
@@ -66,21 +66,15 @@ class SensorNoise(Symptom):
         if sigma < SIGNIFICANT or not (factor.max() > 1 + TOLERANCE or slow.max() > MATERIAL):
             return None
         k, channel = find_largest_channel(factor)
-        sentence = (
-            f"The noise of {channel} in the holds is {factor[k]:.2f} times the stated one, its correlation between samples {common:.2f}."
-        )
-        remark = Remark("noisier", sentence, {"channel": channel, "times": float(factor[k]), "correlation": common})
+        seen = Message.of("symptom-noisier", channel=channel, times=factor[k], correlation=common)
         material = bool(factor.max() > MATERIAL or slow.max() > MATERIAL_SLOW)
         times = float(slow.max() if slow.max() / MATERIAL_SLOW > factor.max() / MATERIAL else factor.max())
-        return Finding(np.append(factor, common), np.append(std, rho_std), sigma, material, times, remark)
+        return Finding(np.append(factor, common), np.append(std, rho_std), sigma, material, times, seen)
 
-    def advice(self, finding: Finding) -> str:
+    def advice(self, finding: Finding) -> Message:
         """Advises checking supply, shield and cable, or stating the higher noise, with the factor of the noisiest channel."""
         k, channel = find_largest_channel(finding.theta[:6])
-        return (
-            f"Check the sensor's supply, shield and cable ({channel} is {finding.theta[k]:.1f} times as noisy as stated), "
-            "or state the higher noise and hold longer."
-        )
+        return Message.of("advice-sensor-noise", channel=channel, times=finding.theta[k])
 
 
 def _lineless(recording: Recording, view: View) -> list[Array]:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from core.effects.channels import find_largest_channel, full_scale, shares, without_range
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -20,7 +21,7 @@ class SensorNonlinearity(Effect):
     """
 
     id = "sensor_nonlinearity"
-    title = "a non-linearity of the sensor"
+    title = Message.of("effect-sensor-nonlinearity-title")
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -34,7 +35,7 @@ class SensorNonlinearity(Effect):
         """`w + s w + e w |w| / FS` in each channel."""
         return np.asarray(w * (1.0 + theta[6:] + theta[:6] / full_scale(scene, w) * np.abs(w)))
 
-    def explain_tie_to_run(self, scene: Scene) -> str | None:
+    def explain_tie_to_run(self, scene: Scene) -> Message | None:
         """A reason where the sensor's range is not known: shares of it then hold for this run only."""
         return without_range(scene)
 
@@ -42,7 +43,7 @@ class SensorNonlinearity(Effect):
         """All zero."""
         return [np.zeros(12)]  # linear in its parameters: one step finds them
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises checking the linearity with known weights, with the largest bend in % at full scale."""
         k, channel = find_largest_channel(theta[:6])
-        return f"Have the sensor's linearity checked with known weights: {channel} is bent by {100 * theta[k]:+.1f} % at full scale."
+        return Message.of("advice-sensor-nonlinearity", channel=channel, bend_share=theta[k])

@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.effects.change_points import change_points
-from core.effects.channels import amplitudes, expand_to_channels, in_words
+from core.effects.channels import amplitudes, expand_to_channels, say_largest
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -17,7 +18,7 @@ class SensorOffsetStep(Effect):
     """`W = w + A` from `t0` on, reached within one sample after it so that `t0` can be fitted between samples."""
 
     id = "sensor_offset_step"
-    title = "a jump of the sensor's offset"
+    title = Message.of("effect-sensor-offset-step-title")
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -41,8 +42,6 @@ class SensorOffsetStep(Effect):
             starts.append(np.append(0.3 * scale * np.sign(jump), (row - 0.5) * scene.period))
         return starts or super().starts(scene, residual)
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises checking plug and cable and taring, with the time, s, and the jump, N and N m."""
-        return (
-            f"Check the sensor's plug and cable and tare it: {theta[6]:.1f} s after the start its offset jumped by {in_words(theta[:6])}."
-        )
+        return Message.of("advice-sensor-offset-step", at_s=theta[6], step=say_largest(theta[:6]))

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels
+from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, say_load
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.recording.recording import Recording
-from core.remark import Remark
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ class SensorQuantization(Symptom):
     """
 
     id = "sensor_quantization"
-    title = "coarse steps of the sensor's signal"
+    title = Message.of("effect-sensor-quantization-title")
     stage = "sensor"
     side = "reading"
     explains = ("sensor_noise",)
@@ -58,22 +58,18 @@ class SensorQuantization(Symptom):
         levels = np.array([len(np.unique(channel)) for channel in recording.wrench.T])
         std = np.maximum(stated, 1e-9) / np.sqrt(levels)
         times = float(step[k] / noise[k])
-        sentence = (
-            f"{CHANNELS[k]} comes in steps of {step[k]:.3g} {UNITS[k]}"
-            + (f", stated are {stated[k]:.3g}" if stated[k] else "")
-            + f": {times:.1f} times its noise."
-        )
-        remark = Remark("coarse_steps", sentence, {"channel": CHANNELS[k], f"step_{SUFFIXES[k]}": float(step[k]), "times": times})
+        size, usual = say_load(step[k], k), say_load(stated[k], k)
+        if stated[k]:
+            seen = Message.of("symptom-coarser-steps", channel=CHANNELS[k], step=size, stated=usual, times=times)
+        else:
+            seen = Message.of("symptom-steps", channel=CHANNELS[k], step=size, times=times)
         sigma = float(rounding[k] / noise[k] * np.sqrt(len(recording)))
-        return Finding(step, std, sigma, bool((coarse & (step > MATERIAL * noise)).any()), times, remark)
+        return Finding(step, std, sigma, bool((coarse & (step > MATERIAL * noise)).any()), times, seen)
 
-    def advice(self, finding: Finding) -> str:
+    def advice(self, finding: Finding) -> Message:
         """Advises the finest resolution or a smaller range, with the coarsest step, N or N m."""
         k = int((finding.theta / expand_to_channels(1.0, 0.05)).argmax())
-        return (
-            f"Choose the sensor's finest resolution or a smaller range: {CHANNELS[k]} comes in steps of {finding.theta[k]:.3g} {UNITS[k]}; "
-            "until then move a little during the holds."
-        )
+        return Message.of("advice-sensor-quantization", channel=CHANNELS[k], step=say_load(finding.theta[k], k))
 
 
 def _coarsest(channel: Array, holds: tuple[slice, ...]) -> float:

@@ -10,6 +10,7 @@ from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.payload.rotations import rotation_of
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -21,7 +22,7 @@ class SensorRotation(Effect):
     """
 
     id = "sensor_rotation"
-    title = "a sensor that is mounted turned"
+    title = Message.of("effect-sensor-rotation-title")
     stage = "mounting"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -33,10 +34,7 @@ class SensorRotation(Effect):
         R, m = rotation_of(theta), scene.motion
         return w + wrench_change(scene, Motion(m.g @ R, m.a @ R, m.omega @ R, m.alpha @ R))
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises turning the sensor frame in the URDF, deg, or remounting the sensor."""
-        x, y, z = np.degrees(theta)
-        return (
-            f"Correct the sensor frame in the URDF: turn it by {x:+.2f}, {y:+.2f} and {z:+.2f} deg about its x, y and z axes, "
-            "or remount the sensor."
-        )
+        x, y, z = theta
+        return Message.of("advice-sensor-rotation", x_rad=x, y_rad=y, z_rad=z)

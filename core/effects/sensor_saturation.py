@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels
+from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, say_load
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.effects.window_search import ROWS, weights
 from core.payload.inertia import regressor
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -31,7 +32,7 @@ class SensorSaturation(Effect):
     """
 
     id = "sensor_saturation"
-    title = "clipping of the sensor"
+    title = Message.of("effect-sensor-saturation-title")
     stage = "sensor"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -72,16 +73,15 @@ class SensorSaturation(Effect):
         limits = [first, every] if len(seen) > 1 else [first]
         return [np.append(np.clip(limit, 0.0, upper), corner) for limit in limits for corner in (CORNER, 0.3)]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises a larger range or a lighter payload, with the limit that is passed most and the load of the run, N or N m."""
         reach = np.abs(scene.nominal).max(axis=0)
         k = int((theta[:12] * np.tile(reach, 2)).argmax())
-        side = "above" if k < 6 else "below"
-        limit = (1 if k < 6 else -1) / max(float(theta[k]), 1e-6)
-        return (
-            f"Choose a larger range of the sensor or a lighter payload: {CHANNELS[k % 6]} is clipped {side} {limit:+.3g} {UNITS[k % 6]} "
-            f"(without the offset), the run needs {reach[k % 6]:.3g} {UNITS[k % 6]}."
-        )
+        channel, limit = k % 6, 1 / max(float(theta[k]), 1e-6)
+        name, needed = CHANNELS[channel], say_load(reach[channel], channel)
+        if k < 6:
+            return Message.of("advice-sensor-saturation-above", channel=name, clipped_at=say_load(limit, channel), needed=needed)
+        return Message.of("advice-sensor-saturation-below", channel=name, clipped_at=say_load(-limit, channel), needed=needed)
 
 
 def limit_softly(x: Array, limit: float, corner: float) -> Array:

@@ -10,6 +10,7 @@ from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.payload.rotations import cross
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -18,7 +19,7 @@ class SensorTranslation(Effect):
     """The true origin lies at d (sensor axes) from the believed one: `a + alpha x d + omega x (omega x d)`. Nothing static shows it."""
 
     id = "sensor_translation"
-    title = "a sensor origin that is off"
+    title = Message.of("effect-sensor-translation-title")
     stage = "mounting"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -31,15 +32,11 @@ class SensorTranslation(Effect):
         a = m.a + cross(m.alpha, theta) + cross(m.omega, cross(m.omega, theta))
         return w + wrench_change(scene, Motion(m.g, a, m.omega, m.alpha))
 
-    def explain_absence(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> Message | None:
         """A reason where the sensor does not turn."""
-        return (
-            None
-            if np.any(scene.motion.omega)
-            else "nothing turns in this recording: the place of the sensor's origin does not show at rest"
-        )
+        return None if np.any(scene.motion.omega) else Message.of("effect-nothing-turns")
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises moving the sensor frame in the URDF, mm."""
-        x, y, z = 1e3 * theta
-        return f"Move the sensor frame in the URDF by {x:+.1f}, {y:+.1f} and {z:+.1f} mm along its x, y and z axes."
+        x, y, z = theta
+        return Message.of("advice-sensor-translation", x_m=x, y_m=y, z_m=z)

@@ -9,6 +9,7 @@ from core.effects.effect import Effect, Parameter
 from core.effects.excitation import stillness
 from core.effects.filters import delay_signal
 from core.effects.scene import Scene
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -17,7 +18,7 @@ class TimeDelay(Effect):
     """`W(t - tau)`, between samples by a quintic. A wrench that is early means joints that are late, which is `kinematic_lag`."""
 
     id = "time_delay"
-    title = "a delay of the wrench against the joints"
+    title = Message.of("effect-time-delay-title")
     stage = "timing"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -28,7 +29,7 @@ class TimeDelay(Effect):
         """`w(t - tau)`, by a quintic between samples."""
         return delay_signal(w, theta[0] / scene.period, scene.past("wrench"))
 
-    def explain_absence(self, scene: Scene) -> str | None:
+    def explain_absence(self, scene: Scene) -> Message | None:
         """A reason where the sensor stays still: a delay shows only while loads change."""
         return stillness(scene)
 
@@ -36,6 +37,6 @@ class TimeDelay(Effect):
         """Delays of 6, 20 and 50 ms."""
         return [np.array([delay]) for delay in (0.006, 0.02, 0.05)]
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises one clock for wrench and joints, or the delay in the recorder, ms."""
-        return f"Stamp wrench and joints with one clock, or set a delay of {1e3 * theta[0]:.1f} ms in the recorder."
+        return Message.of("advice-time-delay", delay_s=theta[0])

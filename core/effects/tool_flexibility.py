@@ -11,6 +11,7 @@ from core.effects.scene import Scene
 from core.effects.window_search import weights
 from core.payload.inertia import regressor, spatial_inertia
 from core.payload.rotations import cross
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -37,7 +38,7 @@ class ToolFlexibility(Effect):
     """
 
     id = "tool_flexibility"
-    title = "a tool that rings"
+    title = Message.of("effect-tool-flexibility-title")
     stage = "payload"
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
@@ -72,11 +73,11 @@ class ToolFlexibility(Effect):
             starts.append(np.concatenate(([f for _, f, _ in peaks], [DAMPING], *(shapes[:6] for *_, shapes in peaks))))
         return starts
 
-    def advice(self, scene: Scene, theta: Array) -> str:
+    def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises a stiffer tool or smoother motion: frequency, Hz, of the mode that moves the larger share, and damping, %."""
         M = spatial_inertia(scene.phi)
         k = int(np.argmax([shape @ M @ shape for shape in _shapes(theta)]))
-        return f"Stiffen the tool or smooth the motion: it rings at {theta[k]:.1f} Hz with {100 * theta[MODES]:.0f} % of critical damping."
+        return Message.of("advice-tool-flexibility", frequency_hz=theta[k], damping_ratio=theta[MODES])
 
 
 def _shapes(theta: Array) -> Array:

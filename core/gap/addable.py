@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,19 +12,27 @@ from core.errors import BadTwin
 from core.gap.closure import closure_of, gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.evidence import Evidence
+from core.words.message import Message
 
 SEEN_SIGMA = 2.0
 """An effect none of whose parameters is farther than this from its absent value, in its own uncertainty, is not determined."""
 
 
-def why_not_addable(evidence: Evidence, fit: EffectFit) -> str | None:
+class Objection(NamedTuple):
+    """What stands against adding effects to a twin, and what would not."""
+
+    against: Message
+    wanted: Message
+
+    def at(self, where: str) -> BadTwin:
+        """As an error; `where` is what was diagnosed."""
+        return BadTwin(where, "gap-not-addable", against=self.against, wanted=self.wanted)
+
+
+def why_not_addable(evidence: Evidence, fit: EffectFit) -> Message | None:
     """What stands against adding the effects of a fit to the twin; None where nothing does."""
-    try:
-        check_shown(evidence, fit.effects, "")
-        check_addable(evidence, fit, "")
-    except BadTwin as reason:
-        return reason.found
-    return None
+    objection = _object_to_showing(evidence, fit.effects) or _object_to_fit(evidence, fit)
+    return None if objection is None else objection.against
 
 
 def check_shown(evidence: Evidence, effects: Sequence[Effect], where: str) -> None:
@@ -32,12 +41,8 @@ def check_shown(evidence: Evidence, effects: Sequence[Effect], where: str) -> No
     Raises:
         BadTwin: not so; `where` is what was diagnosed.
     """
-    scene = evidence.windows.basis.scene.with_phi(evidence.nominal.phi)
-    for effect in effects:
-        if reason := effect.explain_absence(scene):
-            raise BadTwin(where, f"a recording that cannot show {effect.id} ({reason})", "one that can")
-        if reason := effect.explain_tie_to_run(scene):
-            raise BadTwin(where, f"a recording from which {effect.id} cannot be carried over ({reason})", "one that states it")
+    if objection := _object_to_showing(evidence, effects):
+        raise objection.at(where)
 
 
 def check_addable(evidence: Evidence, fit: EffectFit, where: str) -> None:
@@ -46,12 +51,8 @@ def check_addable(evidence: Evidence, fit: EffectFit, where: str) -> None:
     Raises:
         BadTwin: not so; `where` is what was diagnosed.
     """
-    check_closure(evidence, fit, where)
-    for effect, rows in split_parameter_rows(evidence, fit):
-        away = np.abs(fit.theta[rows] - [p.absent for p in fit.parameters[rows]]) / fit.theta_std[rows]
-        if away.max() < SEEN_SIGMA:
-            found = f"{effect.id} not determined: no parameter is more than {away.max():.1f} standard deviations from its absence"
-            raise BadTwin(where, found, f"at least {SEEN_SIGMA:g}; a longer or livelier run shows more")
+    if objection := _object_to_fit(evidence, fit):
+        raise objection.at(where)
 
 
 def check_closure(evidence: Evidence, fit: EffectFit, where: str) -> None:
@@ -60,12 +61,38 @@ def check_closure(evidence: Evidence, fit: EffectFit, where: str) -> None:
     Raises:
         BadTwin: not for certain.
     """
+    if objection := _object_to_closure(evidence, fit):
+        raise objection.at(where)
+
+
+def _object_to_showing(evidence: Evidence, effects: Sequence[Effect]) -> Objection | None:
+    scene = evidence.windows.basis.scene.with_phi(evidence.nominal.phi)
+    for effect in effects:
+        if reason := effect.explain_absence(scene):
+            return Objection(Message.of("gap-cannot-show", effect=effect.id, reason=reason), Message.of("gap-wanted-shown"))
+        if reason := effect.explain_tie_to_run(scene):
+            return Objection(Message.of("gap-tied-to-run", effect=effect.id, reason=reason), Message.of("gap-wanted-stated"))
+    return None
+
+
+def _object_to_fit(evidence: Evidence, fit: EffectFit) -> Objection | None:
+    if objection := _object_to_closure(evidence, fit):
+        return objection
+    for effect, rows in split_parameter_rows(evidence, fit):
+        away = np.abs(fit.theta[rows] - [p.absent for p in fit.parameters[rows]]) / fit.theta_std[rows]
+        if away.max() < SEEN_SIGMA:
+            against = Message.of("gap-not-determined", effect=effect.id, away_sigma=float(away.max()))
+            return Objection(against, Message.of("gap-wanted-livelier", least_sigma=SEEN_SIGMA))
+    return None
+
+
+def _object_to_closure(evidence: Evidence, fit: EffectFit) -> Objection | None:
     closure, (low, _) = closure_of(evidence.windows, evidence.nominal, fit)
     if low > 0.0:
-        return
+        return None
     before, after = gap_of(evidence.windows, evidence.nominal), gap_of(evidence.windows, fit)
-    found = f"{fit.name} closing {100 * closure:.0f} % of the gap ({before:.3f} before, {after:.3f} after, noise is 1)"
-    raise BadTwin(where, found, "an effect that makes the gap smaller for certain; `heft diagnose` names those that do")
+    against = Message.of("gap-not-closed", effect=fit.name, closure=closure, gap_before=before, gap_after=after)
+    return Objection(against, Message.of("gap-wanted-closed"))
 
 
 def split_parameter_rows(evidence: Evidence, fit: EffectFit) -> Iterator[tuple[Effect, slice]]:

@@ -2,21 +2,38 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import AliasChoices, BaseModel, BeforeValidator, ConfigDict, Field
 
 from core.effects.sides import Side
 from core.planning.stop import Stop
-from core.remark import Remark
+from core.words.message import Message
 
 Verdict = Literal["no_gap", "explained", "ambiguous", "unknown", "not_enough"]
 
 
-SIDES: dict[Side, str] = {
-    "joints": "at the joints",
-    "reading": "in the sensor's readings",
-    "reference": "against the reference payload",
+def _read_earlier(value: object) -> object:
+    """A sentence, as earlier versions stored it, as a message."""
+    match value:
+        case str(sentence) | {"sentence": str(sentence)}:
+            return Message.of("text", text=sentence)
+    return value
+
+
+def _read_earlier_if_any(value: object) -> object:
+    """The same where nothing was an empty sentence."""
+    return _read_earlier(value) if value != "" else None
+
+
+Said = Annotated[Message, BeforeValidator(_read_earlier)]
+SaidIfAny = Annotated[Message | None, BeforeValidator(_read_earlier_if_any)]
+Seen = Annotated[Said, Field(validation_alias=AliasChoices("message", "sentence"))]
+
+SIDES: dict[Side, Message] = {
+    "joints": Message.of("gap-at-joints"),
+    "reading": Message.of("gap-in-readings"),
+    "reference": Message.of("gap-against-reference"),
 }
 """Where something is seen, in words."""
 
@@ -28,8 +45,13 @@ class DiagnosisPart(BaseModel):
 
 
 class Value(DiagnosisPart):
-    """A fitted parameter."""
+    """A fitted parameter.
 
+    Args:
+        title: what it is called.
+    """
+
+    title: Message | None = None
     value: float
     std: float | None
     unit: str
@@ -44,16 +66,16 @@ class Explanation(DiagnosisPart):
     """
 
     id: str
-    title: str
+    title: Said
     stage: str
     probability: float
     parameters: dict[str, Value]
     gap_after: float
     closure: float
     closure_interval: tuple[float, float]
-    advice: str
+    advice: Said
     addable: bool = False
-    why_not: str | None = None
+    why_not: SaidIfAny = None
 
 
 class Pair(DiagnosisPart):
@@ -65,7 +87,7 @@ class Pair(DiagnosisPart):
     closure: float
     parameters: dict[str, dict[str, Value]] = {}
     addable: bool = False
-    why_not: str | None = None
+    why_not: SaidIfAny = None
 
 
 class Also(DiagnosisPart):
@@ -74,20 +96,18 @@ class Also(DiagnosisPart):
     Args:
         side: where it is seen: at the joints, in the sensor's readings, against the reference payload.
         times_expected: how many times what is stated or tolerated; null where nothing is.
-        sentence: what was seen; `remark` names it and `values` are its figures, SI, for other languages.
+        message: what was seen.
         advice: what a person should do where it is material.
     """
 
     id: str
-    title: str
+    title: Said
     side: Side
     parameters: dict[str, Value]
     times_expected: float | None
     material: bool
-    sentence: str
-    advice: str
-    remark: str
-    values: dict[str, float | str]
+    message: Seen
+    advice: Said
 
 
 class Minor(DiagnosisPart):
@@ -95,7 +115,7 @@ class Minor(DiagnosisPart):
 
     id: str
     parameters: dict[str, Value]
-    sentence: str
+    message: Seen
 
 
 class Tied(DiagnosisPart):
@@ -103,8 +123,8 @@ class Tied(DiagnosisPart):
 
     ids: tuple[str, ...]
     distance_sigma: float
-    why: str
-    splits: str
+    why: Said
+    splits: Said
 
 
 class PatchPart(DiagnosisPart):
@@ -138,7 +158,7 @@ class Where(DiagnosisPart):
     by_direction: dict[str, float]
     by_pose: dict[str, float] = {}
     joints: list[JointGap] = []
-    sentence: str
+    message: Seen
 
 
 class Change(DiagnosisPart):
@@ -177,7 +197,7 @@ class Experiment(DiagnosisPart):
     """What to measure next, and what it is going to tell.
 
     Args:
-        id, motion: what to do, in one word and in a sentence.
+        id, motion: what to do, in one word and as a message.
         stops: the same for planning; empty where it is no motion.
         splits: what it tells apart, the worst tie first.
         sigma_before, sigma_after: distance of that tie now, and as predicted for both recordings together.
@@ -186,14 +206,14 @@ class Experiment(DiagnosisPart):
     """
 
     id: str
-    motion: str
+    motion: Said
     stops: list[Stop]
     splits: list[tuple[str, str]]
     sigma_before: float
     sigma_after: float
     seconds: float
     planned: bool = False
-    refused: str = "no cell was given to plan it in"
+    refused: SaidIfAny = Message.of("gap-no-cell")
     refused_kind: str | None = None
     """The error's, see `core.errors`; null where it was not planned for want of a cell, or is no motion."""
 
@@ -202,7 +222,7 @@ class Diagnosis(DiagnosisPart):
     """The whole answer; all of it but `also` is about the wrench that the twin predicts."""
 
     verdict: Verdict
-    summary: str
+    summary: Said
     effects: list[Explanation]
     none_probability: float
     unknown_probability: float
@@ -213,10 +233,10 @@ class Diagnosis(DiagnosisPart):
     where: Where | None
     gap: GapPart | None
     payload: PayloadPart | None
-    consequence: str
+    consequence: SaidIfAny
     next_experiment: Experiment | None
-    limits: list[str]
-    lacking: Remark | None = None
+    limits: list[Said]
+    lacking: SaidIfAny = None
     """Why nothing can be said, where the recording is not enough."""
     seconds: float
     twin: list[str] = []

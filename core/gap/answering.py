@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from functools import reduce
+
+from core.effects.effect import STAGE_NAMES
+from core.effects.parameter_title import find_title
 from core.gap.addable import why_not_addable
 from core.gap.answer import (
     Change,
@@ -26,19 +30,21 @@ from core.gap.joint_side import joint_side
 from core.gap.materiality import payload_shift
 from core.gap.proposal import Proposal
 from core.gap.residual import CHANNELS, Residual
-from core.gap.symptoms import find_leading_sentences, observe_symptoms
+from core.gap.symptoms import find_leading, observe_symptoms
 from core.gap.windows import OFFSET
 from core.recording.recording import Recording
-from core.remark import Remark
+from core.words.message import Message
 
-UNKNOWN_CONSEQUENCE = "What it does to the payload cannot be told as long as its cause is not known: use these numbers with care."
+OPEN = 0.05
+"""Probability from which an explanation of an open verdict is named."""
 
 
 def answer(recording: Recording, evidence: Evidence) -> Diagnosis:
     """What the wrench says, and beside it what is plain in the recording itself; that explains no gap, and changes no verdict."""
     fitted = _answer_from_wrench(recording, evidence)
     also = observe_symptoms(recording, evidence.windows, evidence.nominal, evidence.best)
-    return fitted.model_copy(update={"also": also, "summary": " ".join([fitted.summary, *find_leading_sentences(also)])})
+    summary = reduce(lambda said, more: Message.of("gap-summary-and", said=said, more=more), find_leading(also), fitted.summary)
+    return fitted.model_copy(update={"also": also, "summary": summary})
 
 
 def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
@@ -48,7 +54,7 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
     explained = attribution.explained if material else ()
     return Diagnosis(
         verdict=verdict,
-        summary=_summary(verdict, evidence),
+        summary=_summarise(verdict, evidence),
         effects=[_explanation(evidence, fit, p) for fit, p in explained if len(fit.effects) == 1],
         none_probability=attribution.none if material else 1.0 - LAPSE,
         unknown_probability=attribution.unknown if material else LAPSE,
@@ -58,7 +64,7 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
         where=_where(recording, Residual(windows, nominal), best),
         gap=_gap(evidence),
         payload=PayloadPart(before=_payload(nominal), after=_payload(best)),
-        consequence=payload_shift(nominal, best) if verdict != "unknown" else UNKNOWN_CONSEQUENCE,
+        consequence=payload_shift(nominal, best) if verdict != "unknown" else Message.of("gap-payload-in-doubt"),
         next_experiment=evidence.proposals[0].answer if evidence.proposals else None,
         limits=list(evidence.limits),
         seconds=0.0,
@@ -75,20 +81,42 @@ def _gap(evidence: Evidence) -> GapPart:
     )
 
 
-def _summary(verdict: Verdict, evidence: Evidence) -> str:
-    titles = " and ".join(effect.title for effect in evidence.best.effects)
-    return {
-        "no_gap": "Simulation and recording agree as far as it matters.",
-        "explained": f"The gap is explained by {titles}.",
-        "ambiguous": f"The gap may be explained by {titles}, but this recording does not settle it.",
-        "unknown": "There is a gap that no effect of the library explains.",
-        "not_enough": "",
-    }[verdict]
+def _summarise(verdict: Verdict, evidence: Evidence) -> Message:
+    match verdict:
+        case "explained":
+            best = evidence.attribution.explained[0][0]
+            return Message.of("gap-explained", effects=_name(best), stages=_name_stages([best]))
+        case "ambiguous":
+            fits = _find_open(evidence)
+            effects = reduce(lambda first, second: Message.of("effect-or", first=first, second=second), map(_name, fits))
+            return Message.of("gap-ambiguous", effects=effects, stages=_name_stages(fits))
+        case "unknown":
+            return Message.of("gap-unknown")
+        case _:
+            return Message.of("gap-none")
+
+
+def _name(fit: EffectFit) -> Message:
+    """What it adds: one effect, or two."""
+    return reduce(lambda first, second: Message.of("effect-and", first=first, second=second), [effect.title for effect in fit.effects])
+
+
+def _name_stages(fits: list[EffectFit]) -> list[Message]:
+    """Each once."""
+    return [STAGE_NAMES[stage] for stage in dict.fromkeys(effect.stage for fit in fits for effect in fit.effects)]
+
+
+def _find_open(evidence: Evidence) -> list[EffectFit]:
+    """The most probable explanation, and whatever else is probable or cannot be told from it."""
+    attribution = evidence.attribution
+    best = attribution.explained[0][0]
+    tied = {fit.name for tie in attribution.ties if best.name in (tie.first.name, tie.second.name) for fit in (tie.first, tie.second)}
+    return [fit for k, (fit, p) in enumerate(attribution.explained) if k == 0 or p >= OPEN or fit.name in tied]
 
 
 def _values(fit: EffectFit) -> dict[str, Value]:
     return {
-        p.name: Value(value=float(v), std=float(s), unit=p.unit, at_bound=bool(v <= p.lower or v >= p.upper))
+        p.name: Value(title=find_title(p.name), value=float(v), std=float(s), unit=p.unit, at_bound=bool(v <= p.lower or v >= p.upper))
         for p, v, s in zip(fit.parameters, fit.theta, fit.theta_std, strict=True)
     }
 
@@ -133,19 +161,16 @@ def _minor(evidence: Evidence) -> list[Minor]:
     best = evidence.best
     if not best.effects or evidence.attribution.explained[0][1] < EXPLAINED:
         return []
-    return [Minor(id=best.name, parameters=_values(best), sentence="detected, but too small to matter")]
+    return [Minor(id=best.name, parameters=_values(best), message=Message.of("gap-minor"))]
 
 
 def _describe_tie(tie: Tie, proposals: tuple[Proposal, ...]) -> Tied:
-    splitting = [it.motion.sentence.text for it in proposals if tie in it.ties]
+    splitting = [it.motion.sentence for it in proposals if tie in it.ties]
     return Tied(
         ids=(tie.first.name, tie.second.name),
         distance_sigma=tie.distance_sigma,
-        why=(
-            "with other payload parameters and offsets both predict this recording; "
-            f"they differ by {tie.distance_sigma:.1f} standard deviations"
-        ),
-        splits=splitting[0] if splitting else "none of the motions at hand by itself",
+        why=Message.of("gap-tied", distance_sigma=tie.distance_sigma),
+        splits=splitting[0] if splitting else Message.of("gap-no-motion-splits"),
     )
 
 
@@ -161,7 +186,7 @@ def _where(recording: Recording, residual: Residual, best: EffectFit) -> Where:
         by_direction=residual.by_direction(),
         by_pose=residual.by_pose(),
         joints=joint_side(recording, best.beta[OFFSET]),
-        sentence=residual.sentence(),
+        message=residual.describe(),
     )
 
 
@@ -169,11 +194,11 @@ def _payload(fit: EffectFit) -> PhiPart:
     return PhiPart(phi=fit.phi.tolist(), std=fit.phi_std.tolist())
 
 
-def not_enough(reason: Remark, seconds: float) -> Diagnosis:
+def not_enough(reason: Message, seconds: float) -> Diagnosis:
     """The answer to a recording that cannot say anything about a gap."""
     return Diagnosis(
         verdict="not_enough",
-        summary=f"Nothing can be said about the gap: {reason.sentence}.",
+        summary=Message.of("gap-nothing-to-say", reason=reason),
         effects=[],
         none_probability=0.0,
         unknown_probability=0.0,
@@ -183,7 +208,7 @@ def not_enough(reason: Remark, seconds: float) -> Diagnosis:
         where=None,
         gap=None,
         payload=None,
-        consequence="",
+        consequence=None,
         next_experiment=None,
         limits=[],
         lacking=reason,

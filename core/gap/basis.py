@@ -16,7 +16,6 @@ from core.estimation.weak_form import RawFeatures, regressor_of
 from core.gap.windows import Basis, window_matrix
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
-from core.remark import Remark
 
 Array = NDArray[np.float64]
 
@@ -32,11 +31,7 @@ NOTHING_MOVES_RAD = 0.02
 
 
 class TooLittleError(HeftError):
-    """The recording is too short or too still to say anything about a gap; the remark says why."""
-
-    def __init__(self, about: str, sentence: str, **values: float) -> None:
-        super().__init__(sentence)
-        self.remark = Remark(about, sentence, dict(values))
+    """The recording is too short or too still to say anything about a gap."""
 
 
 def basis_of(recording: Recording) -> Basis:
@@ -47,21 +42,16 @@ def basis_of(recording: Recording) -> Basis:
     """
     poses = poses_of(recording)
     if recording.wrench is None:
-        raise TooLittleError(
-            "no_wrench", "the recording has no wrist wrench: the gap of joint torques alone is shown by the joint side only"
-        )
+        raise TooLittleError("gap-no-wrench")
     if poses is None:
-        raise TooLittleError("no_motion", "the recording has neither joints nor poses")
+        raise TooLittleError("gap-no-motion")
     if poses.period > SLOWEST_PERIOD_S or len(recording) < 200:
-        raise TooLittleError(
-            "poses_only",
-            f"{len(recording)} samples at {1.0 / poses.period:.0f} Hz are poses, not motion: only a payload can be fitted to them",
-        )
+        raise TooLittleError("gap-poses-only", samples=len(recording), rate_hz=1.0 / poses.period)
     if recording.t[-1] - recording.t[0] < SHORTEST_S:
         lasts_s = float(recording.t[-1] - recording.t[0])
-        raise TooLittleError("too_short", f"{lasts_s:.1f} s are too short to say anything", lasts_s=lasts_s)
+        raise TooLittleError("gap-too-short", lasts_s=lasts_s)
     if float(np.ptp(poses.g, axis=0).max()) < NOTHING_MOVES_RAD * 9.81:
-        raise TooLittleError("hardly_turns", "the sensor hardly turns: payload, offsets and effects cannot be told apart")
+        raise TooLittleError("gap-hardly-turns")
     return build_unchecked_basis(recording, poses, recording.wrench)
 
 

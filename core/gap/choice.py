@@ -20,6 +20,7 @@ from core.planning.settings import Planner
 from core.recording.recording import Recording
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
+from core.words.message import Message
 
 
 class Choice(NamedTuple):
@@ -43,7 +44,7 @@ def choose_experiment(
         raise ValueError("the evidence leaves nothing to settle: there are no proposals to choose from")
     robot = RobotModel.of_cell(cell)
     if recording.robot != robot.description:
-        raise BadInput(f"cell {cell.name}", "another robot than the recording's", "the cell of the recording")
+        raise BadInput(Message.of("gap-cell", cell=cell.name), "gap-other-robot")
     collision = CollisionModel(cell, robot, payload_box)
     home = np.array(cell.robot.home_rad)
     planned: list[Choice] = []

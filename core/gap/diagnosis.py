@@ -11,7 +11,7 @@ from core.effects.library import library
 from core.gap.answer import Diagnosis
 from core.gap.answering import answer, not_enough
 from core.gap.basis import TooLittleError, basis_of
-from core.gap.evidence import Evidence, gather
+from core.gap.evidence import Evidence, describe_limits, gather
 from core.gap.fit_all import FitAll, on_all_cores
 from core.gap.proposal import proposals
 from core.gap.windows import Windows
@@ -38,11 +38,12 @@ def examine(
     try:
         basis = basis_of(recording)
     except TooLittleError as reason:
-        return not_enough(reason.remark, time.perf_counter() - began), None
+        return not_enough(reason.message, time.perf_counter() - began), None
     windows = Windows(basis, twin.terms(basis.scene))
     evidence = gather(windows, library() if effects is None else effects, fit_all)
     if evidence.verdict == "ambiguous":
         evidence = replace(evidence, proposals=proposals(recording, windows, evidence.rivals))
     told = answer(recording, evidence)
-    held = {"twin": [term.effect.id for term in windows.held], "limits": [*evidence.limits, *twin.lacking(basis.scene)]}
+    lacking = describe_limits({entry.model: entry.model.explain_lack(basis.scene) for entry in twin.effects})
+    held = {"twin": [term.effect.id for term in windows.held], "limits": [*evidence.limits, *lacking]}
     return told.model_copy(update={**held, "seconds": time.perf_counter() - began}), evidence

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,6 +15,7 @@ from core.gap.materiality import is_material
 from core.gap.partners import partners
 from core.gap.proposal import Proposal
 from core.gap.windows import Windows
+from core.words.message import Message
 
 EXPLAINED = 0.5
 """Probability from which one name is given."""
@@ -44,7 +45,7 @@ class Evidence:
     singles: tuple[EffectFit, ...]
     pairs: tuple[EffectFit, ...]
     attribution: Attribution
-    limits: tuple[str, ...]
+    limits: tuple[Message, ...]
     proposals: tuple[Proposal, ...] = ()
 
     @property
@@ -84,15 +85,22 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     """Fits all effects singly, and the most promising pairs."""
     nominal = fit_nominal(windows)
     scene = windows.basis.scene.with_phi(nominal.phi)
-    missing = {effect.id: reason for effect in effects if (reason := effect.explain_absence(scene)) is not None}
-    shown = [effect for effect in effects if effect.id not in missing]
+    absences = {effect: effect.explain_absence(scene) for effect in effects}
+    shown = [effect for effect, reason in absences.items() if reason is None]
     residual = windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
     tasks: list[Task] = [((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in shown]
     singles = fit_all(windows, tasks)
     pairs = _pairs(windows, nominal, singles, shown, fit_all)
-    limits = tuple(f"{name}: {reason}" for name, reason in missing.items())
-    return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribute(windows, nominal, [*singles, *pairs]), limits)
+    attribution = attribute(windows, nominal, [*singles, *pairs])
+    return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribution, describe_limits(absences))
+
+
+def describe_limits(reasons: Mapping[Effect, Message | None]) -> tuple[Message, ...]:
+    """Which effects cannot be seen, with the reasons."""
+    return tuple(
+        Message.of("gap-not-shown", effect=effect.id, title=effect.title, reason=reason) for effect, reason in reasons.items() if reason
+    )
 
 
 def _pairs(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:

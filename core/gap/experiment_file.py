@@ -12,6 +12,7 @@ from core.errors import BadInput
 from core.files.jail import read_inside
 from core.files.schema_flaw import schema_flaw
 from core.files.whole_file import write_whole
+from core.gap.answer import Said
 from core.gap.choice import Choice
 from core.payload.shapes import Model
 from core.planning.stop import Stop
@@ -50,7 +51,7 @@ class ExperimentFile(Model):
 
     format: Literal["experiment/1"] = FORMAT
     id: Text
-    motion: Text
+    motion: Said
     stops: Annotated[tuple[Stop, ...], Field(max_length=12)]
     splits: list[tuple[Text, Text]]
     sigma_before: NotNegative
@@ -122,8 +123,9 @@ def read_continued_recording(asked: ExperimentFile, folder: Path | None = None) 
     if found != asked.recording_sha256:
         raise BadInput(
             str(where),
-            f"a recording with SHA-256 {found[:12]}...",
-            f"the one that the experiment was proposed for, {asked.recording_sha256[:12]}...; name its folder with --recording",
+            "gap-other-recording",
+            found_sha256=found[:12],
+            sha256=asked.recording_sha256[:12],
         )
     return read_recording(where)
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from core.gap.effect_fit import EffectFit
 from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
 from core.gap.windows import PHI, Windows
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -49,15 +50,17 @@ def _apart(difference: Array, phi: Array, std: Array) -> NDArray[np.bool_]:
     return np.asarray((np.abs(difference) > SHARES * sizes(phi)) & (np.abs(difference) > BEYOND_STD * std))
 
 
-def payload_shift(nominal: EffectFit, best: EffectFit) -> str:
-    """What the effect does to the payload that a controller would use, in words."""
+def payload_shift(nominal: EffectFit, best: EffectFit) -> Message:
+    """What the effect does to the payload that a controller would use."""
     if not best.effects:
-        return "The payload parameters can be used as they are."
+        return Message.of("gap-payload-as-it-is")
     shift = nominal.phi - best.phi
     share = np.abs(shift) / sizes(best.phi)
-    parts = [
-        f"the mass by {1e3 * shift[0]:+.1f} g ({100 * share[0]:.2f} %)",
-        f"the first moment by {1e3 * np.linalg.norm(shift[1:4]):.2f} g m ({100 * share[1:4].max():.2f} %)",
-        f"the inertia by up to {100 * share[4:].max():.1f} % of its largest moment",
-    ]
-    return "Left out, it changes " + ", ".join(parts) + "."
+    return Message.of(
+        "gap-payload-changed",
+        mass_kg=shift[0],
+        mass_share=share[0],
+        first_moment_kg_m=float(np.linalg.norm(shift[1:4])),
+        first_moment_share=share[1:4].max(),
+        inertia_share=share[4:].max(),
+    )

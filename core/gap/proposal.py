@@ -48,7 +48,7 @@ class Proposal:
         """As it leaves the engine."""
         return Experiment(
             id=self.motion.id,
-            motion=self.motion.sentence.text,
+            motion=self.motion.sentence,
             stops=list(self.motion.stops),
             splits=[(tie.first.name, tie.second.name) for tie in self.ties],
             sigma_before=self.before,

@@ -11,6 +11,7 @@ from scipy.fft import dct
 
 from core.gap.effect_fit import EffectFit
 from core.gap.windows import Windows
+from core.words.message import Message
 
 Array = NDArray[np.float64]
 
@@ -91,11 +92,30 @@ class Residual:
         names = np.array([f"{'xyz'[k]}{'+' if g[row, k] > 0 else '-'}" for row, k in enumerate(nearest)])
         return {str(name): float(np.mean(self._rows[:, names == name] ** 2)) for name in np.unique(names)}
 
-    def sentence(self) -> str:
-        """One sentence for a person."""
+    def describe(self) -> Message:
+        """Where it is largest."""
         top = self.patches[0]
-        low, high = top.band_hz
-        return (
-            f"The gap is largest in {top.channel} during {top.phase} between {low:g} and {high:g} Hz: "
-            f"{top.times_noise:.1f} times the noise, {100 * top.share:.0f} % of the whole gap."
+        low_hz, high_hz = top.band_hz
+        return Message.of(
+            "gap-largest",
+            channel=top.channel,
+            phase=_say_phase(top.phase),
+            low_hz=low_hz,
+            high_hz=high_hz,
+            times=top.times_noise,
+            share=top.share,
         )
+
+
+def _say_phase(phase: str) -> Message:
+    """`hold:x+`, `rotate:z` or `transfer`; another label as it is."""
+    kind, _, axis = phase.partition(":")
+    match kind:
+        case "hold":
+            return Message.of("gap-phase-hold", axis=axis)
+        case "rotate":
+            return Message.of("gap-phase-rotate", axis=axis)
+        case "transfer":
+            return Message.of("gap-phase-transfer")
+        case _:
+            return Message.of("text", text=phase)

@@ -8,13 +8,14 @@ import numpy as np
 
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.library import symptoms
+from core.effects.parameter_title import find_title
 from core.effects.sides import Side
 from core.gap.answer import Also, Value
 from core.gap.effect_fit import EffectFit
 from core.gap.materiality import is_doubtful
 from core.gap.windows import Windows
 from core.recording.recording import Recording
-from core.remark import Remark
+from core.words.message import Message
 
 SEEN_SIGMA = 5.0
 
@@ -46,16 +47,14 @@ def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit,
     return [_also(recording, *seen) for seen in sorted(own, key=lambda seen: (not seen[1].material, -seen[1].sigma))]
 
 
-def find_leading_sentences(also: list[Also]) -> list[str]:
-    """The sentences of what is material about the reference and the readings."""
-    return [it.sentence for side in LEADING for it in also if it.side == side and it.material]
+def find_leading(also: list[Also]) -> list[Message]:
+    """What is material about the reference and the readings."""
+    return [it.message for side in LEADING for it in also if it.side == side and it.material]
 
 
 def _mark_doubtful(finding: Finding) -> Finding:
     """The payload seems to be another one, but so it may because of what is wrong with the wrench."""
-    remark = finding.remark
-    sentence = f"{remark.sentence} But the gap in the wrench may be why."
-    return replace(finding, material=False, remark=Remark("payload_or_gap", sentence, remark.values))
+    return replace(finding, material=False, message=Message.of("symptom-payload-or-gap", seen=finding.message))
 
 
 def _also(recording: Recording, symptom: Symptom, finding: Finding) -> Also:
@@ -66,17 +65,15 @@ def _also(recording: Recording, symptom: Symptom, finding: Finding) -> Also:
         parameters=_values(symptom.parameters(recording), finding),
         times_expected=finding.times_expected,
         material=finding.material,
-        sentence=finding.remark.sentence,
+        message=finding.message,
         advice=symptom.advice(finding),
-        remark=finding.remark.id,
-        values=finding.remark.values,
     )
 
 
 def _values(parameters: tuple[Parameter, ...], finding: Finding) -> dict[str, Value]:
     """Those that were determined."""
     return {
-        p.name: Value(value=float(value), std=float(std) if np.isfinite(std) else None, unit=p.unit)
+        p.name: Value(title=find_title(p.name), value=float(value), std=float(std) if np.isfinite(std) else None, unit=p.unit)
         for p, value, std in zip(parameters, finding.theta, finding.std, strict=True)
         if np.isfinite(value)
     }

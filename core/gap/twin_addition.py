@@ -14,7 +14,7 @@ from core.cell.cell import Cell
 from core.effects.effect import Effect
 from core.effects.library import library, symptoms
 from core.errors import BadTwin
-from core.gap.addable import check_addable, check_closure, check_shown, split_parameter_rows
+from core.gap.addable import Objection, check_addable, check_closure, check_shown, split_parameter_rows
 from core.gap.answer import Diagnosis
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
@@ -25,8 +25,13 @@ from core.recording.folder import read_recording, recording_sha256
 from core.recording.recording import Recording
 from core.twin.file import close_name
 from core.twin.twin import Entry, Fitted, Twin
+from core.words.message import Message
 
 Array = NDArray[np.float64]
+
+ASKED = Message.of("gap-effect-asked")
+MOST_LETTERS = 80
+"""Of a name that is not known."""
 
 
 def with_effect(twin: Twin, cell: Cell, folder: Path, identifier: str, *, fit_all: FitAll = on_all_cores) -> Twin:
@@ -38,16 +43,17 @@ def with_effect(twin: Twin, cell: Cell, folder: Path, identifier: str, *, fit_al
         identifier: of the effect, or of two joined by a plus sign, which are fitted together.
 
     Raises:
-        BadTwin: no such effect, or the recording does not show it; the sentence says why.
+        BadTwin: no such effect, or the recording does not show it; its message says why.
         BadRecording: the recording cannot be read, or is of another cell.
     """
     chosen = find_effects(identifier)
     recording = read_recording(folder)
-    _check_cell(recording, cell, folder)
+    where, objection = _object_to_cell(recording, cell, folder)
+    if objection is not None:
+        raise objection.at(where)
     diagnosis, evidence = examine(recording, None if len(chosen) == 1 else chosen, twin, fit_all=fit_all)
     if evidence is None:
-        why = "" if diagnosis.lacking is None else f" ({diagnosis.lacking.sentence})"
-        raise BadTwin(f"{folder}", f"a recording that says nothing about a gap{why}", "one of a whole run")
+        raise BadTwin(f"{folder}", "gap-says-nothing", reason=diagnosis.lacking or diagnosis.summary)
     fit = _fit_of(evidence, chosen, str(folder))
     check_addable(evidence, fit, str(folder))
     source = {"recording": folder.resolve().name, "sha256": recording_sha256(folder), "added": datetime.now(UTC)}
@@ -58,10 +64,9 @@ def with_effect(twin: Twin, cell: Cell, folder: Path, identifier: str, *, fit_al
 
 def addable_to(diagnosis: Diagnosis, cell: Cell, recording: Recording, folder: Path) -> Diagnosis:
     """The diagnosis as far as that cell's twin is concerned, which takes nothing from a recording of another cell."""
-    try:
-        _check_cell(recording, cell, folder)
-    except BadTwin as reason:
-        against = {"addable": False, "why_not": reason.found}
+    _, objection = _object_to_cell(recording, cell, folder)
+    if objection is not None:
+        against = {"addable": False, "why_not": objection.against}
         changed = {part: [each.model_copy(update=against) for each in getattr(diagnosis, part)] for part in ("effects", "pairs")}
         return diagnosis.model_copy(update=changed)
     return diagnosis
@@ -78,20 +83,24 @@ def find_effects(identifier: str) -> tuple[Effect, ...]:
     names = tuple(dict.fromkeys(identifier.split("+")))
     for name in names:
         if name in read_off:
-            raise BadTwin("effect", f"{name!r}, {read_off[name].title}, which does not act on the wrench", "an effect that does")
+            raise BadTwin(ASKED, "gap-not-on-wrench", name=name, title=read_off[name].title)
         if name not in known:
-            raise BadTwin("effect", repr(name), str(close_name(name, sorted(known))))
+            raise BadTwin(ASKED, "gap-no-such-effect", name=name[:MOST_LETTERS], wanted=close_name(name, sorted(known)))
     if len(names) > 2:
-        raise BadTwin("effect", f"{len(names)} effects at once", "one, or two joined by a plus sign; add the others afterwards")
+        raise BadTwin(ASKED, "gap-too-many-effects", count=len(names))
     return tuple(known[name] for name in names)
 
 
-def _check_cell(recording: Recording, cell: Cell, folder: Path) -> None:
-    if recording.cell not in (None, cell.name):
-        raise BadTwin(f"{folder}: cell", f"a recording of the cell {recording.cell!r}", f"{cell.name!r}, whose twin it is to change")
-    joints = 0 if recording.q is None else recording.q.shape[1]
-    if joints not in (0, len(cell.robot.home_rad)):
-        raise BadTwin(f"{folder}", f"a recording of {joints} joints", f"{len(cell.robot.home_rad)}, as in the cell {cell.name!r}")
+def _object_to_cell(recording: Recording, cell: Cell, folder: Path) -> tuple[str, Objection | None]:
+    """What stands against a recording as one of this cell, and where."""
+    if recording.cell is not None and recording.cell != cell.name:
+        against = Message.of("gap-other-cell", found=recording.cell)
+        return f"{folder}: cell", Objection(against, Message.of("gap-wanted-cell", cell=cell.name))
+    joints, expected = 0 if recording.q is None else recording.q.shape[1], len(cell.robot.home_rad)
+    if joints not in (0, expected):
+        against = Message.of("gap-other-joints", joints=joints)
+        return f"{folder}", Objection(against, Message.of("gap-wanted-joints", joints=expected, cell=cell.name))
+    return f"{folder}", None
 
 
 def _fit_of(evidence: Evidence, chosen: tuple[Effect, ...], where: str) -> EffectFit:
@@ -103,7 +112,7 @@ def _fit_of(evidence: Evidence, chosen: tuple[Effect, ...], where: str) -> Effec
             return fit
     best = min(evidence.singles, key=lambda fit: float(fit.held_out.sum()))
     check_closure(evidence, best, where)
-    raise BadTwin(where, f"no more explained by both than by {best.name} alone", f"{best.name!r}, if that is what was meant")
+    raise BadTwin(where, "gap-one-is-enough", best=best.name)
 
 
 def _entries(evidence: Evidence, fit: EffectFit, source: dict[str, Any]) -> Iterator[Entry]:

@@ -20,11 +20,12 @@ from core.cell.urdf import check_urdf
 from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 from core.errors import BadInput, BadRecording
 from core.files.jail import find_inside, read_inside
+from core.recording.cut_text import cut_text
 from core.recording.manifest import FILE as MANIFEST
 from core.recording.manifest import RobotPart, manifest_of, read_manifest
 from core.recording.recording import Recording, RobotDescription
 from core.recording.samples import FILES as SAMPLES
-from core.recording.samples import MAX_BYTES, Samples, cut_text, name_column, write_samples
+from core.recording.samples import MAX_BYTES, Samples, name_column, write_samples
 from core.words.message import Message
 
 Array = NDArray[np.float64]

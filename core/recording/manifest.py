@@ -16,8 +16,8 @@ from core.files.jail import read_inside
 from core.files.schema_flaw import schema_flaw
 from core.payload.inertia import InertialParameters, pseudo_inertia
 from core.payload.known_tool import KnownTool
+from core.recording.cut_text import cut_text
 from core.recording.recording import FrictionDescription, Recording, SensorDescription
-from core.recording.samples import cut_text
 
 FORMAT: Literal["recording/1"] = "recording/1"
 FILE = "recording.json"

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from core.errors import BadRecording
 from core.files.jail import find_inside
+from core.recording.cut_text import cut_text
 from core.words.message import Message
 
 Array = NDArray[np.float64]
@@ -166,11 +167,6 @@ def name_column(file: str | Message, column: str, row: int | None = None) -> Mes
     if row is None:
         return Message.of("recording-column", file=file, column=column)
     return Message.of("recording-column-row", file=file, column=column, row=row)
-
-
-def cut_text(value: object, most: int = 80) -> str:
-    """The beginning of what a file says, with spaces for what cannot be printed."""
-    return "".join(letter if letter.isprintable() else " " for letter in str(value)[:most])
 
 
 def write_samples(file: Path, columns: Mapping[str, Array | NDArray[np.str_]]) -> None:

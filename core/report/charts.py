@@ -74,7 +74,8 @@ def rotation_chart(t: Array, motion: Motion, measured: Array, reconstructed: Arr
         figure = Figure(figsize=(10.4, 5.6))
         axes = figure.subplots(3, len(rotating), sharex="col", squeeze=False)
         for column, part in enumerate(rotating):
-            k = "xyz".index(part.axis or "x")
+            axis = part.axis or "x"
+            k = "xyz".index(axis)
             time = t[part.rows] - t[part.rows][0]
             others = [i for i in range(3) if i != k]
             for row, turning, name in ((0, motion.omega, "ω, rad/s"), (1, motion.alpha, "α, rad/s²")):
@@ -82,10 +83,10 @@ def rotation_chart(t: Array, motion: Motion, measured: Array, reconstructed: Arr
                     _line(axes[row, column], time, turning[part.rows, i], MUTED, width=0.8, alpha=0.6)
                 _line(axes[row, column], time, turning[part.rows, k], INK)
                 axes[row, column].set_ylabel(name if column == 0 else "")
-            axes[0, column].set_title(words.say("report-about-axis", axis=part.axis or ""))
+            axes[0, column].set_title(words.say("report-about-axis", axis=axis))
             _line(axes[2, column], time, measured[part.rows, 3 + k], MUTED, width=2.4, alpha=0.55)
             _line(axes[2, column], time, reconstructed[part.rows, 3 + k], INK)
-            axes[2, column].set_ylabel(f"t{part.axis}, N m")
+            axes[2, column].set_ylabel(f"t{axis}, N m")
             axes[2, column].set_xlabel(words.say("report-rotation-time"))
         return _svg(figure, "rotation", words.say("report-rotations"), words)
 

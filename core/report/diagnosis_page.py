@@ -192,7 +192,7 @@ def _where(where: Where, words: Wording) -> dict[str, Any]:
     loud = {_name_direction(name, words): float(np.sqrt(max(0.0, square))) for name, square in squares.items()}
     loudest = max(loud.values(), default=0.0) or 1.0
     return {
-        "sentence": sentence(where.sentence, words),
+        "sentence": sentence(where.message, words),
         "phases": phases,
         "blocks": blocks,
         "listed": len(where.cells),
@@ -239,7 +239,7 @@ def _limit(limit: object, titles: dict[str, str], words: Wording) -> str:
 def _minor(minor: Minor, titles: dict[str, str], words: Wording) -> dict[str, Any]:
     return {
         "title": sentence(title_of(minor.id, titles, words), words).rstrip("."),
-        "sentence": sentence(minor.sentence, words),
+        "sentence": sentence(minor.message, words),
         "parameters": parameter_texts(minor.parameters, words),
     }
 
@@ -250,7 +250,7 @@ def _also(also: Also, words: Wording) -> dict[str, Any]:
         "title": sentence(also.title, words).rstrip("."),
         "where": side if times is None else words.say("report-gap-times-expected", side=side, times=times),
         "material": also.material,
-        "sentence": sentence(also.sentence, words),
+        "sentence": sentence(also.message, words),
         "parameters": parameter_texts(also.parameters, words),
     }
 

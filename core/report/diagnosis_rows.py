@@ -227,7 +227,7 @@ def payload_rows(payload: PayloadPart, words: Wording = ENGLISH) -> list[Payload
     rows = []
     for k, (a, a_std, b, b_std) in enumerate(zip(before, payload.before.std, after, payload.after.std, strict=True)):
         factor, unit = (1.0, "kg") if k == 0 else (1e3, "g m") if k < 4 else (1e3, "g m²")
-        shift = float(a - b)
+        shift = float(b - a)
         share = abs(shift) / size[k] if size[k] > 0 else 0.0
         rows.append(
             PayloadRow(
@@ -237,8 +237,8 @@ def payload_rows(payload: PayloadPart, words: Wording = ENGLISH) -> list[Payload
                 before_std=words.mark(round_to_uncertainty(factor * a_std, factor * a_std)),
                 after=words.mark(round_to_uncertainty(factor * float(b), factor * b_std)),
                 after_std=words.mark(round_to_uncertainty(factor * b_std, factor * b_std)),
-                change=words.mark(f"{-100 * shift / size[k]:+.2f} %") if size[k] > 0 else "",
-                sigmas=words.mark(f"{-shift / b_std:+.1f}") if b_std > 0 else "",
+                change=words.mark(f"{100 * shift / size[k]:+.2f} %") if size[k] > 0 else "",
+                sigmas=words.mark(f"{shift / b_std:+.1f}") if b_std > 0 else "",
                 material=bool(share > SHARES[k] and abs(shift) > BEYOND_STD * b_std),
             )
         )

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from core.report.motions import name_motion
+from core.second_opinion.arm import PAYLOAD
 from core.second_opinion.opinion import Opinion
-from core.second_opinion.pairs import AccountedPair, PairKind
+from core.second_opinion.pairs import FLOOR, AccountedPair, PairKind
 from core.words.wording import ENGLISH, Wording
 
 KINDS = {
@@ -19,6 +20,7 @@ KINDS = {
     PairKind.NEAR: "report-pair-near",
     PairKind.JOINED: "report-pair-joined",
 }
+BODIES = {PAYLOAD: "report-body-payload", FLOOR: "report-body-floor"}
 
 
 @dataclass(frozen=True)
@@ -51,7 +53,7 @@ def opinion_table(opinion: Opinion, words: Wording = ENGLISH) -> OpinionTable:
         OpinionRow(
             words.say(KINDS[each.kind]),
             words.mark(f"{each.distance_m:.3f} m"),
-            f"{words.quote(each.first)} - {words.quote(each.second)}",
+            f"{_name_body(each.first, words)} - {_name_body(each.second, words)}",
             words.mark(f"{each.required_m:.3f} m"),
             _say_when(each.part, each.time_s, words),
         )
@@ -62,7 +64,7 @@ def opinion_table(opinion: Opinion, words: Wording = ENGLISH) -> OpinionTable:
         OpinionRow(
             words.say("report-opinion-fastest"),
             words.mark(f"{fast.speed_m_s:.3f} m/s"),
-            words.say("report-opinion-corner", body=words.quote(fast.body)),
+            words.say("report-opinion-corner", body=_name_body(fast.body, words)),
             words.mark(f"{fast.limit_m_s:.3f} m/s"),
             _say_when(fast.part, fast.time_s, words),
         )
@@ -81,6 +83,11 @@ def opinion_table(opinion: Opinion, words: Wording = ENGLISH) -> OpinionTable:
     return OpinionTable(opinion.samples, rows, _say_left_out(opinion.left_out, words))
 
 
+def _name_body(name: str, words: Wording) -> str:
+    """A body's name; what Heft itself calls one is said in words."""
+    return words.say(BODIES[name]) if name in BODIES else words.quote(name)
+
+
 def _say_when(part: object, time_s: float, words: Wording) -> str:
     return words.say("report-opinion-when", part=name_motion(part, words), time_s=time_s)
 
@@ -89,5 +96,5 @@ def _say_left_out(pairs: Sequence[AccountedPair], words: Wording) -> list[str]:
     """A line for each reason, with all pairs that have it."""
     by_reason: dict[str, list[str]] = {}
     for pair in pairs:
-        by_reason.setdefault(words.quote(pair.why), []).append(f"{words.quote(pair.first)} - {words.quote(pair.second)}")
+        by_reason.setdefault(words.quote(pair.why), []).append(f"{_name_body(pair.first, words)} - {_name_body(pair.second, words)}")
     return [f"{', '.join(names)}: {why}" for why, names in by_reason.items()]

@@ -32,6 +32,7 @@ CODES = {
     "damping_ratio": "report-of-damping-ratio",
     "delay": "report-of-delay",
     "difference": "report-of-difference",
+    "drift": "report-of-drift",
     "duration": "report-of-duration",
     "first_minute": "report-of-first-minute",
     "first_moment": "report-of-first-moment",

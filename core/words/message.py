@@ -102,6 +102,13 @@ def _say_value(value: Any, language: Language) -> bool | float | str:
             return value.say(language)
         case [*values]:
             return ", ".join(str(_say_value(each, language)) for each in values)
-        case bool() | int() | float() | str():
+        case bool() | int() | float():
             return value
-    return str(value)
+    return _printable(str(value))
+
+
+def _printable(text: str) -> str:
+    """A text with control characters written out: a name in a foreign file must not command a terminal."""
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)

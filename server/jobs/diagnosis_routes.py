@@ -61,7 +61,7 @@ class DiagnosisAnswer(JobAnswer):
     verdict: Verdict | None
     named: str | None
     also: list[str]
-    summary: str | None
+    summary: Message | None
     result: Diagnosis | None
 
 

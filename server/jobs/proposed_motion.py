@@ -83,10 +83,11 @@ def _stops(diagnosed: JobRow) -> tuple[Stop, ...]:
         raise Conflict("jobs-no-motion-proposed", job=job)
     if not proposed.stops:
         raise Conflict("jobs-no-motion-asked", job=job, motion=proposed.motion)
-    if not proposed.planned and proposed.refused is None:
+    refusal = proposed.refused
+    if not proposed.planned and refusal is None:
         raise Conflict("jobs-motion-not-planned", job=job)
-    if not proposed.planned:
-        raise Conflict("jobs-motion-refused", job=job, refusal=proposed.refused)
+    if refusal is not None and not proposed.planned:
+        raise Conflict("jobs-motion-refused", job=job, refusal=refusal)
     return tuple(proposed.stops)
 
 

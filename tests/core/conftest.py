@@ -6,6 +6,7 @@ that far apart along the direction of its own nearest points; elsewhere the cert
 
 from __future__ import annotations
 
+import os
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
@@ -25,6 +26,8 @@ from tests.convex_distance import distance as certified_distance
 
 settings.register_profile("no_deadline", deadline=None)  # the first example compiles
 settings.load_profile("no_deadline")
+
+os.environ["HEFT_LANGUAGE"] = "en"  # whatever the machine speaks, here and in the commands that tests start
 
 ROOT = Path(__file__).parents[2]
 CELLS = ("lwr4_bench", "ur5e_line")

@@ -7,6 +7,7 @@ import time
 from multiprocessing.connection import Connection
 
 from server.runner.messages import Advanced, Answered, Failed
+from tests.server.sentence import sentence
 
 
 def main(what: str, connection: Connection) -> None:
@@ -17,4 +18,4 @@ def main(what: str, connection: Connection) -> None:
         os._exit(3)
     if what == "wait":
         time.sleep(600)
-    connection.send(Failed("BadRecording", "a sentence") if what == "fail" else Answered('"done"'))
+    connection.send(Failed("BadRecording", sentence("a sentence")) if what == "fail" else Answered('"done"'))

@@ -6,6 +6,7 @@ import asyncio
 from collections.abc import AsyncIterator
 
 from server.runner.messages import End, Failed, FromChild, Hold, Order, Release, Resume, ToChild
+from tests.server.sentence import sentence
 
 
 class ScriptedProcess:
@@ -34,7 +35,7 @@ class ScriptedProcess:
             yield message
 
     def kill(self) -> None:
-        self.say(Failed("ControlProcessLost", "killed"), None)
+        self.say(Failed("ControlProcessLost", sentence("killed")), None)
 
 
 class ObedientProcess(ScriptedProcess):

@@ -251,6 +251,19 @@ def test_a_sound_cell_has_no_flaws_until_a_zone_is_moved_onto_the_robot(folder: 
     assert contradictions_of(found.cell.with_pose_of("operator", Pose(xyz_m=(1.5, 0.0, 0.6)))) == []
 
 
+def test_a_flaw_is_a_code_with_what_it_names_in_si(folder: Path) -> None:
+    BROKEN["gravity that points up"][0](folder)
+    [flaw] = read_cell_folder(folder).flaws
+    assert flaw.message.code == "cell-gravity-tilted"
+    assert flaw.message.parameters == {
+        "where": f"{folder / 'cell.toml'}: gravity_m_s2",
+        "gravity_m_s2": [0.0, 0.0, 9.81],
+        "angle_rad": pytest.approx(np.pi),
+        "most_rad": pytest.approx(np.pi / 6),
+    }
+    assert "gefunden: (0.0, 0.0, 9.81) m/s², 180 Grad von senkrecht nach unten, erwartet: höchstens 30 Grad" in flaw.message.say("de")
+
+
 def test_a_folder_without_a_cell_is_named(tmp_path: Path) -> None:
     with pytest.raises(BadCell, match="no such file"):
         load_cell(tmp_path)

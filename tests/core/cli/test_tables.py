@@ -6,20 +6,23 @@ from core.cli.tables import diagnosis_lines, torque_lines
 from core.gap.answer import Also
 from core.gap.answering import not_enough
 from core.planning.summary import LargestTorque, PlanTorques
-from core.remark import Remark
 from core.words.message import Message
+
+
+def say(text: str) -> Message:
+    return Message.of("text", text=text)
 
 
 def seen(name: str, *, material: bool) -> Also:
     return Also(
-        id=name, title=name, side="reading", parameters={}, times_expected=2.0, material=material,
-        sentence=f"There is {name}.", advice="Check the cable.", remark="noisier", values={},
+        id=name, title=say(name), side="reading", parameters={}, times_expected=2.0, material=material,
+        message=say(f"There is {name}."), advice=say("Check the cable."),
     )  # fmt: skip
 
 
 def test_what_stands_beside_the_verdict_is_told_with_what_to_do_where_it_matters() -> None:
     also = [seen("sensor_noise", material=True), seen("sensor_interference", material=False)]
-    lines = diagnosis_lines(not_enough(Remark("too_short", "too short"), 0.1).model_copy(update={"also": also}))
+    lines = diagnosis_lines(not_enough(Message.of("gap-too-short", lasts_s=1.0), 0.1).model_copy(update={"also": also}))
     assert "Also, in the sensor's readings: sensor_noise: There is sensor_noise. To do: Check the cable." in lines
     assert "Also, in the sensor's readings: sensor_interference: There is sensor_interference. It does not matter." in lines
 

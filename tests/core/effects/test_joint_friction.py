@@ -73,7 +73,7 @@ def test_coulomb_and_viscous_friction_are_found_in_the_torques_of_every_joint() 
     assert (np.abs(coulomb - COULOMB) < 4 * std[0] + 0.05 * COULOMB).all()
     assert (np.abs(viscous - VISCOUS) < 4 * std[1] + 0.05 * VISCOUS).all()
     assert (std[0] < 0.2 * COULOMB).all()
-    assert "N m (Coulomb)" in finding.remark.sentence
+    assert "N m (Coulomb)" in finding.message.text
 
 
 @pytest.mark.parametrize(("stated", "matters"), [(0.0, True), (0.55, True), (0.75, False), (1.0, False), (1.8, False), (2.5, True)])
@@ -81,7 +81,7 @@ def test_friction_matters_where_it_differs_by_more_than_half_from_what_is_stated
     finding = observe(recording(friction(), friction=FrictionDescription(stated * COULOMB, stated * VISCOUS)))
     assert finding is not None
     assert finding.material is matters
-    assert finding.remark.id == ("friction_differs" if matters else "friction_as_stated")
+    assert finding.message.code == ("symptom-friction-differs" if matters else "symptom-friction-as-stated")
     if stated:
         assert finding.times_expected == pytest.approx(1.0 / stated, rel=0.1)
     else:
@@ -93,8 +93,8 @@ def test_one_joint_that_rubs_twice_as_much_is_named() -> None:
     finding = observe(recording(friction(), friction=FrictionDescription(less * COULOMB, less * VISCOUS)))
     assert finding is not None
     assert finding.material
-    assert finding.remark.values["joint"] == "4"
-    assert finding.remark.values["stated_coulomb_nm"] == 0.5 * COULOMB[3]
+    assert finding.message.parameters["joint"] == 4
+    assert finding.message.parameters["stated"].parameters["coulomb_nm"] == 0.5 * COULOMB[3]
 
 
 def test_friction_that_is_stated_and_is_not_there_differs() -> None:
@@ -111,8 +111,8 @@ def test_friction_that_nobody_states_matters_only_by_a_large_tracking_error() ->
     assert large is not None
     assert not small.material
     assert large.material
-    assert "the cell states no friction" in small.remark.sentence
-    assert "0.60 deg" in large.remark.sentence
+    assert "the cell states no friction" in small.message.text
+    assert "0.60 deg" in large.message.text
     assert (small.times_expected, large.times_expected) == (None, pytest.approx(1.2))
 
 
@@ -122,7 +122,7 @@ def test_a_large_tracking_error_matters_though_the_friction_is_as_stated() -> No
     finding = observe(recording(friction(), q_cmd=q + np.radians(0.8), friction=stated))
     assert finding is not None
     assert finding.material
-    assert finding.remark.id == "friction_as_stated"
+    assert finding.message.parameters["seen"].code == "symptom-friction-as-stated"
 
 
 def test_an_arm_heavier_than_its_urdf_is_no_friction() -> None:
@@ -151,7 +151,7 @@ def test_without_torques_the_tracking_error_shows_the_coulomb_part() -> None:
     assert not finding.material
     assert finding.theta.shape == (7,) == (len(JointFriction().parameters(run)),)
     np.testing.assert_allclose(finding.theta, COULOMB / stiffness, rtol=0.15)
-    assert "mrad" in finding.remark.sentence
+    assert "mrad" in finding.message.text
 
 
 @pytest.mark.parametrize(

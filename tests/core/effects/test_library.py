@@ -117,8 +117,8 @@ def test_parameters_carry_their_units_in_their_names(effect: Effect, run: Scene)
 @pytest.mark.parametrize("symptom", symptoms(), ids=lambda symptom: symptom.id)
 def test_symptoms_are_named_like_effects(symptom: Symptom) -> None:
     assert re.fullmatch(r"[a-z_]+", symptom.id)
-    assert symptom.title[0].islower()
-    assert not symptom.title.endswith(".")
+    assert symptom.title.text[0].islower()
+    assert not symptom.title.text.endswith(".")
 
 
 def check_names(parameters: tuple[Parameter, ...]) -> None:
@@ -176,15 +176,15 @@ def test_a_recording_of_poses_is_either_enough_or_refused_in_words(effect: Effec
         theta = drawn(effect.parameters(bare), np.random.default_rng(13))
         assert np.isfinite(effect.wrench(bare, bare.nominal, theta)).all()
     else:
-        assert len(missing) > 10
+        assert len(missing.text) > 10
     assert effect.explain_absence(run) is None
 
 
 @every_effect
 def test_advice_is_one_sentence_for_a_person(effect: Effect, run: Scene) -> None:
-    assert effect.title[0].islower()
+    assert effect.title.text[0].islower()
     for seed in (17, 18):
-        advice = effect.advice(run, drawn(effect.parameters(run), np.random.default_rng(seed)))
+        advice = effect.advice(run, drawn(effect.parameters(run), np.random.default_rng(seed))).text
         assert advice[0].isupper()
         assert advice.endswith(".")
         assert "\n" not in advice

@@ -65,9 +65,9 @@ def test_what_was_not_determined_does_not_count() -> None:
     assert finding is not None
     assert finding.material
     assert np.isnan(finding.theta[4:]).all()
-    assert "2.0 % heavier" in finding.remark.sentence
-    assert "inertia" not in finding.remark.sentence
-    assert "+48 g" in PayloadMismatch().advice(finding)
+    assert "2.0 % heavier" in finding.message.text
+    assert "inertia" not in finding.message.text
+    assert "48 g heavier" in PayloadMismatch().advice(finding).text
 
 
 def test_a_centred_payload_is_compared_on_a_lever_of_a_millimetre() -> None:

@@ -105,7 +105,7 @@ def test_the_factor_of_a_noisy_sensor_is_measured(factor: float) -> None:
     np.testing.assert_allclose(finding.theta[:6], factor, rtol=0.06)
     assert finding.times_expected == pytest.approx(factor, rel=0.08)
     assert abs(finding.theta[6]) < 0.1
-    assert f"{finding.theta[:6].max():.1f} times" in SensorNoise().advice(finding)
+    assert f"{finding.theta[:6].max():.1f} times" in SensorNoise().advice(finding).text
 
 
 def test_the_correlation_of_coloured_noise_is_measured() -> None:
@@ -143,7 +143,7 @@ def test_a_line_is_found_with_its_frequency_and_amplitude(frequency: float, ampl
     assert finding.material
     assert finding.theta[0] == pytest.approx(frequency, abs=max(0.03, 5 * finding.std[0]))
     np.testing.assert_allclose(finding.theta[1:] / SIX, np.array([1, 0.5, 0, 0, 1, 0]) * amplitude, atol=0.02)
-    assert ("mains" in finding.remark.sentence) == (frequency != 17.3)
+    assert ("mains" in finding.message.text) == (frequency != 17.3)
     assert seen(SensorNoise(), record) is None  # what the line adds is no noise
 
 
@@ -151,8 +151,8 @@ def test_a_line_above_half_the_sample_rate_is_named_by_its_source() -> None:
     record = recording(added=0.5 * np.sin(2 * np.pi * 300.0 * times() + 0.3)[:, None] * SIX)
     finding = seen(SensorInterference(), record)
     assert finding.theta[0] == pytest.approx(200.0, abs=0.1)
-    assert "300 Hz" in finding.remark.sentence
-    assert "alias" in finding.remark.sentence
+    assert "300 Hz" in finding.message.text
+    assert "alias" in finding.message.text
 
 
 @pytest.mark.parametrize("amplitude", [0.5, 2.5, 4.0])

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from core.estimation.result import EstimatePart, PaperPart, Result, SecondsPart
+from core.words.message import Message
 from tests.core.export.cloud import Cloud, covariance
+
+FOUND = Message.of("text", text="found")
 
 
 def answer(body: Cloud, cell: str | None) -> Result:
@@ -16,6 +19,6 @@ def answer(body: Cloud, cell: str | None) -> Result:
         base_tilt_rad=None, base_tilt_std_rad=None, delay_s=None, delay_std_s=None,
     )  # fmt: skip
     return Result(
-        cell=cell, payload=None, verdict="found", warnings=[], reference=None, paper=PaperPart(phi=[], std=[]), estimate=estimate,
+        cell=cell, payload=None, verdict=FOUND, warnings=[], reference=None, paper=PaperPart(phi=[], std=[]), estimate=estimate,
         residual=None, safety=None, seconds=SecondsPart(estimate=1.0), recording=None,
     )  # fmt: skip

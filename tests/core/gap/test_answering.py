@@ -76,7 +76,7 @@ def test_a_run_of_the_default_robot_has_no_gap_and_its_friction_is_no_news(name:
     friction = beside(diagnosis)["joint_friction"]
     assert friction.times_expected == pytest.approx(1.0, abs=0.1)
     assert friction.remark == "friction_as_stated"
-    assert diagnosis.summary == "Simulation and recording agree as far as it matters."
+    assert str(diagnosis.summary) == "Simulation and recording agree as far as it matters."
 
 
 def test_twice_the_stated_friction_is_told_beside_a_verdict_about_the_wrench() -> None:
@@ -88,14 +88,14 @@ def test_twice_the_stated_friction_is_told_beside_a_verdict_about_the_wrench() -
     assert friction.side == "joints"
     assert friction.times_expected == pytest.approx(2.0, rel=0.1)
     assert friction.parameters["joint_1_coulomb_nm"].value == pytest.approx(7.04, rel=0.1)
-    assert "rubs" not in diagnosis.summary
+    assert "rubs" not in diagnosis.summary.text
 
 
 def test_friction_that_nobody_states_is_told_with_its_size_and_does_not_matter() -> None:
     friction = beside(diagnose(replace(recorded(), friction=None), FEW))["joint_friction"]
     assert not friction.material
     assert friction.times_expected is None
-    assert "the cell states no friction" in friction.sentence
+    assert "the cell states no friction" in friction.message.text
 
 
 @pytest.mark.parametrize(("spoilt", "times"), [("sensor_noise", 2.0), ("sample_dropout", 3.0), ("payload_mismatch", 4.0)])
@@ -105,7 +105,7 @@ def test_what_is_wrong_with_readings_or_reference_stands_beside_no_gap_and_leads
     assert (diagnosis.verdict, diagnosis.effects, diagnosis.pairs) == ("no_gap", [], [])
     assert {name for name, each in seen.items() if each.material} == {spoilt}
     assert seen[spoilt].times_expected == pytest.approx(times, rel=0.1)
-    assert diagnosis.summary == f"Simulation and recording agree as far as it matters. {seen[spoilt].sentence}"
+    assert diagnosis.summary.text == f"Simulation and recording agree as far as it matters. {seen[spoilt].message.text}"
 
 
 @pytest.mark.parametrize("spoilt", list(SPOILT))
@@ -126,7 +126,7 @@ def test_it_does_not_take_the_place_of_unknown(spoilt: str) -> None:
     diagnosis = diagnose(run, FEW)
     assert diagnosis.verdict == "unknown"
     assert beside(diagnosis)[spoilt].material or spoilt == "payload_mismatch"  # a gap of unknown cause may be why
-    assert diagnosis.summary.startswith("There is a gap that no effect of the library explains.")
+    assert diagnosis.summary.text.startswith("There is a gap that no effect of the library explains.")
 
 
 @pytest.mark.parametrize("off", [1.0, 1.01])

@@ -76,7 +76,7 @@ def test_shares_of_the_gap_sum_to_one_and_its_place_is_said():
     windows, nominal, _ = fitted(recorded(delay=0.02))
     residual = Residual(windows, nominal)
     assert sum(patch.share for patch in residual.patches) == pytest.approx(1.0)
-    assert residual.patches[0].channel in residual.sentence()
+    assert residual.patches[0].channel in residual.describe().text
     assert sum(residual.by_time()) == pytest.approx(1.0)
 
 
@@ -87,7 +87,7 @@ def test_the_whole_diagnosis_of_a_delay_names_it_and_leaves_the_recording_alone(
     assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "time_delay")
     assert diagnosis.effects[0].closure > 0.95
     assert diagnosis.gap.after < 1.05 < diagnosis.gap.before
-    assert "20" in diagnosis.effects[0].advice
+    assert "20" in diagnosis.effects[0].advice.text
     np.testing.assert_array_equal(recording.wrench, before)
 
 

@@ -119,7 +119,7 @@ def test_an_unknown_payload_is_as_heavy_as_the_robot_may_carry_and_otherwise_as_
     limited = cell.model_copy(update={"robot": cell.robot.model_copy(update={"payload_limit_kg": 5.0})})
     found = guess_load(limited, cell.payload_box, 1.5)
     assert found.parameters.mass == 5.0
-    assert "payload limit" in found.source
+    assert found.source.code == "planning-load-payload-limit"
 
 
 def test_a_tool_too_heavy_for_the_arm_is_refused_with_joint_value_and_limit_before_anything_is_searched() -> None:
@@ -127,7 +127,7 @@ def test_a_tool_too_heavy_for_the_arm_is_refused_with_joint_value_and_limit_befo
     weak = with_urdf(cell, lambda text: text.replace('effort="28"', 'effort="3"'))
     robot = RobotModel.of_cell(weak)
     collision = CollisionModel(weak, robot, weak.payload_box)
-    load = even_load(weak.payload_box, 8.0, "a stated mass")
+    load = even_load(weak.payload_box, 8.0, Message.of("planning-load-guessed"))
     home = np.array(weak.robot.home_rad)
     steps = plan_procedure(weak, robot, collision, weak.payload_box, start=home, load=load)
     with pytest.raises(TooHeavy) as caught:
@@ -136,7 +136,7 @@ def test_a_tool_too_heavy_for_the_arm_is_refused_with_joint_value_and_limit_befo
     j = int(np.argmax(held / arm_of_cell(weak).effort))
     joint = arm_of_cell(weak).joints[j].name
     assert (
-        f"the load of 8.000 kg is too heavy for {joint!r}: it would need {held[j]:.1f} N m (limit {arm_of_cell(weak).effort[j]:.1f} N m)"
+        f'the load of 8.000 kg is too heavy for "{joint}": it would need {held[j]:.1f} N m (limit {arm_of_cell(weak).effort[j]:.1f} N m)'
         in str(caught.value)
     )
     assert caught.value.exit_code == 3

@@ -25,25 +25,31 @@ from core.gap.answer import (
     Where,
 )
 from core.report.diagnosis_page import Overlay
+from core.words.message import Message
 
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 PHI = [2.0, 0.1, 0.0, 0.0, 0.02, 0.0, 0.0, 0.04, 0.0, 0.03]
+
+
+def say(text: str) -> Message:
+    """Words that stand in no catalogue."""
+    return Message.of("text", text=text)
 
 
 def effect(name: str, title: str, probability: float, closure: float, **parameters: Value) -> Explanation:
     interval = (closure - 0.02, closure + 0.01)
     advice = f"fix {title}"
     return Explanation(
-        id=name, title=title, stage="timing", probability=probability, parameters=parameters, gap_after=1.25,
-        closure=closure, closure_interval=interval, advice=advice,
+        id=name, title=say(title), stage="timing", probability=probability, parameters=parameters, gap_after=1.25,
+        closure=closure, closure_interval=interval, advice=say(advice),
     )  # fmt: skip
 
 
 def seen(name: str, title: str, side: Side, *, material: bool = False) -> Also:
     """Something beside the verdict."""
     return Also(
-        id=name, title=title, side=side, parameters={}, times_expected=2.03, material=material, sentence=f"there is {title}",
-        advice=f"do without {title}", remark=name, values={},
+        id=name, title=say(title), side=side, parameters={}, times_expected=2.03, material=material, message=say(f"there is {title}"),
+        advice=say(f"do without {title}"),
     )  # fmt: skip
 
 
@@ -57,13 +63,15 @@ def explained() -> Diagnosis:
     shifted = [PHI[0], PHI[1], 0.0, 0.0, 0.022, *PHI[5:]]
     return Diagnosis(
         verdict="explained",
-        summary="The gap is explained by a late wrench",
+        summary=say("The gap is explained by a late wrench"),
         effects=[delay, lag, tilt],
         none_probability=0.0,
         unknown_probability=0.02,
         pairs=[Pair(ids=("time_delay", "base_tilt"), probability=0.007, gap_after=1.1, closure=0.98)],
         minor=[
-            Minor(id="joint_friction", parameters={"joint_1_coulomb_nm": Value(value=3.0, std=0.1, unit="N m")}, sentence="joint 1 rubs")
+            Minor(
+                id="joint_friction", parameters={"joint_1_coulomb_nm": Value(value=3.0, std=0.1, unit="N m")}, message=say("joint 1 rubs")
+            )
         ],
         also=[seen("sensor_noise", "noise above what is stated", "reading", material=True), seen("joint_friction", "friction", "joints")],
         indistinguishable=[],
@@ -74,7 +82,7 @@ def explained() -> Diagnosis:
             stage="timing",
             by_time=[0.1, 0.7, 0.2],
             by_direction={"positive": 4.0, "still": 1.0},
-            sentence="the gap is largest in tx",
+            message=say("the gap is largest in tx"),
         ),
         gap=GapPart(
             before=9.8,
@@ -83,15 +91,15 @@ def explained() -> Diagnosis:
             by_channel={c: Change(before=9.0 - k, after=2.5 if c == "ty" else 1.0) for k, c in enumerate(CHANNELS)},
         ),
         payload=PayloadPart(before=PhiPart(phi=shifted, std=[1e-4] * 10), after=PhiPart(phi=PHI, std=[1e-4] * 10)),
-        consequence="left out, it changes the inertia",
+        consequence=say("left out, it changes the inertia"),
         next_experiment=None,
-        limits=["sensor_drift: no temperature was recorded"],
+        limits=[say("sensor drift: no temperature was recorded")],
         seconds=6.1,
     )
 
 
 def with_verdict(verdict: str, **changes: Any) -> Diagnosis:
-    return explained().model_copy(update={"verdict": verdict, "summary": f"this is {verdict}", **changes})
+    return explained().model_copy(update={"verdict": verdict, "summary": say(f"this is {verdict}"), **changes})
 
 
 @cache
@@ -110,20 +118,22 @@ def overlay() -> Overlay:
 
 
 AMBIGUOUS = {
-    "indistinguishable": [Tied(ids=("time_delay", "kinematic_lag"), distance_sigma=2.14, why="both are late", splits="a wide-band motion")],
+    "indistinguishable": [
+        Tied(ids=("time_delay", "kinematic_lag"), distance_sigma=2.14, why=say("both are late"), splits=say("a wide-band motion"))
+    ],
     "next_experiment": Experiment(
         id="swings_about_horizontal_x",
         stops=[],
         sigma_before=2.0,
         sigma_after=9.0,
-        motion="rotate about a horizontal axis",
+        motion=say("rotate about a horizontal axis"),
         splits=[("time_delay", "kinematic_lag")],
         seconds=12.3,
     ),
 }
 NOTHING: dict[str, Any] = {
-    "effects": [], "pairs": [], "minor": [], "also": [], "where": None, "gap": None, "payload": None, "consequence": "",
-    "none_probability": 0.0, "unknown_probability": 0.0, "limits": ["no wrench was recorded"],
+    "effects": [], "pairs": [], "minor": [], "also": [], "where": None, "gap": None, "payload": None, "consequence": None,
+    "none_probability": 0.0, "unknown_probability": 0.0, "limits": [say("no wrench was recorded")],
 }  # fmt: skip
 AGREES: dict[str, Any] = {
     "effects": [], "pairs": [], "none_probability": 1.0, "unknown_probability": 0.0,

@@ -14,7 +14,7 @@ import pytest
 from core.gap.answer import Diagnosis, Pair
 from core.report import diagnosis_page
 from core.report.diagnosis_page import Overlay, worst_motion, write_diagnosis
-from tests.core.report.made_up_diagnoses import CASES, explained, overlay, with_verdict
+from tests.core.report.made_up_diagnoses import CASES, explained, overlay, say, with_verdict
 
 
 def written(folder: Path, diagnosis: Diagnosis, drawn: Overlay | None = None) -> str:
@@ -170,10 +170,12 @@ def test_words_from_outside_stay_words(tmp_path: Path) -> None:
     attack = "<script>alert(1)</script>"
     base = explained()
     assert base.where is not None
-    where = base.where.model_copy(update={"sentence": attack, "cells": [base.where.cells[0].model_copy(update={"phase": attack})]})
+    where = base.where.model_copy(update={"message": say(attack), "cells": [base.where.cells[0].model_copy(update={"phase": attack})]})
     drawn = overlay()
     named = Overlay(drawn.t, np.full(300, attack), drawn.measured, drawn.before, drawn.after, drawn.noise_std)
-    text = written(tmp_path, with_verdict("explained", summary=attack, consequence=attack, limits=[f"{attack}!"], where=where), named)
+    text = written(
+        tmp_path, with_verdict("explained", summary=say(attack), consequence=say(attack), limits=[say(f"{attack}!")], where=where), named
+    )
     assert "<script" not in text
     assert text.count("&lt;script&gt;alert(1)") == 6
 

@@ -71,7 +71,7 @@ def case() -> tuple[Recording, Identification, RunSummary]:
     identification = Identification(
         paper,
         estimate,
-        "The payload weighs 2.784 kg.",
+        Message.of("text", text="The payload weighs 2.784 kg."),
         (Message.of("text", text="Channel ty is louder than its noise."),),
         segments_of_phase(phase),
         TimeSeries(t, kinematics, measured, reconstructed),

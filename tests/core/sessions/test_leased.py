@@ -13,9 +13,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.cell.folder import load_cell
-from core.errors import Cause, Commanded, ControlLost, Held, HoldExpired, Lateness
-from core.sessions.leased import FUTURE_S, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal, is_stopped
+from core.errors import BadState, Cause, Commanded, ControlLost, Held, HoldExpired, Lateness, OutOfLimits, TooFast
+from core.sessions.leased import FUTURE_S, LATE, LEASE_S, SERVICE_S, Lease, LeasedSession, Renewal, is_stopped
 from core.sessions.simulated import SimulatedSession
+from core.words import catalogue
+from core.words.catalogue import LANGUAGES
 from core.words.message import Message
 from tests.hand_clock import HandClock
 
@@ -97,6 +99,42 @@ def test_what_was_late_holds_the_robot_until_it_is_told_to_go_on_whatever_comes_
     assert isinstance(lease.refusal(), Held)
     lease.resume()
     assert lease.refusal() is None
+
+
+@pytest.mark.parametrize("cause", Cause)
+def test_what_was_late_is_said_with_value_and_limit(lease, cause):
+    lease.hold(Lateness(cause=cause, late_s=1.2, limit_s=1.0))
+    said = lease.refusal().message
+    assert said.code == LATE[cause]
+    assert (said.parameters["value"], said.parameters["limit"]) == (1.2, 1.0)
+    for language in LANGUAGES:
+        assert said.say(language) != said.code
+
+
+def test_nothing_is_worded_while_the_robot_is_commanded(lease, clock, robot, monkeypatch):
+    """The first wording loads the catalogue, which takes longer than a control period."""
+
+    def read(language: str) -> None:
+        pytest.fail(f"worded in {language}")
+
+    monkeypatch.setattr(catalogue, "read_catalogue", read)
+    session = LeasedSession(robot, lease)
+    with session:
+        q = session.state().q_cmd
+        with pytest.raises(ControlLost):
+            session.command(q)
+        lease.resume()
+        robot.release()
+        for wrong, error in ((np.full_like(q, np.nan), BadState), (q + 0.1, TooFast), (q + 10.0, OutOfLimits), (q, BadState)):
+            with pytest.raises(error):
+                robot.command(wrong)
+            if error is not OutOfLimits:
+                robot.release()
+        lease.hold()
+        assert isinstance(lease.refusal(), Held)
+        clock.now += 1000.0
+        assert not lease.waits(1.0)
+        assert isinstance(lease.refusal(), HoldExpired)
 
 
 def looked_at(lease: Lease, clock: HandClock, seconds: float, *, beats: bool = True, every: float = 0.01) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import numpy as np
 
 from core.trial.outcome import TrialOutcome
 from core.trial.sheet import confusions, detections, score_sheet, write_sheet
+from core.words.catalogue import LANGUAGES
 from tests.core.trial.synthetic_outcomes import double, none, payload, sealed, single, unknown
 
 STOPPED = TrialOutcome(sealed=sealed(44, "cable_drag"), stopped="TooFast: the elbow was at 0.3 m/s", verdict="stopped")
@@ -56,6 +58,19 @@ def test_pictures_are_files_beside_the_page_and_repeatable(tmp_path: Path):
         assert picture.read_bytes() == (tmp_path / "b" / f"{name}.svg").read_bytes()
     assert "base_tilt" in (tmp_path / "a" / "confusion.svg").read_text()
     assert not list(tmp_path.rglob("*.part"))
+
+
+def test_a_german_sheet_has_no_english_words(tmp_path: Path):
+    pages = {}
+    for language in LANGUAGES:
+        write_sheet(tmp_path, SOME, language)
+        pictures = [text for picture in sorted(tmp_path.glob("*.svg")) for text in re.findall(r">([^<>]+)</text>", picture.read_text())]
+        cells = re.split(r"[|\n]", (tmp_path / "trials.md").read_text())
+        pages[language] = {text.strip() for text in [*cells, *pictures]}
+    shared = [text for text in pages["en"] & pages["de"] if {*re.findall(r"\b[A-Za-zÄÖÜäöüß]{2,}\b", text)}]
+    assert sorted(shared) == []
+    assert any("keine Abweichung" in text for text in pages["de"])
+    assert not [text for text in pages["de"] if "sheet-" in text or re.search(r"\d\.\d+ %", text)]
 
 
 def test_a_sheet_of_stopped_runs_alone_has_no_pictures(tmp_path: Path):

@@ -169,3 +169,7 @@ def test_a_message_comes_back_from_json_as_it_was() -> None:
 def test_errors_say_their_message_in_english() -> None:
     assert str(BadCell("cell.toml", "flaw", found="a", expected="b")) == "cell.toml: found a, expected b"
     assert NoPath("text", text="No path.").message.say("de") == "No path."
+
+
+def test_a_name_in_a_foreign_file_commands_no_terminal() -> None:
+    assert str(Message.of("text", text="a\x1b[31mb\nc ä 日")) == r"a\x1b[31mb\nc ä 日"

@@ -45,10 +45,15 @@ def test_every_kind_is_explained_where_its_type_points(nobody: TestClient) -> No
 
 
 def test_bad_input_names_place_value_and_what_is_expected() -> None:
-    problem = problem_of(BadCell("cell.toml: limits.clearance_m", "-0.1", "greater than 0"))
-    assert (problem.type, problem.status) == ("/problems/bad-cell", 422)
-    assert problem.detail == "cell.toml: limits.clearance_m: found -0.1, expected greater than 0"
-    assert problem.flaws[0].model_dump() == {"where": "cell.toml: limits.clearance_m", "found": "-0.1", "expected": "greater than 0"}
+    problem = problem_of(BadCell("cell.toml: name", "uploads-cell-misnamed", name="line", folder="bench"))
+    assert (problem.type, problem.kind, problem.status) == ("/problems/uploads-cell-misnamed", "bad-cell", 422)
+    assert problem.detail == 'cell.toml: name: found "line", expected the name of its folder, "bench"'
+    parameters = {"where": "cell.toml: name", "name": "line", "folder": "bench"}
+    assert problem.parameters == parameters
+    assert problem.flaws[0].model_dump() == {
+        "where": "cell.toml: name", "found": '"line"', "expected": 'the name of its folder, "bench"',
+        "code": "uploads-cell-misnamed", "parameters": parameters,
+    }  # fmt: skip
 
 
 def test_a_stop_carries_value_and_limit() -> None:
@@ -57,42 +62,42 @@ def test_a_stop_carries_value_and_limit() -> None:
 
 
 def test_a_conflict_names_what_is_allowed_and_haste_when_to_return() -> None:
-    assert problem_of(Conflict("the run is Held", ["resume", "stop"])).allowed == ["resume", "stop"]
-    assert headers_of(problem_of(TooMany("later", 12.3)))["Retry-After"] == "13"
+    assert problem_of(Conflict("runs-recording-open", allowed=["resume", "stop"], run="1")).allowed == ["resume", "stop"]
+    assert headers_of(problem_of(TooMany("people-sign-in-blocked", retry_after_s=12.3)))["Retry-After"] == "13"
 
 
-def _is_problem(answer: Response, status: int, kind: str) -> dict[str, Any]:
+def _is_problem(answer: Response, status: int, code: str) -> dict[str, Any]:
     assert answer.status_code == status
     assert answer.headers["content-type"] == "application/problem+json"
     found: dict[str, Any] = answer.json()
-    assert found["type"] == f"/problems/{kind}"
+    assert found["type"] == f"/problems/{code}"
     assert found["status"] == status
     assert found["request_id"] == answer.headers["x-request-id"]
     return found
 
 
 def test_an_unknown_address_is_a_problem(nobody: TestClient) -> None:
-    assert "GET /nowhere" in str(_is_problem(nobody.get("/nowhere"), 404, "not-found")["detail"])
+    assert "GET /nowhere" in str(_is_problem(nobody.get("/nowhere"), 404, "request-address-unknown")["detail"])
 
 
 def test_a_wrong_method_is_a_problem_that_names_the_right_ones(nobody: TestClient) -> None:
     answer = nobody.delete("/health")
-    assert _is_problem(answer, 405, "method-not-allowed")["allowed"] == ["GET"]
+    assert _is_problem(answer, 405, "request-method-not-allowed")["allowed"] == ["GET"]
     assert answer.headers["allow"] == "GET"
 
 
 def test_every_flaw_of_a_body_is_named_and_no_password_is_repeated(nobody: TestClient) -> None:
     answer = nobody.post("/api/session", json={"name": "a b", "password": "s3cret" * 50, "more": 1})
-    found = _is_problem(answer, 422, "bad-request")
+    found = _is_problem(answer, 422, "request-unfit")
     assert {flaw["where"] for flaw in found["flaws"]} == {"body.name", "body.password", "body.more"}
     assert "s3cret" not in answer.text
     without_name = nobody.post("/api/session", json={"password": "s3cret and more"})
-    assert [flaw["found"] for flaw in _is_problem(without_name, 422, "bad-request")["flaws"]] == ["no such key"]
+    assert [flaw["found"] for flaw in _is_problem(without_name, 422, "request-unfit")["flaws"]] == ["no such key"]
 
 
 def test_a_body_that_is_no_json_is_a_problem(nobody: TestClient) -> None:
     answer = nobody.post("/api/session", content=b"{", headers={"content-type": "application/json"})
-    _is_problem(answer, 400, "bad-request")
+    _is_problem(answer, 400, "request-no-json")
 
 
 def test_nan_in_a_body_is_refused(signed_in: As) -> None:
@@ -107,7 +112,7 @@ def test_nan_in_a_body_is_refused(signed_in: As) -> None:
 def test_a_body_that_is_too_large_is_a_problem_also_without_a_length(nobody: TestClient) -> None:
     chunks = (b"x" * 100_000 for _ in range(11))
     answer = nobody.post("/api/session", content=chunks, headers={"content-type": "application/json"})
-    _is_problem(answer, 413, "too-large")
+    _is_problem(answer, 413, "request-body-too-large")
 
 
 def test_a_store_that_does_not_answer_is_a_problem_with_a_time_to_return(

@@ -107,7 +107,7 @@ def test_a_recording_that_cannot_be_read_fails_with_its_reason(signed_in: As, st
     answer = client.post("/api/diagnoses/uploads", content=zipped(broken), headers=ZIP)
     found = waited(client, answer.headers["location"])
     assert found["state"] == "failed"
-    assert "recording.json" in found["reason"]
+    assert "recording.json" in found["reason"]["text"]
 
 
 def test_a_diagnosis_that_waits_or_runs_is_cancelled_and_its_recording_stays(signed_in: As, service: Service, tmp_path: Path) -> None:
@@ -116,7 +116,7 @@ def test_a_diagnosis_that_waits_or_runs_is_cancelled_and_its_recording_stays(sig
     with service.store.write() as db:
         diagnosis = jobs.add_job(db, DIAGNOSIS, order, None, "account:anna", service.now()).id  # nobody has woken the worker
     answer = client.delete(f"/api/diagnoses/{diagnosis}").json()
-    assert (answer["state"], answer["reason"]) == ("cancelled", "cancelled by account:engineer.")
+    assert (answer["state"], answer["reason"]["text"]) == ("cancelled", "cancelled by account:engineer.")
     assert client.delete(f"/api/diagnoses/{diagnosis}").status_code == 409
     assert signed_in(Role.admin).get("/api/audit").json()[0]["action"] == "diagnosis.cancel"
     assert len(read_recording(order.recording)) == 400

@@ -23,6 +23,7 @@ from server.service import Service
 from tests.server.finished_diagnosis import SWINGS, finished_diagnosis, standing_recording
 from tests.server.made_people import As
 from tests.server.scripted_process import ScriptedProcess
+from tests.server.sentence import sentence
 
 CELL, PAYLOAD = "lwr4_bench", "steel_block"
 ROOMY = Box(size_m=(0.3, 0.3, 0.3))
@@ -34,7 +35,7 @@ def first_run(nothing_planned: None, service: Service) -> str:
     with service.store.write() as db:
         order = RunOrder.model_validate({"cell": CELL, "payload": PAYLOAD, "seed": 7, "payload_box": ROOMY})
         run = run_ledger.add_run(db, order, "account:anna", service.now())
-        run_ledger.end(db, run, Reason("stopped", "stopped"), service.now())
+        run_ledger.end(db, run, Reason("stopped", sentence("stopped")), service.now())
     standing_recording(recording_of(service, run.id), service.cells.load(CELL), PAYLOAD)
     return run.id
 
@@ -113,7 +114,7 @@ def test_a_diagnosis_that_proposes_no_motion_that_can_be_made_says_why(
 
 def test_another_payload_than_the_diagnosed_one_is_refused(signed_in: As, service: Service, first_run: str) -> None:
     why = refused(asked(signed_in(Role.operator), diagnosed(service, first_run), payload="gripper"))
-    assert "'steel_block', not with 'gripper'" in why
+    assert '"steel_block", not with "gripper"' in why
 
 
 @pytest.mark.parametrize(
@@ -146,7 +147,7 @@ def test_an_uploaded_recording_is_continued_where_its_cell_and_payload_are_known
 
     assert uploaded("good", CELL, PAYLOAD).json()["continues"] is None
     assert "no cell of this service" in refused(uploaded("elsewhere", None, PAYLOAD))
-    assert "without a name" in refused(uploaded("nameless", CELL, None))
+    assert "has no name" in refused(uploaded("nameless", CELL, None))
     assert "another robot" in refused(uploaded("other", "ur5e_line", "cylinder"))
 
 

@@ -80,7 +80,7 @@ def test_a_twin_file_that_somebody_changed_is_refused_in_words(signed_in: As, la
     (late / TWIN_FILE).write_text('{"effects": [{"effect": 3}]}')
     answer = signed_in(Role.viewer).get(TWIN)
     assert answer.status_code == 422
-    assert answer.json()["type"] == "/problems/bad-twin"
+    assert answer.json()["kind"] == "bad-twin"
 
 
 def test_what_a_recording_does_not_show_is_not_added_and_the_reason_stands_in_the_job(
@@ -92,7 +92,7 @@ def test_what_a_recording_does_not_show_is_not_added_and_the_reason_stands_in_th
     assert answer.status_code == 202, answer.text
     found = ended(client, answer.headers["location"])
     assert found["state"] == "failed"
-    assert "no recording" in found["reason"]
+    assert "no recording" in found["reason"]["text"]
     assert client.get(TWIN).json() == {"effects": []}
     assert audited(signed_in)[0] == "twin.queue"
 
@@ -135,7 +135,7 @@ def test_an_addition_is_cancelled_in_its_own_cell_and_leaves_the_twin_as_it_was(
     client, before = signed_in(Role.engineer), (late / TWIN_FILE).read_bytes()
     assert client.delete(f"/api/cells/other/twin/additions/{addition}").status_code == 404
     answer = client.delete(f"{TWIN}/additions/{addition}").json()
-    assert (answer["state"], answer["reason"], answer["twin"]) == ("cancelled", "cancelled by account:engineer.", None)
+    assert (answer["state"], answer["reason"]["text"], answer["twin"]) == ("cancelled", "cancelled by account:engineer.", None)
     assert client.delete(f"{TWIN}/additions/{addition}").status_code == 409
     assert audited(signed_in)[0] == "twin.cancel"
     assert (late / TWIN_FILE).read_bytes() == before

@@ -11,6 +11,7 @@ from core.errors import Commanded, Held
 from core.sessions.leased import Lease, Renewal
 from server.runner.messages import End, Hold, Release, Resume
 from server.runner.pipe import Listener, Speaker
+from tests.server.sentence import sentence
 
 
 def until(condition) -> None:
@@ -56,7 +57,7 @@ def test_what_the_server_says_reaches_the_lease(ends):
     until(lambda: lease.refusal() is None)
     ours.send(Release("abc"))
     until(lambda: listener.released == "abc")
-    ours.send(End("enough."))
+    ours.send(End(sentence("enough.")))
     until(lambda: isinstance(lease.refusal(), Commanded))
 
 

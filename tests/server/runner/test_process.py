@@ -13,6 +13,7 @@ import pytest
 from server.runner import process
 from server.runner.messages import End, Failed, Paced
 from server.runner.process import ControlProcess
+from tests.server.sentence import sentence
 
 
 class Made:
@@ -50,13 +51,13 @@ def test_what_a_process_is_told_before_it_is_there_reaches_it(monkeypatch: pytes
 
     async def run() -> list[Any]:
         control = ControlProcess(Order())  # type: ignore[arg-type]  # only its name is read
-        control.tell(End("enough"))
+        control.tell(End(sentence("enough")))
         there.set()
         return await heard(control)
 
     starting(monkeypatch, begin)
     assert asyncio.run(run()) == [Paced(1, 0, 0.0, 0.0)]
-    assert told == [End("enough")]
+    assert told == [End(sentence("enough"))]
 
 
 def test_one_that_is_killed_before_it_is_there_is_killed_when_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -75,7 +76,7 @@ def test_one_that_is_killed_before_it_is_there_is_killed_when_it_is(monkeypatch:
     starting(monkeypatch, begin)
     [last] = asyncio.run(run())
     assert isinstance(last, Failed)
-    assert "code -9" in last.message
+    assert "code -9" in str(last.message)
 
 
 def test_one_that_cannot_be_started_is_lost(monkeypatch: pytest.MonkeyPatch) -> None:

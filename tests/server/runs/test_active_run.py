@@ -29,6 +29,7 @@ from server.service import Service
 from server.store.store import Store
 from tests.server.made_people import As
 from tests.server.scripted_process import ScriptedProcess
+from tests.server.sentence import sentence
 
 CELL = "lwr4_bench"
 
@@ -112,7 +113,7 @@ def stage(monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest) -> St
 
 def ends(stage: Stage) -> None:
     """The robot's process ends, so that the service can."""
-    stage.robot.say(Failed("Commanded", "the test is over"), None)
+    stage.robot.say(Failed("Commanded", sentence("the test is over")), None)
 
 
 class Away:
@@ -189,7 +190,7 @@ def test_nothing_begins_to_move_while_the_database_is_away(stage, away):
     away.gone = True
     refused = stage.release()
     assert refused.status_code == 503, refused.text
-    assert refused.json()["type"] == "/problems/store-unavailable"
+    assert refused.json()["kind"] == "store-unavailable"
     assert not any(isinstance(each, Release) for each in stage.robot.told)
     assert stage.shown()["state"] == "Idle"
     away.gone = False
@@ -202,7 +203,7 @@ def test_a_release_is_refused_where_the_disk_has_no_room_for_what_the_run_leaves
     monkeypatch.setattr("server.runs.releases.shutil.disk_usage", lambda _: usage)
     refused = stage.release()
     assert refused.status_code == 507, refused.text
-    assert refused.json()["type"] == "/problems/no-room"
+    assert refused.json()["type"] == "/problems/runs-disk-too-full"
     assert "70 MB are free" in refused.json()["detail"]
     assert stage.shown()["state"] == "Idle"
 
@@ -219,7 +220,7 @@ def test_a_journal_without_room_ends_the_motion_and_the_state_is_told_from_memor
     until(lambda: any(isinstance(each, End) for each in stage.robot.told))
     stopped = stage.anybody.post(f"/api/now/{CELL}/stop")
     assert stopped.status_code == 200, stopped.text
-    stage.robot.say(Failed("Commanded", "told to"), None)
+    stage.robot.say(Failed("Commanded", sentence("told to")), None)
     until(lambda: stage.shown()["state"] == "Stopped")
     assert stage.service.conductor.of_run(stage.run) is not None, "the database lacks it"
     monkeypatch.undo()

@@ -55,7 +55,7 @@ def stop_s(service: RealService, run: str) -> float:
 def test_a_robot_without_a_live_sensor_or_state_stops(service, console, kind: int, said: str):
     run = released(console, seed_of(kind, BREAKS_AT_S))
     lost = console.wait(run, "Aborted")
-    assert said in lost["reason"], lost
+    assert said in lost["reason"]["text"], lost
     cleared(console, run)
     assert stop_s(service, run) < 0.3 + BRAKING_S
 
@@ -63,8 +63,8 @@ def test_a_robot_without_a_live_sensor_or_state_stops(service, console, kind: in
 def test_a_disk_without_room_for_the_samples_stops_the_robot(service, console):
     run = released(console, seed_of(DISK_FULL, BREAKS_AT_S))
     lost = console.wait(run, "Aborted")
-    assert "could not be written" in lost["reason"]
-    assert "Make room" in lost["reason"]
+    assert "could not be written" in lost["reason"]["text"]
+    assert "Make room" in lost["reason"]["text"]
     assert stop_s(service, run) < 0.3 + BRAKING_S
     cleared(console, run)
 
@@ -91,7 +91,7 @@ def test_motion_does_not_begin_while_the_database_is_locked(service, console):
     with locked(service):
         refused = console.release(run)
     assert refused.status_code == 503, refused.text
-    assert refused.json()["type"] == "/problems/store-unavailable"
+    assert refused.json()["kind"] == "store-unavailable"
     assert console.run(run)["state"] == "Idle"
     assert console.http.delete(f"/api/runs/{run}").status_code == 200
     console.wait(run, "Stopped")

@@ -13,11 +13,13 @@ from server.runs import ledger as run_ledger
 from server.runs.crashed_runs import close_crashed
 from server.runs.event_schemas import EventMessage, StateChanged
 from server.runs.packml import COMPLETED, Command, IllegalCommandError, State
+from server.runs.reason import Reason, read_reason, set_reason
 from server.runs.schemas import RunOrder
 from server.runs.tables import Delivery, RunEventRow, RunRow, Webhook
 from server.settings import Settings
 from tests.server.kept import Kept, kept
 from tests.server.made_people import BOTH_STORES, Clock
+from tests.server.sentence import sentence
 
 ORDER = RunOrder(cell="lwr4_bench", seed=3)
 TO = {
@@ -71,7 +73,7 @@ def test_an_illegal_command_keeps_nothing(service):
     before = events(service, run)
     with pytest.raises(IllegalCommandError), service.store.write() as db:
         row = run_ledger.load_run(db, run)
-        row.reason = "not kept"
+        set_reason(row, Reason("stopped", sentence("not kept")))
         run_ledger.keep_steps(db, row, [Command.START, Command.UNHOLD], service.now())
     assert events(service, run) == before
     with service.store.read() as db:
@@ -90,7 +92,7 @@ def test_a_crash_in_any_state_leaves_a_run_that_waits_is_over_or_is_aborted_with
         assert row.state == state
     else:
         assert row.state == (State.STOPPED if state is State.CLEARING else State.ABORTED)
-        assert str(state) in row.reason
+        assert str(state) in str(read_reason(row))
         assert run_ledger.build_answer(row).job_state == "Aborted"
     assert State(row.state) not in set(COMPLETED) - {State.RESETTING}
 

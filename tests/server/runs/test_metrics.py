@@ -13,6 +13,7 @@ from server.runs.event_schemas import EventMessage, StateChanged
 from server.runs.metrics import RunMetrics
 from server.runs.packml import JobState, State
 from server.runs.tables import RunRow
+from tests.server.sentence import sentence
 
 BEGAN = datetime(2026, 3, 1, tzinfo=UTC)
 
@@ -40,7 +41,7 @@ def test_an_aborted_run_that_is_cleared_has_ended_once(registry: CollectorRegist
 
 def test_stops_and_late_ticks_are_counted(registry: CollectorRegistry) -> None:
     metrics = RunMetrics(registry)
-    stop = RobotStopped(error="TooFast", message="", restart=1, final=False)
+    stop = RobotStopped(error="TooFast", message=sentence(""), restart=1, final=False)
     metrics.count_events([EventMessage(sequence=1, at=BEGAN, event=stop)], RunRow())
     metrics.observe_pace(Paced(ticks=1000, late=3, latest_s=0.007, median_s=0.0002))
     assert registry.get_sample_value("heft_guard_stops_total", {"error": "TooFast"}) == 1

@@ -25,6 +25,7 @@ from server.runs.lease import next_fence
 from server.service import Service
 from tests.server.made_people import As
 from tests.server.scripted_process import ScriptedProcess
+from tests.server.sentence import sentence
 
 CELL = "lwr4_bench"
 AFTER: dict[str, dict[str, str]] = {
@@ -173,20 +174,20 @@ class Runs(RuleBasedStateMachine):
     @precondition(lambda self: self.state in ("Starting", "Execute", "Unholding"))
     @rule()
     def the_guard_stops_the_robot(self) -> None:
-        self.robot.say(Happened(RobotStopped(error="TooClose", message="too close", restart=1, final=False)))
+        self.robot.say(Happened(RobotStopped(error="TooClose", message=sentence("too close"), restart=1, final=False)))
         self.settled("Suspended")
 
     @precondition(lambda self: self.state == "Holding")
     @rule()
     def it_stands_as_asked(self) -> None:
-        self.robot.say(Happened(RobotStopped(error="Held", message="held", restart=1, final=False, held=True)))
+        self.robot.say(Happened(RobotStopped(error="Held", message=sentence("held"), restart=1, final=False, held=True)))
         self.settled("Held")
 
     @precondition(lambda self: self.state in ("Starting", "Execute", "Holding", "Unholding"))
     @rule(cause=st.sampled_from([Cause.NETWORK, Cause.PAGE, Cause.SERVICE, Cause.STORE, Cause.CONTROL_PROCESS]))
     def something_is_late(self, cause: Cause) -> None:
         late = Lateness(cause=cause, late_s=1.2, limit_s=1.0)
-        stop = RobotStopped(error="ControlLost", message="late", restart=1, final=False, held=True, lateness=late)
+        stop = RobotStopped(error="ControlLost", message=sentence("late"), restart=1, final=False, held=True, lateness=late)
         self.robot.say(Happened(stop))
         self.settled("Held")
         found = self.shown()
@@ -197,8 +198,8 @@ class Runs(RuleBasedStateMachine):
     @precondition(lambda self: self.state == "Held")
     @rule()
     def nobody_comes_back(self) -> None:
-        self.robot.say(Happened(RobotStopped(error="HoldExpired", message="nobody", restart=1, final=True)))
-        self.robot.say(Failed("HoldExpired", "nobody came back"), None)
+        self.robot.say(Happened(RobotStopped(error="HoldExpired", message=sentence("nobody"), restart=1, final=True)))
+        self.robot.say(Failed("HoldExpired", sentence("nobody came back")), None)
         self.settled("Stopped")
         assert self.shown()["reason_kind"] == "hold-expired"
         self._end()
@@ -213,7 +214,7 @@ class Runs(RuleBasedStateMachine):
     @rule()
     def it_fails(self) -> None:
         after = {"Resetting": "Stopped", "Idle": "Stopped", "Stopping": "Stopped"}.get(self.state, "Aborted")
-        self.robot.say(Failed("BadState", "the sensor is dead"), None)
+        self.robot.say(Failed("BadState", sentence("the sensor is dead")), None)
         self.settled(after)
         self._end()
 

@@ -138,7 +138,7 @@ def check_a_stop_ends_the_motion(console: Console, run: str) -> None:
     assert console.http.post(f"/api/runs/{run}/commands", json={"command": "stop"}).status_code == 200
     stopped = console.wait(run, "Stopped")
     assert stopped["job_state"] == "Ended"
-    assert "asked for by account:operator" in stopped["reason"]
+    assert "asked for by account:operator" in stopped["reason"]["text"]
     assert recorded(console.service, run) > 0
 
 
@@ -151,7 +151,7 @@ def test_a_robot_whose_console_falls_silent_keeps_its_place_and_goes_on_along_th
     console.answering.clear()
     held = console.wait(run, "Held")
     assert held["reason_kind"] == "network-late", held
-    assert "no answer from the console" in held["reason"]
+    assert "no answer from the console" in held["reason"]["text"]
     assert held["lateness"]["late_s"] >= held["lateness"]["limit_s"] == 1.0
     assert held["ends_at"] > held["held_since"]
     assert {"resume", "stop", "abort"} == set(held["commands"])
@@ -235,7 +235,7 @@ def check_the_public_stop(nobody: httpx.Client, console: Console) -> None:
     assert (now["cell"], now["run"], now["state"], now["moving"], now["safety_rated"]) == ("lwr4_bench", run, "Execute", True, False)
     assert nobody.post("/api/now/lwr4_bench/stop").status_code == 200
     stopped = console.wait(run, "Stopped")
-    assert stopped["reason"] == "stop was asked for by nobody@127.0.0.1."
+    assert stopped["reason"]["text"] == "stop was asked for by nobody@127.0.0.1."
     wait_for(lambda: nobody.get("/api/now").json() == [], "the cell to be free")
 
 
@@ -320,7 +320,7 @@ def test_a_server_that_dies_leaves_a_robot_that_stands_and_a_run_that_is_aborted
     service.start()
     found = console.run(run)
     assert found["state"] == "Aborted"
-    assert "the service ended" in found["reason"]
+    assert "the service ended" in found["reason"]["text"]
     check_standing(service, run)
     console.take_control()
     wait_for(lambda: console.command(run, "clear").status_code == 200, "the control process to end")

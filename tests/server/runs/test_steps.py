@@ -5,10 +5,11 @@ from __future__ import annotations
 from core.events import Event, PhaseStarted, RobotStopped
 from server.runner.live_schemas import WaitingForZone
 from server.runs.steps import update_in_the_way
+from tests.server.sentence import sentence
 
-WAITING = WaitingForZone(message="no way", in_the_way="operator")
+WAITING = WaitingForZone(message=sentence("no way"), in_the_way="operator")
 GOING_ON = PhaseStarted(phase="transfer", toward="x+", step=2, steps=9)
-STOPPED = RobotStopped(error="TooClose", message="too close", restart=1, final=False)
+STOPPED = RobotStopped(error="TooClose", message=sentence("too close"), restart=1, final=False)
 
 
 def after_all(*events: Event) -> str | None:

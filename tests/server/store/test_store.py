@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import threading
 from collections.abc import Iterator
 from datetime import UTC, datetime
@@ -16,6 +17,8 @@ from server.jobs import jobs
 from server.jobs import kinds as job_kinds
 from server.people.accounts import Account, add_account
 from server.people.roles import Role
+from server.runs import ledger as run_ledger
+from server.runs.reason import read_reason
 from server.runs.tables import RunRow
 from server.service import utc_now
 from server.store.migration import upgrade
@@ -23,6 +26,7 @@ from server.store.store import MIGRATIONS, Store, is_up_to_date
 from server.tables import Table
 from tests.server.made_people import BOTH_STORES
 from tests.server.postgresql import Cluster
+from tests.server.sentence import sentence
 
 
 @pytest.fixture
@@ -125,6 +129,44 @@ def test_diagnoses_of_an_older_version_are_jobs_now_and_the_newest_version_is_kn
     store.close()
     with engine.begin() as connection:
         assert is_up_to_date(connection)
+    engine.dispose()
+
+
+OLDER_RUN = """INSERT INTO runs (id, cell, run_order, state, released, aborted, reason, sequence, requested_by, requested_at)
+VALUES ('1', 'line', '{}', 'Aborted', false, true, :reason, 4, 'account:anna', '2026-03-01 00:00:00')"""
+OLDER_EVENTS: list[dict[str, object]] = [
+    {"kind": "state_changed", "state": "Idle", "reason": None},
+    {"kind": "state_changed", "state": "Aborted", "reason": 'no "way"'},
+    {"kind": "robot_stopped", "error": "TooClose", "message": 'no "way"'},
+    {"kind": "phase_started", "phase": "hold", "toward": "x+"},
+]
+
+
+def test_sentences_of_an_older_version_are_messages_now(tmp_path: Path) -> None:
+    migrate_sentences(f"sqlite:///{tmp_path / 'older.sqlite'}")
+
+
+def test_sentences_of_an_older_version_are_messages_now_in_postgresql(postgresql: Cluster) -> None:
+    migrate_sentences(postgresql.empty())
+
+
+def migrate_sentences(url: str) -> None:
+    engine = create_engine(url)
+    with engine.begin() as connection:
+        upgrade(connection, MIGRATIONS, "0008")
+        connection.execute(text(OLDER_RUN), {"reason": "the service was shut down; the robot was stopped."})
+        for sequence, event in enumerate(OLDER_EVENTS):
+            body = json.dumps({"kind": "event", "sequence": sequence, "event": event}, separators=(",", ":"))
+            connection.execute(text("INSERT INTO run_events VALUES ('1', :sequence, :body)"), {"sequence": sequence, "body": body})
+    store = Store(url)
+    store.migrate()
+    with store.read() as db:
+        row = run_ledger.load_run(db, "1")
+        assert read_reason(row) == sentence("the service was shut down; the robot was stopped.")
+        told = [json.loads(body)["event"] for _, body in run_ledger.list_events(db, "1", -1)]
+    said = {"code": "text", "parameters": {"text": 'no "way"'}, "text": 'no "way"'}
+    assert told == [OLDER_EVENTS[0], OLDER_EVENTS[1] | {"reason": said}, OLDER_EVENTS[2] | {"message": said}, OLDER_EVENTS[3]]
+    store.close()
     engine.dispose()
 
 

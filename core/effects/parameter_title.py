@@ -1,0 +1,95 @@
+"""What a parameter of an effect is called: `joint_3_gear_ratio` is "joint 3 gear ratio". Its unit, the end of its name, is left out."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import reduce
+
+from core.words.message import Message
+
+UNIT = re.compile(r"(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$")
+NAME = re.compile(r"(?:([ft][xyz]|joint_\d+|mode_\d+|m|mc_[xyz]|i[xyz]{2})(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$")
+"""Of what it is, what it is, and along which axis or from which channel."""
+
+JOINT, MODE = Message.of("effect-parameter-joint"), Message.of("effect-parameter-mode")
+PIECES = {
+    "about": Message.of("effect-parameter-about"),
+    "amplitude": Message.of("effect-parameter-amplitude"),
+    "asymmetry": Message.of("effect-parameter-asymmetry"),
+    "at": Message.of("effect-parameter-at"),
+    "contact_torque": Message.of("effect-parameter-contact-torque"),
+    "corner": Message.of("effect-parameter-corner"),
+    "correlation": Message.of("effect-parameter-correlation"),
+    "cos": Message.of("effect-parameter-cos"),
+    "coulomb": Message.of("effect-parameter-coulomb"),
+    "creep": Message.of("effect-parameter-creep"),
+    "damping_ratio": Message.of("effect-parameter-damping-ratio"),
+    "delay": Message.of("effect-parameter-delay"),
+    "difference": Message.of("effect-parameter-difference"),
+    "duration": Message.of("effect-parameter-duration"),
+    "first_minute": Message.of("effect-parameter-first-minute"),
+    "first_moment": Message.of("effect-parameter-first-moment"),
+    "force": Message.of("effect-parameter-force"),
+    "frequency": Message.of("effect-parameter-frequency"),
+    "friction": Message.of("effect-parameter-friction"),
+    "from": Message.of("effect-parameter-from"),
+    "full_scale_error": Message.of("effect-parameter-full-scale-error"),
+    "gain_error": Message.of("effect-parameter-gain-error"),
+    "gear_ratio": Message.of("effect-parameter-gear-ratio"),
+    "guide_friction": Message.of("effect-parameter-guide-friction"),
+    "half_width": Message.of("effect-parameter-half-width"),
+    "hanging": Message.of("effect-parameter-hanging"),
+    "held": Message.of("effect-parameter-held"),
+    "lag": Message.of("effect-parameter-lag"),
+    "lost": Message.of("effect-parameter-lost"),
+    "lower_limit": Message.of("effect-parameter-lower-limit"),
+    "mass": Message.of("effect-parameter-mass"),
+    "moving": Message.of("effect-parameter-moving"),
+    "noise_factor": Message.of("effect-parameter-noise-factor"),
+    "over": Message.of("effect-parameter-over"),
+    "place": Message.of("effect-parameter-place"),
+    "pull": Message.of("effect-parameter-pull"),
+    "rectification": Message.of("effect-parameter-rectification"),
+    "second_order": Message.of("effect-parameter-second-order"),
+    "settling_rate": Message.of("effect-parameter-settling-rate"),
+    "sin": Message.of("effect-parameter-sin"),
+    "slack": Message.of("effect-parameter-slack"),
+    "slope_error": Message.of("effect-parameter-slope-error"),
+    "start": Message.of("effect-parameter-start"),
+    "start_rate": Message.of("effect-parameter-start-rate"),
+    "step": Message.of("effect-parameter-step"),
+    "step_time": Message.of("effect-parameter-step-time"),
+    "stiffness": Message.of("effect-parameter-stiffness"),
+    "swinging_inertia": Message.of("effect-parameter-swinging-inertia"),
+    "taper": Message.of("effect-parameter-taper"),
+    "time_constant": Message.of("effect-parameter-time-constant"),
+    "turning_load_log_ratio": Message.of("effect-parameter-turning-load-log-ratio"),
+    "turning_spread_log_ratio": Message.of("effect-parameter-turning-spread-log-ratio"),
+    "twist_cube": Message.of("effect-parameter-twist-cube"),
+    "twist_friction": Message.of("effect-parameter-twist-friction"),
+    "twist_linear": Message.of("effect-parameter-twist-linear"),
+    "twist_square": Message.of("effect-parameter-twist-square"),
+    "upper_limit": Message.of("effect-parameter-upper-limit"),
+    "viscous": Message.of("effect-parameter-viscous"),
+}
+
+
+def find_title(name: str) -> Message:
+    """The title of the parameter of this name; a piece that is not known is said as it is."""
+    return reduce(lambda first, then: Message.of("effect-parameter-part", first=first, then=then), _split(name))
+
+
+def _split(name: str) -> Iterator[Message]:
+    match = NAME.match(UNIT.sub("", name))
+    of, what, axis = match.groups(default="") if match else ("", name, "")
+    kind, _, index = of.partition("_")
+    if kind in ("joint", "mode"):
+        yield JOINT if kind == "joint" else MODE
+        yield Message.of("text", text=index)
+    elif of:
+        yield Message.of("text", text=of.replace("_", " "))
+    if what or not (of or axis):
+        yield PIECES.get(what) or Message.of("text", text=(what or name).replace("_", " "))
+    if axis:
+        yield Message.of("text", text=axis)

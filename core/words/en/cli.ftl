@@ -1,0 +1,93 @@
+# What the options and files of a command cannot be
+cli-folder-missing =
+    .found = a folder that does not exist
+    .expected = a file in an existing folder
+cli-exists-already =
+    .found = something that exists already
+    .expected = a new name, or an empty folder
+cli-kept-already =
+    .found = something that exists already
+    .expected = a new folder for --keep
+cli-no-such-payload =
+    .found = '{ $name }'
+    .expected = one of { $names }
+cli-no-payloads =
+    .found = '{ $name }'
+    .expected = a payload of the cell, which has none; add one to cell.toml
+cli-experiment-without-cell =
+    .found = no cell to plan it in
+    .expected = --cell CELL beside it
+cli-experiment-beside-others =
+    .found = --from, --axes or --holds-only beside it
+    .expected = none of these: the experiment has its own motion, from home
+cli-experiment-of-another-cell =
+    .found = '{ $found }'
+    .expected = '{ $cell }', the cell that is to carry it out
+cli-experiment-without-motion =
+    .found = none
+    .expected = a motion; what it asks for is { $motion }
+cli-not-seeds =
+    .found = '{ $found }'
+    .expected = seeds like 300,305,400-420
+cli-not-xacro-argument =
+    .found = '{ $found }'
+    .expected = NAME:=VALUE
+cli-result-unreadable =
+    .found = nothing that can be read ({ $reason })
+    .expected = a file that --json wrote
+cli-no-result =
+    .found = something else
+    .expected = the answer of `heft run` or `heft identify`
+cli-twin-without-effect =
+    .found = '{ $effect }'
+    .expected = one of { $effects }
+cli-twin-nominal =
+    .found = '{ $effect }'
+    .expected = nothing: the twin is the nominal one
+cli-effect-of-twin = twin of { $cell }: effect
+# How a command ends
+cli-error = heft: { $error }
+cli-interrupted = heft: interrupted; nothing was moving.
+# While a command works
+cli-planning = planning
+cli-estimating = estimating
+cli-fitting = fitting effects
+cli-trials = trials
+# Cells
+cli-cell = cell
+cli-title = title
+cli-axes = axes
+cli-obstacles = obstacles
+cli-zones = protected zones
+cli-payloads = payloads
+cli-cell-unusable = { $name } cannot be used: { $flaw }
+cli-cell-made = Made { $folder }; its home is pictured in { $picture }.
+cli-cell-next = Next: look at cell.toml, put in what stands there, then `heft cell check { $cell }` and `heft plan { $cell }`.
+cli-cell-counts = { $name }: { $wrong ->
+        [0] nothing
+       *[other] { $wrong }
+    } wrong, { $doubtful ->
+        [0] nothing
+       *[other] { $doubtful }
+    } doubtful.
+cli-one-of-please = One of { $possible }, please.
+# Twins
+cli-twin-added = { $effect } added to the twin of { $cell }.
+cli-twin-replaced = { $effect } replaced by the new fit in the twin of { $cell }.
+cli-twin-removed = { $effect } taken out of the twin of { $cell }.
+cli-twin-empty = The twin of { $cell } is the nominal one: nothing has been added to it.
+cli-twin-title = Twin of { $cell }
+cli-twin-caption = ± is the standard uncertainty; the gap is in units of noise
+cli-twin-gap = gap before, after
+cli-twin-recording = recording
+cli-twin-entered = added
+# Trials
+cli-trial-sealed = trial { $seed }: sealed { $hash }
+cli-trial-answered = trial { $seed }: planted { $planted }, size { FIXED($size, digits: 2) }; answered { $answer }: { $mark }
+# Exports
+cli-export-target = { $title }: { $says }
+cli-export-frame = In { $frame }; { $says }.
+cli-export-lack = { $target } has no place for { $name } = { SIGNIFICANT($lost, digits: 3) } { $unit }, { FIXED($times, digits: 1) } times its uncertainty.
+# Experiments and reports
+cli-nothing-to-settle = There is nothing to settle: { $file } is not written.
+cli-report = Report: { $file }

@@ -1,0 +1,89 @@
+"""What a terminal prints is in its language; what programs read is the same in every language."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from core.cli.main import app
+from core.cli.tables import diagnosis_table, torque_lines
+from core.gap.answering import not_enough
+from core.planning.summary import PlanTorques
+from core.remark import Remark
+from tests.core.export.cloud import cloud
+from tests.core.export.known_result import answer
+
+ROOT = Path(__file__).parents[3]
+
+
+def heft(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Runs the command in a pipe."""
+    clean = {name: value for name, value in os.environ.items() if name not in {"HEFT_LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"}}
+    return subprocess.run(
+        [sys.executable, "-m", "core.cli", *arguments],
+        capture_output=True, text=True, cwd=ROOT, timeout=300, check=False,
+        env=clean | {"PYTHONPATH": str(ROOT), "COLUMNS": "200", "PYTHONUTF8": "1"} | environment,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("environment", "words"),
+    [
+        ({"HEFT_LANGUAGE": "de"}, "gefunden: „piano“, erwartet: eine von steel_block, cylinder"),
+        ({"LANG": "de_CH.UTF-8"}, "gefunden: „piano“, erwartet: eine von steel_block, cylinder"),
+        ({"LANG": "de_CH.UTF-8", "HEFT_LANGUAGE": "en"}, "found 'piano', expected one of steel_block, cylinder"),
+        ({}, "found 'piano', expected one of steel_block, cylinder"),
+    ],
+    ids=["asked for", "of the system", "asked for against the system", "nothing said"],
+)
+def test_an_error_is_said_in_the_language_of_the_terminal(environment: dict[str, str], words: str) -> None:
+    done = heft("plan", "ur5e_line", "--payload", "piano", **environment)
+    assert done.returncode == 2
+    assert done.stderr.startswith("heft: ")
+    assert words in done.stderr
+
+
+def test_a_plan_is_printed_in_german_and_its_json_is_what_it_always_is(tmp_path: Path) -> None:
+    file = tmp_path / "plan.json"
+    done = heft("plan", "ur5e_line", "--axes", "z", "--holds-only", "--json", str(file), HEFT_LANGUAGE="de")
+    assert done.returncode == 0, done.stderr
+    for words in (
+        "Plan (nichts hat sich bewegt)",
+        "Gelenke, Grad",
+        "Roboterzeit ",
+        "Durch Drehungen nicht zu bestimmen",
+        "schnellster Punkt",
+    ):
+        assert words in done.stdout
+    assert "Robot time" not in done.stdout
+    assert [pose["axis"] for pose in json.loads(file.read_text())["poses"]] == ["z-", "z+"]
+
+
+def test_the_cells_are_listed_in_german() -> None:
+    done = heft("cells", HEFT_LANGUAGE="de")
+    assert "Schutzzonen" in done.stdout
+
+
+def test_an_export_says_what_it_lacks_in_german(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HEFT_LANGUAGE", "de")
+    file = tmp_path / "result.json"
+    file.write_text(answer(cloud(0), None).model_dump_json())
+    said = CliRunner().invoke(app, ["export", str(file), "--target", "kuka_sunrise"])
+    assert said.stderr.count("hat keinen Platz für") == 3
+
+
+def test_tables_and_lines_are_in_german_with_its_decimal_mark(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HEFT_LANGUAGE", "de")
+    assert str(diagnosis_table(not_enough(Remark("too_short", "too short"), 0.1)).title).startswith("zu wenig: ")
+    told = PlanTorques(load="a guessed mass", mass_kg=1.0, largest=None, not_judged=[])
+    assert torque_lines(told)[0].startswith("Gelenkmomente mit 1,000 kg")
+
+
+def test_help_says_how_to_choose_the_language() -> None:
+    assert "HEFT_LANGUAGE" in heft("--help", HEFT_LANGUAGE="de").stdout
