@@ -1682,8 +1682,7 @@ export interface components {
             named: string | null;
             /** Also */
             also: string[];
-            /** Summary */
-            summary: string | null;
+            summary: components["schemas"]["Message"] | null;
             result: components["schemas"]["Diagnosis"] | null;
         };
         /**
