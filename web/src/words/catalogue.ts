@@ -16,11 +16,11 @@ export interface Message {
 /** The words of a language, ready to be filled in. */
 export type Catalogue = FluentBundle;
 
-const FILES = import.meta.glob<string>('../../../core/words/*/*.ftl', {
-  query: '?raw',
-  import: 'default',
-  eager: true,
-});
+/** All but what stands only in a terminal, a report or a score sheet. */
+const FILES = import.meta.glob<string>(
+  ['../../../core/words/*/*.ftl', '!../../../core/words/*/{cli,newcell,report,result,sheet}.ftl'],
+  { query: '?raw', import: 'default', eager: true },
+);
 const DECIMAL_MARK: Record<Language, string> = { en: '.', de: ',' };
 const FLAW = 'flaw';
 /** So many decimals tell whether a number lies exactly between two others. */
