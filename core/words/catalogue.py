@@ -52,6 +52,12 @@ def read_catalogue(language: Language, code: str) -> FluentBundle:
     return _read_file(language, name if name.isalnum() and (FOLDER / language / f"{name}.ftl").is_file() else FLAW)
 
 
+def load_catalogue(language: Language) -> None:
+    """Reads all files at once, for a process that must not wait for them later."""
+    for file in sorted((FOLDER / language).glob("*.ftl")):
+        _read_file(language, file.stem)
+
+
 @cache
 def _read_file(language: Language, name: str) -> FluentBundle:
     """The library is loaded when the first message is worded, and each file when it is needed: most processes never word one."""

@@ -11,6 +11,7 @@ from core.errors import BadPayload
 from core.export.exports import TARGETS, frame_of, payload_of, target_of
 from core.export.target import Target
 from core.payload.uncertain_parameters import UncertainParameters
+from core.words.message import Message
 from server.cells.folder import CellFolder, CellsDep
 from server.http import downloads
 from server.http.schemas import Answer
@@ -79,10 +80,10 @@ def _payload(cells: CellFolder, conductor: Conductor, run: str) -> tuple[Uncerta
 
 
 def _describe(target: Target, payload: UncertainParameters) -> ExportListed:
-    refused: str | None = None
+    refused: Message | None = None
     try:
         target.render_file(payload)
     except BadPayload as error:
-        refused = str(error)
+        refused = error.message
     lost = [] if refused else [Lost.model_validate(lack) for lack in target.lacks(payload)]
     return ExportListed(target=target.name, title=target.title, file=target.file, says=target.says, refused=refused, lost=lost)
