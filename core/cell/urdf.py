@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path, PurePosixPath
 
 import numpy as np
@@ -145,6 +146,7 @@ class Urdf:
             find_inside(folder, name, BadRobot, max_bytes=MAX_MESH_BYTES, where=where)
 
 
+@lru_cache(maxsize=8)
 def check_urdf(text: str, where: str) -> Urdf:
     """Checks a URDF's text.
 

@@ -6,6 +6,7 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,6 +84,12 @@ class UrdfJoint:
     mimic: bool
 
 
+@lru_cache(maxsize=8)
+def read_xml(text: str) -> ET.Element:
+    """The root element of a text, parsed once for all who look at it; nobody changes it."""
+    return ET.fromstring(text)
+
+
 def parse(text: str, where: str) -> ET.Element:
     """The root element <robot>; raises BadRobot for what is no such XML."""
     if len(text) > MAX_BYTES:
@@ -91,7 +98,7 @@ def parse(text: str, where: str) -> ET.Element:
         if declaration in text:
             raise BadRobot(where, "description-declaration", declaration=declaration)
     try:
-        root = ET.fromstring(text)
+        root = read_xml(text)
     except (ET.ParseError, ValueError, LookupError) as error:
         raise BadRobot(where, "description-no-xml", reason=str(error)) from error
     if root.tag != "robot":

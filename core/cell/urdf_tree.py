@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
+from copy import deepcopy
 
 import numpy as np
 from numpy.typing import NDArray
 
+from core.cell.urdf_elements import read_xml
 from core.payload.inertia import InertialParameters
 from core.payload.rotations import rotation_of_rpy
 
@@ -26,7 +28,7 @@ class UrdfTree:
     """
 
     def __init__(self, text: str, moving: Iterable[str] = ()) -> None:
-        root = ET.fromstring(text)
+        root = read_xml(text)
         self.joints = {joint.get("name", ""): joint for joint in root.findall("joint")}
         self.links = {link.get("name", ""): link for link in root.findall("link")}
         self._above = {end_of(joint, "child"): joint for joint in self.joints.values()}
@@ -88,7 +90,7 @@ def without_inertia(text: str, links: Iterable[str]) -> str:
     bare = set(links)
     if not bare:
         return text
-    root = ET.fromstring(text)
+    root = deepcopy(read_xml(text))
     for link in root.findall("link"):
         for inertial in link.findall("inertial") if link.get("name") in bare else []:
             link.remove(inertial)

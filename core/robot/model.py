@@ -6,7 +6,7 @@ Pinocchio ships no types; this module and `collision` are the only ones that tou
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 import pinocchio as pin
@@ -58,11 +58,9 @@ class RobotModel:
             raise BadRobot(f"{where}: joints", "robot-joints-not-of-chain", joints=description.joints, chain=chain)
         self.description = description
         try:
-            full = pin.buildModelFromXML(without_inertia(description.urdf, UrdfTree(description.urdf).behind(description.sensor_frame)))
+            model = _build_model(description).copy()
         except (ValueError, RuntimeError) as error:
             raise BadRobot(where, "robot-urdf-not-taken", reason=str(error)[:300]) from error
-        others = [full.getJointId(name) for name in full.names[1:] if name not in description.joints]
-        model = pin.buildReducedModel(full, others, pin.neutral(full))
         data = model.createData()
         pin.framesForwardKinematics(model, data, pin.neutral(model))
         urdf_to_base = data.oMf[model.getFrameId(description.base_frame)].inverse()
@@ -153,3 +151,11 @@ class RobotModel:
     def sensor_jacobian(self, q: Array) -> Array:
         """(6, n), linear then angular velocity of the sensor origin, in sensor axes, per joint velocity."""
         return jacobian(self.chain, np.ascontiguousarray(q, dtype=float))
+
+
+@lru_cache(maxsize=8)
+def _build_model(description: RobotDescription) -> pin.Model:
+    """Pinocchio's model of the joints that move; what hangs behind the sensor weighs nothing. Read once for all who ask."""
+    full = pin.buildModelFromXML(without_inertia(description.urdf, UrdfTree(description.urdf).behind(description.sensor_frame)))
+    others = [full.getJointId(name) for name in full.names[1:] if name not in description.joints]
+    return pin.buildReducedModel(full, others, pin.neutral(full))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from core.cell.cell import Pose
 from core.cell.folder import load_cell
+from core.cell.urdf_tree import UrdfTree
 from core.errors import BadCell, BadRobot
 from core.recording.recording import RobotDescription
 from core.robot.model import RobotModel
@@ -92,3 +94,19 @@ def test_a_home_outside_the_limits_is_refused_also_for_a_cell_made_in_memory() -
     robot = cell.robot.model_copy(update={"home_rad": (0.0, 3.0, 0.0, 1.75, 0.0, -1.05, 0.0)})
     with pytest.raises(BadCell, match=r"robot.home_rad: found 3.0 for 'joint2'"):
         RobotModel.of_cell(cell.model_copy(update={"robot": robot}))
+
+
+def test_a_urdf_is_read_once_however_many_look_at_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[str] = []
+    parse, build = ET.fromstring, pin.buildModelFromXML
+    monkeypatch.setattr(ET, "fromstring", lambda text: (read.append("XML"), parse(text))[1])
+    monkeypatch.setattr(pin, "buildModelFromXML", lambda text: (read.append("Pinocchio"), build(text))[1])
+    cell = load_cell(CELLS / "lwr4_bench")
+    cell = cell.model_copy(update={"urdf": cell.urdf + "<!-- never seen before -->"})
+    read.clear()
+    robots = [RobotModel.of_cell(cell), RobotModel.of_cell(cell)]
+    UrdfTree(cell.urdf)
+    RobotModel(robots[0].description)
+    assert sorted(read) == ["Pinocchio", "XML"]
+    robots[0].model.upperPositionLimit[0] = 0.0
+    assert robots[1].model.upperPositionLimit[0] > 0.0
