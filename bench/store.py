@@ -190,7 +190,7 @@ def flaws_of(watcher: Watcher, outage: Outage) -> list[str]:
 
 def reason_of(events: list[dict[str, Any]]) -> str:
     """The last that was given."""
-    return next((event["reason"] for event in reversed(events) if event.get("reason")), "without a reason")
+    return next((event["reason"]["text"] for event in reversed(events) if event.get("reason")), "without a reason")
 
 
 def differences(url: str, watcher: Watcher, run: str) -> list[str]:

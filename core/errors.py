@@ -85,7 +85,7 @@ class HeftError(Exception):
 
     def __init__(self, code: str, /, **parameters: Parameter) -> None:
         super().__init__(code)
-        self.message = Message.of("text", text=code) if " " in code else Message.of(code, **parameters)
+        self.message = Message.of(code, **parameters)
 
     def __str__(self) -> str:
         return self.message.text
@@ -106,9 +106,7 @@ class BadInput(HeftError):
     exit_code = 2
     others: tuple[BadInput, ...] = ()
 
-    def __init__(self, where: str | Message, code: str, /, *rest: str, **parameters: Parameter) -> None:
-        if rest:
-            code, parameters = "flaw", {"found": code, "expected": rest[0]}
+    def __init__(self, where: str | Message, code: str, /, **parameters: Parameter) -> None:
         super().__init__(code, where=where, **parameters)
 
     @property
@@ -134,8 +132,8 @@ class BadCell(BadInput):
         in_the_way: name of what stands where the robot is.
     """
 
-    def __init__(self, where: str | Message, code: str, /, *rest: str, in_the_way: str | None = None, **parameters: Parameter) -> None:
-        super().__init__(where, code, *rest, **parameters)
+    def __init__(self, where: str | Message, code: str, /, in_the_way: str | None = None, **parameters: Parameter) -> None:
+        super().__init__(where, code, **parameters)
         self.in_the_way = in_the_way
 
 

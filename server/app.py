@@ -14,6 +14,7 @@ from fastapi import Depends, FastAPI
 from fastapi.routing import APIRoute
 
 from core.version import release_version
+from core.words.catalogue import load_catalogue
 from server.cells import routes as cells_routes
 from server.cells.folder import CellFolder
 from server.cells.uploads import CellChecker
@@ -133,7 +134,9 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
 
 
 async def _begin_later(checker: CellChecker) -> None:
+    """Loads the words before the event loop needs them, and begins the checker."""
     await asyncio.sleep(CHECKER_AFTER_S)
+    await asyncio.to_thread(load_catalogue, "en")
     await asyncio.to_thread(checker.start)
 
 

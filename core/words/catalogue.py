@@ -29,32 +29,43 @@ def format_message(code: str, parameters: Mapping[str, bool | float | str], lang
 
     A code that no catalogue has is said as it is: a message that cannot be worded must not hide what happened.
     """
-    bundle = read_catalogue(language)
+    bundle = read_catalogue(language, code)
     if not bundle.has_message(code):
         return f"{code} {dict(parameters)}" if parameters else code
     if bundle.get_message(code).value is not None:
         return _format(bundle, code, None, parameters)
     parts = {part: _format(bundle, code, part, parameters) for part in ("found", "expected")}
-    return _format(bundle, FLAW, None, {"where": parameters.get("where", ""), **parts})
+    return _format(read_catalogue(language, FLAW), FLAW, None, {"where": parameters.get("where", ""), **parts})
 
 
 def format_part(code: str, part: str, parameters: Mapping[str, bool | float | str], language: Language) -> str:
     """The words of one part of a message; all of them where it has no such part."""
-    bundle = read_catalogue(language)
+    bundle = read_catalogue(language, code)
     if bundle.has_message(code) and part in bundle.get_message(code).attributes:
         return _format(bundle, code, part, parameters)
     return format_message(code, parameters, language)
 
 
+def read_catalogue(language: Language, code: str) -> FluentBundle:
+    """The messages of the file that has this one: its name is what the code begins with, up to the first hyphen."""
+    name = code.partition("-")[0]
+    return _read_file(language, name if name.isalnum() and (FOLDER / language / f"{name}.ftl").is_file() else FLAW)
+
+
+def load_catalogue(language: Language) -> None:
+    """Reads all files at once, for a process that must not wait for them later."""
+    for file in sorted((FOLDER / language).glob("*.ftl")):
+        _read_file(language, file.stem)
+
+
 @cache
-def read_catalogue(language: Language) -> FluentBundle:
-    """All messages of a language. The library is loaded when the first message is worded: most processes never word one."""
+def _read_file(language: Language, name: str) -> FluentBundle:
+    """The library is loaded when the first message is worded, and each file when it is needed: most processes never word one."""
     from fluent.runtime import FluentBundle, FluentResource  # noqa: PLC0415
 
-    functions: dict[str, Callable[..., Any]] = {name: partial(format_number, language) for name, format_number in NUMBERS.items()}
+    functions: dict[str, Callable[..., Any]] = {function: partial(format_number, language) for function, format_number in NUMBERS.items()}
     bundle = FluentBundle([language], use_isolating=False, functions=functions)
-    for file in sorted((FOLDER / language).glob("*.ftl")):
-        bundle.add_resource(FluentResource(file.read_text(encoding="utf-8")))
+    bundle.add_resource(FluentResource((FOLDER / language / f"{name}.ftl").read_text(encoding="utf-8")))
     return bundle
 
 

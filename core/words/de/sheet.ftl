@@ -4,7 +4,7 @@ sheet-command = `heft trial --seeds { $seeds }` ({ $count ->
         [one] 1 Versuch
        *[other] { $count } Versuche
     }, Heft { $versions }).
-sheet-how = Die Fehler setzt ein Programm, das mit den Effekten nichts gemeinsam hat; jede Antwort wurde vor der ersten Diagnose versiegelt (ihr Hash ausgegeben). Anteile stehen mit ihrem 95-%-Intervall (Wilson). Ein Fehler zählt, wenn er von Belang ist und mindestens { FIXED($sigma, digits: 0) } Sigma von nichts entfernt (`core/trial/judgement.py`). Die Schranke ist, was das bestmögliche Verfahren an denselben Aufzeichnungen erreichen könnte; die Entfernungen, auf denen sie beruht, stammen aus einer zweiten Simulation jedes Laufs ohne seinen Fehler.
+sheet-how = Die Fehler baut ein Programm ein, das mit den Effekten nichts gemeinsam hat; jede Antwort wurde vor der ersten Diagnose versiegelt (ihr Hash ausgegeben). Anteile stehen mit ihrem 95-%-Intervall (Wilson). Ein Fehler zählt, wenn er von Belang ist und mindestens { FIXED($sigma, digits: 0) } Sigma von nichts entfernt (`core/trial/judgement.py`). Die Schranke ist, was das bestmögliche Verfahren an denselben Aufzeichnungen erreichen könnte; die Entfernungen, auf denen sie beruht, stammen aus einer zweiten Simulation jedes Laufs ohne seinen Fehler.
 sheet-by-kind = Nach Art
 sheet-by-effect = Nach Effekt
 sheet-not-right = Nicht richtig
@@ -73,11 +73,11 @@ sheet-verdict-not-enough = zu wenig
 sheet-verdict-stopped = gestoppt
 
 # Bilder
-sheet-confusion = Gesetzt gegen geantwortet, einzelne Fehler, die zählen
+sheet-confusion = Verborgen gegen geantwortet, einzelne Fehler, die zählen
 sheet-calibration = Kalibrierung
 sheet-closure = Wie weit sich die Abweichung schließt
 sheet-detection = Was zu sehen ist und gesehen wurde
-sheet-planted = gesetzt
+sheet-planted = verborgen
 sheet-answered = geantwortet
 sheet-times = Anzahl
 sheet-most-probable-class = wahrscheinlichste Klasse

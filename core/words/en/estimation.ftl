@@ -37,8 +37,8 @@ estimation-joint-span = { DEGREES($span_rad, digits: 0) }
 estimation-lively = { estimation-liveliness } enough for all ten parameters
 estimation-hardly-lively = { estimation-liveliness } hardly enough for all ten parameters
 estimation-liveliness = the sensor frame turns with up to { FIXED($turns_rad_s, digits: 2) } rad/s and { FIXED($turns_rad_s2, digits: 1) } rad/s2, gravity spreads over its weakest axis by { PERCENT($spread) } % of its size: with a wrist sensor this motion would be
-estimation-joint-torques = the joint torques reach { $torques } N m; arm, friction and payload together, of which the payload's share cannot be told
-estimation-joint-torque = { FIXED($torque_n_m, digits: 1) }
+estimation-joint-torques = the joint torques reach { $torques }; arm, friction and payload together, of which the payload's share cannot be told
+estimation-joint-torque = { FIXED($torque_n_m, digits: 1) } N m
 # What should be known before the numbers are used.
 estimation-residual-above-noise = the residual exceeds the sensor's noise, most in { $channel } ({ FIXED($times, digits: 1) } times with its correlation in time): something that the model leaves out; the uncertainties were widened, but an error that repeats is not noise
 estimation-no-such-body = the data alone asked for a body that cannot exist; the nearest one that can was taken

@@ -75,7 +75,7 @@ def test_a_run_of_the_default_robot_has_no_gap_and_its_friction_is_no_news(name:
     assert [each.id for each in diagnosis.also if each.material] == []
     friction = beside(diagnosis)["joint_friction"]
     assert friction.times_expected == pytest.approx(1.0, abs=0.1)
-    assert friction.remark == "friction_as_stated"
+    assert friction.message.code == "symptom-friction-as-stated"
     assert str(diagnosis.summary) == "Simulation and recording agree as far as it matters."
 
 

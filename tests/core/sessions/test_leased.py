@@ -114,8 +114,8 @@ def test_what_was_late_is_said_with_value_and_limit(lease, cause):
 def test_nothing_is_worded_while_the_robot_is_commanded(lease, clock, robot, monkeypatch):
     """The first wording loads the catalogue, which takes longer than a control period."""
 
-    def read(language: str) -> None:
-        pytest.fail(f"worded in {language}")
+    def read(language: str, code: str) -> None:
+        pytest.fail(f"{code} worded in {language}")
 
     monkeypatch.setattr(catalogue, "read_catalogue", read)
     session = LeasedSession(robot, lease)

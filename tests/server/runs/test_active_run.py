@@ -172,7 +172,9 @@ def test_a_database_that_stays_away_holds_the_robot_and_a_resume_waits_until_it_
     away.gone = True
     until(lambda: held(Cause.STORE)(stage))
     hold = next(each for each in stage.robot.told if isinstance(each, Hold))
-    stop = RobotStopped(error="ControlLost", message=hold.message, restart=1, final=False, held=True, lateness=hold.lateness)
+    stop = RobotStopped(
+        error="ControlLost", message=sentence("the database is late"), restart=1, final=False, held=True, lateness=hold.lateness
+    )
     stage.robot.say(Happened(stop))
     until(lambda: stage.shown()["state"] == "Held")
     assert stage.shown()["reason_kind"] == "store-late"

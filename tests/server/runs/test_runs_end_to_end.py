@@ -97,6 +97,9 @@ def check_downloads(console: Console, run: str, folder: Path) -> None:
     assert page.headers["content-type"].startswith("text/html")
     assert "sandbox" in page.headers["content-security-policy"]
     assert "Steel block" in page.text or "steel block" in page.text
+    assert '<html lang="de">' in console.http.get(f"/api/runs/{run}/report", params={"language": "de"}).text
+    (console.service.data / "recordings" / run / "report.de.html").unlink()  # as of an earlier version
+    assert console.http.get(f"/api/runs/{run}/report", params={"language": "de"}).text == page.text
 
 
 FIGURES = (
