@@ -89,7 +89,7 @@ def test_a_zone_on_the_robot_is_seen_before_it_moves_and_the_cell_says_what_is_w
     at.tap(page.get_by_role("link", name="Run", exact=True))
     expect(page.locator(".setup [role=alert]")).to_contain_text("No run can be planned in this cell")
     expect(page.get_by_role("button", name="plan")).to_have_count(0)
-    expect(page.get_by_role("link", name="Look at the cell")).to_have_attribute("href", "#/cells/lwr4_bench")
+    expect(page.get_by_role("link", name="Show the cell")).to_have_attribute("href", "#/cells/lwr4_bench")
     check_looks(look(page, "a cell that takes no run"))
     at.press("Put operator back where it was")
     expect(page.locator(".setup [role=alert]")).to_have_count(0)
