@@ -124,7 +124,7 @@ def test_a_cell_broken_on_disk_is_shown_with_its_flaw_until_it_is_mended(
     try:
         path.write_text(sound_text.replace(before, after, 1))
         expect(flawed).to_contain_text(says)
-        expect(flawed).to_contain_text("take in a zip of a mended cell")
+        expect(flawed).to_contain_text("import a zip of the corrected cell")
         expect(at.page.locator(".undrawn svg")).to_have_count(sketches)
         check_looks(look(at.page, says))
     finally:

@@ -52,7 +52,7 @@ def test_a_page_of_which_nothing_is_known_yet_says_why_and_fills_by_itself(watch
     watching.page.context.route(about_it, lambda route: route.abort())
     watching.page.goto(f"http://{watching.service.address}/#/runs/{run}")
     expect(watching.page.get_by_role("heading", level=1)).to_have_text("Loading")
-    expect(watching.page.locator("main")).to_contain_text("fills by itself")
+    expect(watching.page.locator("main")).to_contain_text("loads by itself")
     check_looks(look(watching.page, "nothing known"))
     watching.page.context.unroute(about_it)
     expect(watching.page.get_by_role("heading", level=1)).not_to_have_text("Loading")
