@@ -89,7 +89,7 @@ def test_a_zone_on_the_robot_is_seen_before_it_moves_and_the_cell_says_what_is_w
     at.tap(page.get_by_role("link", name="Run", exact=True))
     expect(page.locator(".setup [role=alert]")).to_contain_text("No run can be planned in this cell")
     expect(page.get_by_role("button", name="plan")).to_have_count(0)
-    expect(page.get_by_role("link", name="Look at the cell")).to_have_attribute("href", "#/cells/lwr4_bench")
+    expect(page.get_by_role("link", name="Show the cell")).to_have_attribute("href", "#/cells/lwr4_bench")
     check_looks(look(page, "a cell that takes no run"))
     at.press("Put operator back where it was")
     expect(page.locator(".setup [role=alert]")).to_have_count(0)
@@ -124,7 +124,7 @@ def test_a_cell_broken_on_disk_is_shown_with_its_flaw_until_it_is_mended(
     try:
         path.write_text(sound_text.replace(before, after, 1))
         expect(flawed).to_contain_text(says)
-        expect(flawed).to_contain_text("take in a zip of a mended cell")
+        expect(flawed).to_contain_text("import a zip of the corrected cell")
         expect(at.page.locator(".undrawn svg")).to_have_count(sketches)
         check_looks(look(at.page, says))
     finally:

@@ -41,7 +41,7 @@ def test_a_screen_without_a_line_says_so_and_shows_what_happened_meanwhile_once_
     watching.page.context.set_offline(False)
     watching.page.locator(".lost-layer").wait_for(state="detached")
     assert watching.page.locator("main [data-state]").get_attribute("data-state") == "Stopped"
-    expect(watching.page.locator(".ended")).to_contain_text(person.run(run)["reason"])
+    expect(watching.page.locator(".ended")).to_contain_text(person.run(run)["reason"]["text"])
     check_that_loading_it_again_changes_nothing(watching)
     assert [said for said in watching.complaints if UNREACHABLE not in said] == []
 
@@ -52,7 +52,7 @@ def test_a_page_of_which_nothing_is_known_yet_says_why_and_fills_by_itself(watch
     watching.page.context.route(about_it, lambda route: route.abort())
     watching.page.goto(f"http://{watching.service.address}/#/runs/{run}")
     expect(watching.page.get_by_role("heading", level=1)).to_have_text("Loading")
-    expect(watching.page.locator("main")).to_contain_text("fills by itself")
+    expect(watching.page.locator("main")).to_contain_text("loads by itself")
     check_looks(look(watching.page, "nothing known"))
     watching.page.context.unroute(about_it)
     expect(watching.page.get_by_role("heading", level=1)).not_to_have_text("Loading")
@@ -111,7 +111,7 @@ def test_an_aborted_run_is_so_on_every_screen_until_somebody_has_looked(watching
     person.wait(run, "Aborted")
     watching.page.goto(f"http://{watching.service.address}/#/runs/{run}")
     watching.wait(".ended [data-state=Aborted]")
-    expect(watching.page.locator(".ended")).to_contain_text(person.run(run)["reason"])
+    expect(watching.page.locator(".ended")).to_contain_text(person.run(run)["reason"]["text"])
     check_looks(look(watching.page, "aborted"))
     watching.press("Clear")
     watching.wait(".ended [data-state=Stopped]")

@@ -14,6 +14,7 @@ from playwright.sync_api import Browser, Page, Route, expect
 from core.effects.library import library, symptoms
 from core.gap.answer import Diagnosis, Experiment, Tied
 from core.planning.stop import Stop, Swings
+from core.words.message import Message
 from tests.server.real_service import ROOT, Console, RealService
 from tests.web.finished_answers import NOISY, OTHER_PAYLOAD, RUBBING
 from tests.web.judgement import check_looks, check_nothing_is_cut_off
@@ -66,6 +67,11 @@ def engineer(service: RealService, browser: Browser) -> Iterator[Tablet]:
     """A tablet of the first account."""
     with signed_in(service, browser) as at:
         yield at
+
+
+def sentence(text: str) -> Message:
+    """A message of its own."""
+    return Message.of("text", text=text)
 
 
 def answer_of(person: Console, diagnosis: str) -> Diagnosis:
@@ -178,9 +184,17 @@ def test_who_may_only_watch_sees_everything_and_which_role_may_do_what(service: 
 
 
 def test_what_is_not_settled_names_both_and_the_motion_that_settles_it(engineer: Tablet, person: Console, diagnosed: str):
-    tie = Tied(ids=("base_tilt", "joint_offset"), distance_sigma=2.1, why="They bend alike.", splits="turning about x")
+    alike, turning = sentence("They bend alike."), sentence("Turn about x.")
+    tie = Tied(ids=("base_tilt", "joint_offset"), distance_sigma=2.1, why=alike, splits=turning)
     motion = Experiment(
-        id="x", motion="Turn about x.", stops=TURN, splits=[tie.ids], sigma_before=2.1, sigma_after=11.4, seconds=12.0, planned=True
+        id="x",
+        motion=turning,
+        stops=TURN,
+        splits=[tie.ids],
+        sigma_before=2.1,
+        sigma_after=11.4,
+        seconds=12.0,
+        planned=True,
     )
     page = show_instead(engineer, person, diagnosed, verdict="ambiguous", indistinguishable=[tie], next_experiment=motion)
     heading = page.get_by_role("heading", level=1)
@@ -199,7 +213,7 @@ def test_what_is_not_settled_names_both_and_the_motion_that_settles_it(engineer:
     [
         ("unknown", "No known effect explains the gap"),
         ("no_gap", "Simulation and recording agree"),
-        ("not_enough", "This recording tells too little"),
+        ("not_enough", "This recording contains too little"),
     ],
 )
 def test_a_verdict_that_names_no_effect_offers_none_for_the_twin(
@@ -218,7 +232,7 @@ def test_an_effect_that_the_twin_does_not_take_is_not_offered_and_the_reason_is_
     best, *others = answer_of(person, diagnosed).effects
     assert best.addable
     why = "base_tilt closing 1 % of the gap (3.000 before, 2.990 after, noise is 1)"
-    refused = [best.model_copy(update={"addable": False, "why_not": why}), *others]
+    refused = [best.model_copy(update={"addable": False, "why_not": sentence(why)}), *others]
     page = show_instead(engineer, person, diagnosed, effects=[effect.model_dump() for effect in refused])
     expect(page.get_by_role("heading", level=1)).to_contain_text("Base not level explains the gap")
     expect(page.get_by_role("button", name="Add to the twin")).to_have_count(0)
@@ -234,10 +248,10 @@ def test_what_is_seen_elsewhere_stands_beside_the_verdict_with_its_measure_and_w
     expect(page.get_by_role("heading", level=1)).to_contain_text("Simulation and recording agree")
     also = page.locator(".also")
     expect(also.get_by_role("heading", level=3)).to_have_text(["Payload differs from the reference", "More sensor noise than stated"])
-    expect(also).to_contain_text(OTHER_PAYLOAD["sentence"])
+    expect(also).to_contain_text(OTHER_PAYLOAD["message"]["text"])
     expect(also).to_contain_text("Against the reference payload; 4.0 times what is stated or tolerated")
-    expect(also).to_contain_text(NOISY["advice"])
-    expect(page.locator(".minor")).to_contain_text(RUBBING["sentence"])
+    expect(also).to_contain_text(NOISY["advice"]["text"])
+    expect(page.locator(".minor")).to_contain_text(RUBBING["message"]["text"])
     expect(page.locator("body")).to_contain_text("Follow the advice.")
     check_looks(look(page, "seen elsewhere"))
     assert engineer.complaints == []

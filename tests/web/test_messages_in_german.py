@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
+from typing import Any
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, FilePayload, expect
+from playwright.sync_api import Browser, FilePayload, Route, expect
 
 from core.cell.folder import load_cell
 from core.control.checks import GuardStop, Numbers
@@ -50,7 +52,7 @@ def stops_and_refusals() -> list[HeftError]:
         *found,
         make_frozen_error(0.3, 0.25, ()),
         NoStartConfiguration("x+", {}),
-        BadCell("cell.toml: limits.clearance_m", "schema-greater-than", found="-0.1", gt=0.0),
+        BadCell("cell.toml: limits.clearance_m", "schema-greater-than", input="-0.1", gt=0.0),
     ]
 
 
@@ -105,7 +107,11 @@ def test_stops_and_refusals_are_said_in_german_where_a_run_ended(german: Tablet,
     expect(told).to_have_count(len(said))
     assert told.all_inner_texts() == [message.say("de") for message in said]
     assert told.locator("[lang=en]").count() == 0
-    assert "Gelenk „joint2“" in " ".join(told.all_inner_texts())
+    assert "Gelenk joint2" in " ".join(told.all_inner_texts())
+
+
+def refuse(problem: dict[str, Any], route: Route) -> None:
+    route.fulfill(status=409, json=problem)
 
 
 def test_what_the_service_refuses_is_said_in_german_and_a_sentence_from_outside_as_it_came(german: Tablet) -> None:
@@ -119,7 +125,7 @@ def test_what_the_service_refuses_is_said_in_german_and_a_sentence_from_outside_
             "type": f"/problems/{message.code}", "title": "Conflict", "status": 409, "detail": message.text, "kind": "conflict",
             "parameters": message.parameters, "request_id": "1",
         }  # fmt: skip
-        page.route("**/api/control", lambda route, problem=problem: route.fulfill(status=409, json=problem))
+        page.route("**/api/control", partial(refuse, problem))
         german.press("Bedienung übernehmen und planen")
         notice = page.locator(".notice .told")
         expect(notice).to_have_text(words or message.say("de"))

@@ -7,7 +7,7 @@ export const cells: typeof en.cells = {
     'Wählen Sie eine Zelle oder die ZIP-Datei einer neuen: Sie wird geprüft, bevor sie importiert wird.',
   list: 'Zelle',
   limits: 'Grenzen',
-  speed: 'Höchstgeschwindigkeit',
+  speed: 'Höchst\u00ADgeschwindig\u00ADkeit',
   clearance: 'Mindestabstand',
   selfClearance: 'Mindestabstand zu sich selbst',
   floor: 'Höhe des Bodens',
