@@ -103,7 +103,8 @@ def see_through(person: Console, line: WifiLine, run: str, found: Carried) -> No
         time.sleep(LOOK_S)
     found.seconds, found.gaps = line.now_s - begun_s, len(line.gaps.within(begun_s, line.now_s))
     found.causes, found.longest_s = holds(person.http.get(f"/api/runs/{run}/events?kind=event").json())
-    found.lost = None if now["state"] == "Complete" else f"lost, {now['state']}: {now['reason_kind']}: {now['reason'] and now['reason']['text']}"
+    why = now["reason"] and now["reason"]["text"]
+    found.lost = None if now["state"] == "Complete" else f"lost, {now['state']}: {now['reason_kind']}: {why}"
 
 
 def release(person: Console, run: str) -> None:
