@@ -7,6 +7,7 @@ from pathlib import Path
 
 from core.cell.cell import Cell, Friction
 from core.errors import Stopped
+from core.events import drive
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
@@ -20,7 +21,7 @@ from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 from core.trial.bound import Bound, bound_of
-from core.trial.draw import Drawn, run_to_end
+from core.trial.draw import Drawn
 from core.trial.outcome import TrialOutcome, make_outcome, make_stopped_outcome
 from core.trial.second_look import second_look
 from core.trial.truth import Parameters, difference_of, translate_truth, true_payload_of
@@ -64,7 +65,7 @@ def record_procedure(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
     run = _Recorder(cell, session, carried.box, Procedure(drawn.plan.timing), "rrt_connect", 0)
     log = SampleLog(cell, run.robot, payload=name, reference=carried)
     with session:
-        run_to_end(run.execute_plan(drawn.plan, log))
+        drive(run.execute_plan(drawn.plan, log))
     return log.recording()
 
 
