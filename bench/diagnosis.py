@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from core.effects.library import library
+from core.events import drive
 from core.gap.basis import basis_of
 from core.gap.effect_fit import fit_nominal
 from core.gap.evidence import gather
@@ -20,7 +21,7 @@ from core.plant.imperfections import Imperfections
 from core.procedure.identify import carry_out
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload, run_to_end
+from core.trial import plan_each_payload
 
 
 def recorded() -> Recording:
@@ -28,7 +29,7 @@ def recorded() -> Recording:
     cell, plans = plan_each_payload("lwr4_bench")
     carried = cell.payloads["cylinder"]
     session = SimulatedSession(cell, carried.parameters, seed=1, imperfections=Imperfections(wrench_delay_s=0.01))
-    return thinned(run_to_end(carry_out(cell, session, carried.box, plans["cylinder"])).recording, slice(None, None, 2))
+    return thinned(drive(carry_out(cell, session, carried.box, plans["cylinder"])).recording, slice(None, None, 2))
 
 
 def thinned(recording: Recording, rows: slice) -> Recording:

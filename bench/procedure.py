@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
+from core.events import drive
 from core.payload.inertia import PHI_NAMES
 from core.planning.plan import Plan
 from core.planning.search import plan_procedure
@@ -23,7 +24,6 @@ from core.procedure.identify import carry_out
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.sessions.simulated import SimulatedSession
-from core.trial import run_to_end
 
 Array = NDArray[np.float64]
 
@@ -73,7 +73,7 @@ def planned(name: str, payload: str) -> tuple[Cell, Plan]:
     robot = RobotModel.of_cell(cell)
     box = cell.payloads[payload].box
     home = np.array(cell.robot.home_rad)
-    return cell, run_to_end(plan_procedure(cell, robot, CollisionModel(cell, robot, box), box, start=home))
+    return cell, drive(plan_procedure(cell, robot, CollisionModel(cell, robot, box), box, start=home))
 
 
 def run(job: Job) -> Errors:
@@ -81,7 +81,7 @@ def run(job: Job) -> Errors:
     cell, plan = planned(job.cell, job.payload)
     carried = cell.payloads[job.payload]
     session = SimulatedSession(cell, carried.parameters, seed=job.seed, imperfections=planted(job.condition, job.seed))
-    outcome = run_to_end(carry_out(cell, session, carried.box, plan))
+    outcome = drive(carry_out(cell, session, carried.box, plan))
     estimate, truth = outcome.identification.estimate, carried.parameters.phi
     if estimate is None:
         raise RuntimeError(f"{job}: {outcome.identification.verdict}")

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from bench.brute_force import CANDIDATES, BruteForce
 from core.cell.cell import Cell
 from core.errors import NoStartConfiguration, Refused
-from core.events import RobotStopped, StartConfigurationFound
+from core.events import Event, RobotStopped, StartConfigurationFound, drive
 from core.payload.inertia import InertialParameters
 from core.planning.plan import POSES, Plan
 from core.planning.search import plan_procedure
@@ -77,19 +77,21 @@ def judge(seed: int) -> Judgement:
     collision = CollisionModel(drawn.cell, robot, drawn.payload_box)
     home = np.array(drawn.cell.robot.home_rad)
     mass = drawn.cell.payloads["random"].mass_kg
-    events = plan_procedure(drawn.cell, robot, collision, drawn.payload_box, start=home, mass_guess_kg=mass, seed=seed)
+    planning = plan_procedure(drawn.cell, robot, collision, drawn.payload_box, start=home, mass_guess_kg=mass, seed=seed)
     began = time.perf_counter()
     axis = POSES[0]
+
+    def note_axis(event: Event) -> None:
+        nonlocal axis
+        if isinstance(event, StartConfigurationFound):
+            axis = event.axis
+
     try:
-        while True:
-            event = next(events)
-            if isinstance(event, StartConfigurationFound):
-                axis = event.axis
-    except StopIteration as end:
-        return judge_plan(drawn, end.value, time.perf_counter() - began)
+        plan = drive(planning, note_axis)
     except Refused as refusal:
         blamed = (refusal.axis,) if isinstance(refusal, NoStartConfiguration) else (f"{axis[0]}-", f"{axis[0]}+")
         return judge_refusal(drawn, f"{', '.join(blamed)}: {refusal}", blamed, time.perf_counter() - began)
+    return judge_plan(drawn, plan, time.perf_counter() - began)
 
 
 def judge_plan(drawn: RandomCell, plan: Plan, planning_s: float) -> Judgement:
@@ -134,13 +136,13 @@ def simulated(drawn: RandomCell, plan: Plan, checker: IndependentChecker) -> lis
     session = Witness(drawn.cell, carried, drawn.seed)
     run = carry_out(drawn.cell, session, drawn.payload_box, plan, seed=drawn.seed)
     violations: list[str] = []
-    try:
-        while True:
-            event = next(run)
-            if isinstance(event, RobotStopped):
-                violations.append(f"stopped by the guard: {event.message}")
-    except StopIteration as end:
-        commanded = end.value.recording.q_cmd
+
+    def note_stop(event: Event) -> None:
+        if isinstance(event, RobotStopped):
+            violations.append(f"stopped by the guard: {event.message}")
+
+    commanded = drive(run, note_stop).recording.q_cmd
+    assert commanded is not None
     violations += [f"commanded: {violation}" for violation in checker.check(commanded, session.period).violations]
     true = checker.check(np.array(session.true_q), session.period)
     places = [f"{pair} {-1000 * margin:.3f} mm closer than allowed" for margin, pair in true.margins_m.values() if margin < 0.0]

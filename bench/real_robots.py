@@ -26,6 +26,7 @@ from core.cell.cell import Cell
 from core.cell.folder import check_robot
 from core.cell.urdf import check_urdf
 from core.errors import BadInput, Refused
+from core.events import drive
 from core.planning.commanded_path import PlanPart, compute_joint_paths
 from core.planning.plan import Plan
 from core.planning.search import plan_procedure
@@ -97,13 +98,7 @@ def _planned(cell: Cell, seed: int) -> tuple[Plan, list[str], float]:
     model = RobotModel.of_cell(cell)
     collision = CollisionModel(cell, model, cell.payload_box)
     home, mass = np.array(cell.robot.home_rad), cell.payloads["random"].mass_kg
-    events = plan_procedure(cell, model, collision, cell.payload_box, start=home, mass_guess_kg=mass, seed=seed)
-    while True:
-        try:
-            next(events)
-        except StopIteration as end:
-            plan: Plan = end.value
-            break
+    plan = drive(plan_procedure(cell, model, collision, cell.payload_box, start=home, mass_guess_kg=mass, seed=seed))
     checker = IndependentChecker(cell, cell.payload_box, cell.payloads["random"])
     violations, least = [], np.inf
     here = home

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Callable, Generator
+from contextlib import closing
+from typing import Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict
 
 from core.errors import Lateness
 from core.words.message import Message
+
+Told = TypeVar("Told")
+Answer = TypeVar("Answer")
 
 
 class Event(BaseModel):
@@ -104,3 +109,23 @@ class Finished(Event):
 
     kind: Literal["finished"] = "finished"
     verdict: Message
+
+
+def drive(run: Generator[Told, None, Answer], tell: Callable[[Told], object] | None = None) -> Answer:
+    """Runs a generator of events to its end and returns what it returns. However this ends, the run is closed: its robot stands.
+
+    Args:
+        tell: is told each event as it comes. The run rests meanwhile: whoever is told may wait, or throw something into it.
+
+    Raises:
+        HeftError: whatever the run raises.
+    """
+    with closing(run):
+        while True:
+            try:
+                event = next(run)
+            except StopIteration as end:
+                answer: Answer = end.value
+                return answer
+            if tell is not None:
+                tell(event)

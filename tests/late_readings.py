@@ -13,6 +13,7 @@ import numpy as np
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
+from core.events import drive
 from core.planning.plan import Plan
 from core.planning.search import plan_procedure
 from core.planning.settings import Timing
@@ -23,7 +24,6 @@ from core.recording.recording import Recording
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import run_to_end
 
 LATE = Delay(0.0117)
 NOISIER = 9.0
@@ -54,11 +54,11 @@ def short_plan() -> Plan:
     cell = noisy_cell()
     robot, box = RobotModel.of_cell(cell), cell.payloads[CARRIED].box
     collision = CollisionModel(cell, robot, box)
-    return run_to_end(plan_procedure(cell, robot, collision, box, start=np.array(cell.robot.home_rad), timing=SHORT))
+    return drive(plan_procedure(cell, robot, collision, box, start=np.array(cell.robot.home_rad), timing=SHORT))
 
 
 @cache
 def first_run() -> Recording:
     """What the procedure leaves behind."""
     cell = noisy_cell()
-    return run_to_end(carry_out(cell, session(4), cell.payloads[CARRIED].box, short_plan(), payload=CARRIED)).recording
+    return drive(carry_out(cell, session(4), cell.payloads[CARRIED].box, short_plan(), payload=CARRIED)).recording

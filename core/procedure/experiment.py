@@ -13,9 +13,13 @@ from core.planning.joint_torques import find_known_load
 from core.planning.settings import Planner
 from core.planning.stop import Stop
 from core.planning.stops import Stops
-from core.procedure.identify import Run, move_and_estimate
+from core.procedure.identify import move_and_estimate
 from core.procedure.outcome import Outcome
+from core.procedure.recorder import Recorder, build_estimator
+from core.procedure.run import Planning, Run
 from core.recording.recording import Recording, check_same_robot
+from core.robot.model import RobotModel
+from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotSession
 from core.twin.twin import NOMINAL, Twin
 
@@ -49,8 +53,12 @@ def measure_more(
         BadInput: nothing to move for, or the recording is not of this cell's robot as it stands.
         Refused, Stopped, Interrupted: as in `procedure.identify`.
     """
-    run = Run(cell, session, payload_box, Stops.of(stops), planner, seed)
-    check_same_robot(before, run.robot.description, cell.gravity_in_base)
-    run.twin, run.before, run.load, run.effort = twin, before, find_known_load(cell, before.payload), effort
+    sequence = Stops.of(stops)
+    robot = RobotModel.of_cell(cell)
+    check_same_robot(before, robot.description, cell.gravity_in_base)
+    log = SampleLog(cell, robot, payload=before.payload, reference=None, before=before)
+    recorder = Recorder(log, build_estimator(log, session.period))
+    planning = Planning(sequence, planner, seed, effort, find_known_load(cell, before.payload))
+    run = Run(cell, robot, session, payload_box, planning, recorder)
     plan = yield from run.make_plan(np.array(cell.robot.home_rad))
-    return (yield from move_and_estimate(run, plan, before.payload, None, out))
+    return (yield from move_and_estimate(run, plan, twin, out))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Generator
-from typing import TypeVar, cast
+from typing import TypeVar
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TaskID, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
 from core import events
-from core.events import Event
+from core.events import Event, drive
 
 Answer = TypeVar("Answer")
 
@@ -23,11 +23,7 @@ def watch(run: Generator[Event, None, Answer], console: Console) -> Answer:
     columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
         view = _View(progress, progress.add_task("planning", total=None), console)
-        while True:
-            try:
-                view.show(next(run))
-            except StopIteration as end:
-                return cast("Answer", end.value)
+        return drive(run, view.show)
 
 
 class _View:

@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Generator
 from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
-from core.events import Event
+from core.events import drive
 from core.planning.plan import Plan
 from core.planning.search import plan_procedure
 from core.plant.faults import FAULTS, Background, Fault, Setting, variants
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.words.message import Message
-
-Answer = TypeVar("Answer")
 
 CELLS = ("lwr4_bench", "ur5e_line")
 KINDS = {"none": 0.2, "single": 0.55, "double": 0.1, "unknown": 0.15}
@@ -113,17 +110,7 @@ def plan_each_payload(name: str) -> tuple[Cell, dict[str, Plan]]:
     robot = RobotModel.of_cell(cell)
     home = np.array(cell.robot.home_rad)
     plans = {
-        payload: run_to_end(plan_procedure(cell, robot, CollisionModel(cell, robot, known.box), known.box, start=home))
+        payload: drive(plan_procedure(cell, robot, CollisionModel(cell, robot, known.box), known.box, start=home))
         for payload, known in cell.payloads.items()
     }
     return cell, plans
-
-
-def run_to_end(run: Generator[Event, None, Answer]) -> Answer:
-    """What a generator of events returns in the end."""
-    while True:
-        try:
-            next(run)
-        except StopIteration as end:
-            answer: Answer = end.value
-            return answer

@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 from core.cell.cell import Cell, Friction
 from core.errors import Stopped
+from core.events import drive
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
 from core.planning.sequence import Procedure
 from core.plant.faults import Fault, Setting
 from core.plant.mechanics import Drives
-from core.procedure.identify import Run
+from core.procedure.recorder import Recorder
+from core.procedure.run import Planning, Run
 from core.recording.folder import write_recording
 from core.recording.recording import Recording
+from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
-from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 from core.trial.bound import Bound, bound_of
-from core.trial.draw import Drawn, run_to_end
+from core.trial.draw import Drawn
 from core.trial.outcome import TrialOutcome, make_outcome, make_stopped_outcome
 from core.trial.second_look import second_look
 from core.trial.truth import Parameters, difference_of, translate_truth, true_payload_of
@@ -61,10 +62,11 @@ def record_procedure(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
     cell, name = without_friction(drawn.cell), drawn.sealed.payload
     carried = cell.payloads[name]
     session = SimulatedSession(cell, carried.parameters, seed=drawn.sealed.seed, faults=faults, drives=SMOOTH)
-    run = _Recorder(cell, session, carried.box, Procedure(drawn.plan.timing), "rrt_connect", 0)
-    log = SampleLog(cell, run.robot, payload=name, reference=carried)
+    robot = RobotModel.of_cell(cell)
+    log = SampleLog(cell, robot, payload=name, reference=carried)
+    run = Run(cell, robot, session, carried.box, Planning(Procedure(drawn.plan.timing)), Recorder(log))
     with session:
-        run_to_end(run.execute_plan(drawn.plan, log))
+        drive(run.execute_plan(drawn.plan))
     return log.recording()
 
 
@@ -73,15 +75,6 @@ def without_friction(cell: Cell) -> Cell:
     none = (0.0,) * len(cell.robot.home_rad)
     robot = cell.robot.model_copy(update={"friction": Friction(coulomb_n_m=none, viscous_n_m_s=none)})
     return cell.model_copy(update={"robot": robot})
-
-
-class _Recorder(Run):
-    """The procedure's motions without an estimate along the way, which nobody would see."""
-
-    def update_estimate(self, states: Sequence[RobotState]) -> tuple[float | None, ...]:
-        """Nothing."""
-        del states
-        return (None,) * 10
 
 
 def _bound(drawn: Drawn, recording: Recording, evidence: Evidence) -> Bound:

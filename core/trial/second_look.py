@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from core.errors import Refused, Stopped
+from core.events import drive
 from core.gap.answer import Diagnosis
 from core.gap.choice import choose_experiment
 from core.gap.diagnosis import examine
@@ -12,7 +13,7 @@ from core.plant.mechanics import Drives
 from core.procedure.experiment import measure_more
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import Drawn, run_to_end
+from core.trial.draw import Drawn
 
 NEXT = 1_000_000
 """Added to the seed: other noise and offsets than in the first run."""
@@ -26,11 +27,11 @@ def second_look(drawn: Drawn, recording: Recording, evidence: Evidence, drives: 
     if not evidence.proposals:
         return None
     try:
-        stops = run_to_end(choose_experiment(cell, recording, evidence, carried.box)).proposal.motion.stops
+        stops = drive(choose_experiment(cell, recording, evidence, carried.box)).proposal.motion.stops
         if not stops:  # another payload is asked for
             return None
         session = SimulatedSession(cell, carried.parameters, seed=drawn.sealed.seed + NEXT, faults=faults, drives=drives)
-        both = run_to_end(measure_more(recording, stops, cell, session, carried.box)).recording
+        both = drive(measure_more(recording, stops, cell, session, carried.box)).recording
     except (Refused, Stopped):
         return None
     return examine(both, fit_all=one_by_one)[0]

@@ -7,13 +7,12 @@ import os
 import signal
 from collections.abc import Generator
 from multiprocessing.connection import Connection
-from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.errors import Commanded, HeftError, Stopped
-from core.events import Event, Finished, RecordingWritten, RobotStopped
+from core.events import Event, Finished, Progress, RecordingWritten, RobotStopped, drive
 from core.files.whole_file import write_whole
 from core.planning.joint_torques import find_known_load
 from core.planning.plan import Plan
@@ -21,11 +20,15 @@ from core.planning.sequence import MotionSequence, Procedure
 from core.planning.stops import Stops
 from core.procedure.identify import move_and_estimate
 from core.procedure.outcome import Outcome
+from core.procedure.recorder import build_estimator
+from core.procedure.run import Run
 from core.recording.folder import read_recording
 from core.recording.recording import Recording, check_same_robot
 from core.report.page import write_report
+from core.robot.model import RobotModel
 from core.sessions.leased import Lease, LeasedSession
 from core.sessions.pace import AsFastAsPossible, RealTime
+from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
 from core.twin.file import read_twin
 from core.words.catalogue import LANGUAGES
@@ -35,7 +38,8 @@ from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
 from server.runner.priority import Priority, take
 from server.runner.run_folder import RECORDING, RESULT, lock_run_folder, name_report
-from server.runner.served_run import ServedRun
+from server.runner.sample_stream import SampleStream
+from server.runner.served_run import DiskRecorder, LiveView, PlanningElsewhere, look_at_zones, make_end_error
 from server.runner.shown_plan import build_run_plan
 
 ChildSpeaker = Speaker[FromChild]
@@ -81,18 +85,33 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     before = None if order.continues is None else read_recording(order.continues.recording)
     start = _find_start(order, before)
     robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin, start=start)
-    run = ServedRun(order, LeasedSession(robot, lease), planning, listener, speaker)
-    run.twin, run.load, run.effort = twin, find_known_load(order.cell, order.payload), order.effort
+    session = LeasedSession(robot, lease)
+    model = RobotModel.of_cell(order.cell)
+    done = 0
     if order.continues is not None and before is not None:
-        check_same_robot(before, run.robot.description, order.cell.gravity_in_base)
-        run.before, run.done = before, order.continues.done or 0
-    plan = _wait_for_release(run, start, order, listener, speaker)
-    procedure = move_and_estimate(run, plan, order.payload, carried, order.folder / RECORDING)
-    try:
-        outcome = _pump(procedure, run, lease, listener, speaker)
-    finally:
-        if isinstance(pace, RealTime):
-            speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s, pace.median_s))
+        check_same_robot(before, model.description, order.cell.gravity_in_base)
+        done = order.continues.done or 0
+    log = SampleLog(order.cell, model, payload=order.payload, reference=carried, before=before)
+    online = build_estimator(log, session.period)
+    elsewhere = PlanningElsewhere(
+        sequence=planning.sequence,
+        planner=order.planner,
+        seed=order.seed,
+        effort=order.effort,
+        load=find_known_load(order.cell, order.payload),
+        process=planning,
+        listener=listener,
+        lease=lease,
+    )
+    with SampleStream(order.folder) as stream:
+        run = Run(order.cell, model, session, order.payload_box, elsewhere, DiskRecorder(log, online, stream), done=done)
+        plan = _wait_for_release(run, start, order, lease, listener, speaker)
+        procedure = move_and_estimate(run, plan, twin, order.folder / RECORDING)
+        try:
+            outcome = _pump(procedure, run, LiveView(run, online, speaker), lease, listener, speaker)
+        finally:
+            if isinstance(pace, RealTime):
+                speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s, pace.median_s))
     result = outcome.result(order.folder / RECORDING)
     write_whole(order.folder / RESULT, result.model_dump_json(indent=2) + "\n")
     recording, identification = outcome.recording, outcome.identification
@@ -111,23 +130,14 @@ def _find_start(order: Order, before: Recording | None) -> Array:
     return np.asarray(before.q_cmd[-1])
 
 
-def _plan(run: ServedRun, start: Array, speaker: ChildSpeaker) -> Plan:
-    planning = run.make_plan(start, run.done)
-    while True:
-        try:
-            speaker.tell(Happened(next(planning)))
-        except StopIteration as end:
-            return cast("Plan", end.value)
-
-
-def _wait_for_release(run: ServedRun, start: Array, order: Order, listener: Listener, speaker: ChildSpeaker) -> Plan:
+def _wait_for_release(run: Run, start: Array, order: Order, lease: Lease, listener: Listener, speaker: ChildSpeaker) -> Plan:
     """Plans, shows the plan and waits until exactly that is released; a zone that moves meanwhile makes it plan anew.
 
     Raises:
         Commanded: the run was ended instead.
     """
     while True:
-        plan = _plan(run, start, speaker)
+        plan = drive(run.make_plan(start), lambda event: speaker.tell(Happened(event)))
         ready = build_run_plan(run.cell, order.payload_box, plan)
         speaker.tell(Ready(ready))
         while not listener.zones:
@@ -135,7 +145,7 @@ def _wait_for_release(run: ServedRun, start: Array, order: Order, listener: List
                 _pause_garbage_collection()
                 return plan
             if listener.ended.wait(0.01):
-                raise run.make_end_error()
+                raise make_end_error(lease)
 
 
 def _pause_garbage_collection() -> None:
@@ -145,25 +155,33 @@ def _pause_garbage_collection() -> None:
     gc.disable()
 
 
-def _pump(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: Lease, listener: Listener, speaker: ChildSpeaker) -> Outcome:
+def _pump(
+    procedure: Generator[Event, None, Outcome], run: Run, view: LiveView, lease: Lease, listener: Listener, speaker: ChildSpeaker
+) -> Outcome:
     """Tells the procedure's events; while the robot is on hold it is simply not asked for the next one."""
-    while True:
-        try:
-            event = next(procedure)
-        except StopIteration as end:
-            return cast("Outcome", end.value)
+
+    def tell(event: Event) -> None:
+        if not isinstance(event, RecordingWritten | Finished):
+            look_at_zones(run, listener)
+        if isinstance(event, Progress):
+            view.show(event)
         speaker.tell(Happened(event))
         if isinstance(event, RecordingWritten | Finished):
             gc.enable()
         if isinstance(event, RecordingWritten):
             speaker.tell(MotionEnded())
         if isinstance(event, RobotStopped) and event.held:
-            _wait(procedure, run, lease, listener, speaker)
+            _wait(procedure, run, lease, listener)
+
+    return drive(procedure, tell)
 
 
-def _wait(procedure: Generator[Event, None, Outcome], run: ServedRun, lease: Lease, listener: Listener, speaker: ChildSpeaker) -> None:
-    """Waits while the robot is on hold; an end that comes meanwhile is thrown in where the procedure is."""
+def _wait(procedure: Generator[Event, None, Outcome], run: Run, lease: Lease, listener: Listener) -> None:
+    """Waits while the robot is on hold; an end that comes meanwhile is thrown in where the procedure is.
+
+    That the procedure says then that the robot was stopped is nothing new; why the run ended is told when it is over.
+    """
     while lease.waits(run.cell.control.hold_limit_s):
         listener.ended.wait(0.01)
     if isinstance(lease.refusal(), Commanded):
-        speaker.tell(Happened(procedure.throw(run.make_end_error())))
+        procedure.throw(make_end_error(lease))

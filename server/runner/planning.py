@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 
@@ -50,8 +50,11 @@ class PlanningProcess:
         self._process.start()
         theirs.close()
 
-    def ask(self, request: PlanRequest) -> Generator[Event | None, None, Plan]:
-        """Events of the planning as they come, None every 50 ms while there is none; returns the plan.
+    def ask(self, request: PlanRequest, look: Callable[[], None]) -> Generator[Event, None, Plan]:
+        """Events of the planning as they come; returns the plan.
+
+        Args:
+            look: is called before each event, and every 50 ms while there is none; what it raises ends the waiting.
 
         Raises:
             PlanRefused: there is no safe way, or the planning process died.
@@ -59,7 +62,7 @@ class PlanningProcess:
         self._connection.send(request)
         while True:
             if not self._connection.poll(0.05):
-                yield None
+                look()
                 continue
             try:
                 answer = self._connection.recv()
@@ -69,6 +72,7 @@ class PlanningProcess:
                 raise PlanRefused(answer)
             if isinstance(answer, Plan):
                 return answer
+            look()
             yield answer
 
     def close(self) -> None:

@@ -1,24 +1,27 @@
-"""The procedure as the control process runs it: planned elsewhere, its zones alive, its samples on disk and on their way to who watches."""
+"""What a run is made of in the control process: planned elsewhere, its zones alive, its samples on disk and on their way to who watches."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Generator
-from typing import cast
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.errors import Commanded
+from core.estimation.online import OnlineEstimator
 from core.estimation.result import to_json_numbers
 from core.events import Event, Progress
 from core.payload.rigid_wrench import wrench
 from core.planning.plan import Plan
-from core.procedure.identify import Run
-from core.sessions.leased import LeasedSession
+from core.procedure.recorder import Recorder
+from core.procedure.run import Planning, Run
+from core.sessions.leased import Lease
 from core.sessions.sample_log import SampleLog
+from core.sessions.session import RobotState
 from server.runner.live_schemas import LiveBatch, NearestPart, WaitingForZone
-from server.runner.messages import FromChild, Order, Sampled
+from server.runner.messages import FromChild, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
 from server.runner.sample_stream import SampleStream
@@ -31,25 +34,21 @@ LIVE_ROWS = 20
 """Samples in such a batch, at most."""
 
 
-class ServedRun(Run):
-    """One robot, told what to do by a server.
+@dataclass(frozen=True, kw_only=True)
+class PlanningElsewhere(Planning):
+    """How the plans of a run are found by another process, the first time and after every stop.
 
     Args:
-        session: the robot under its lease.
-        planning: plans the first time and after every stop.
+        process: plans.
+        listener, lease: whether zones have moved, and whether the run was ended meanwhile.
     """
 
-    def __init__(
-        self, order: Order, session: LeasedSession, planning: PlanningProcess, listener: Listener, speaker: Speaker[FromChild]
-    ) -> None:
-        super().__init__(order.cell, session, order.payload_box, planning.sequence, order.planner, order.seed)
-        self._lease, self._planning, self._listener, self._speaker = session.lease, planning, listener, speaker
-        self._stream = SampleStream(order.folder)
-        self._written = 0
-        self._sent_s, self._began_s = -np.inf, np.inf
+    process: PlanningProcess
+    listener: Listener
+    lease: Lease
 
-    def make_plan(self, start: Array, done: int = 0) -> Generator[Event, None, Plan]:
-        """Has the planning process plan what is left to do after `done` steps, from `start` (n,), rad; returns the plan.
+    def find_plan(self, run: Run, start: Array) -> Generator[Event, None, Plan]:
+        """A plan through what is left of a run, from joint positions `start` (n,), rad, where the robot stands.
 
         Where a zone that moves has stopped the robot and leaves no way, it stands and waits until the zone moves on.
 
@@ -58,88 +57,90 @@ class ServedRun(Run):
             Commanded: the run was ended meanwhile.
         """
         while True:
-            self.look_at_zones()
-            cell = self.cell
+            look_at_zones(run, self.listener)
+            cell = run.cell
             try:
-                plan = yield from self._ask(start, done)
+                return (yield from self.process.ask(self.request(run, start), self._refuse_ended))
             except PlanRefused as refusal:
-                if self._written == 0 or not self.cell.zones:
+                if not len(run.recorder.log) or not run.cell.zones:
                     raise
                 yield WaitingForZone(message=refusal.message, in_the_way=refusal.failed.in_the_way)
-                while self.cell is cell and not self._listener.zones:
-                    if self._listener.ended.wait(0.02):
-                        raise self.make_end_error() from None
-            else:
-                self.plan_s += plan.plan_s
-                return plan
+                while run.cell is cell and not self.listener.zones:
+                    if self.listener.ended.wait(0.02):
+                        raise make_end_error(self.lease) from None
 
-    def _ask(self, start: Array, done: int) -> Generator[Event, None, Plan]:
-        """One answer of the planning process."""
-        asked = self._planning.ask(self.plan_request(start, done))
-        while True:
-            try:
-                event = next(asked)
-            except StopIteration as end:
-                return cast("Plan", end.value)
-            if self._listener.ended.is_set():
-                raise self.make_end_error()
-            if event is not None:
-                yield event
+    def _refuse_ended(self) -> None:
+        if self.listener.ended.is_set():
+            raise make_end_error(self.lease)
 
-    def make_end_error(self) -> Commanded:
-        """Why the run was ended."""
-        refusal = self._lease.refusal()
-        return refusal if isinstance(refusal, Commanded) else Commanded("runs-ended", value=1.0, limit=0.0)
 
-    def execute_plan(self, plan: Plan, log: SampleLog) -> Generator[Event, None, Plan]:
-        """Carries the plan out, after a stop by the guard its rest anew, and returns the last plan.
+def make_end_error(lease: Lease) -> Commanded:
+    """Why a run was ended."""
+    refusal = lease.refusal()
+    return refusal if isinstance(refusal, Commanded) else Commanded("runs-ended", value=1.0, limit=0.0)
 
-        Every batch of samples is on disk before its event is yielded; `log` takes them too.
-        """
-        moving = super().execute_plan(plan, log)
-        with self._stream:
-            while True:
-                try:
-                    event = next(moving)
-                except StopIteration as end:
-                    self._append(log)
-                    return cast("Plan", end.value)
-                self.look_at_zones()
-                self._append(log)
-                if isinstance(event, Progress):
-                    self._show(log, event)
-                try:
-                    yield event
-                except Commanded as error:  # ended while it stood
-                    moving.throw(error)
 
-    def look_at_zones(self) -> None:
-        """Zones that have moved since the last look."""
-        while self._listener.zones:
-            moved = self._listener.zones.popleft()
-            self.move_zone(moved.zone, moved.pose)
+def look_at_zones(run: Run, listener: Listener) -> None:
+    """Zones that have moved since the last look. To be called between two events of the run."""
+    while listener.zones:
+        moved = listener.zones.popleft()
+        run.move_zone(moved.zone, moved.pose)
 
-    def _append(self, log: SampleLog) -> None:
+
+class DiskRecorder(Recorder):
+    """Has every batch of samples on disk before anybody hears of it.
+
+    Args:
+        stream: open.
+    """
+
+    def __init__(self, log: SampleLog, online: OnlineEstimator, stream: SampleStream) -> None:
+        super().__init__(log, online)
+        self._stream, self._written = stream, 0
+
+    def take(self, states: Sequence[RobotState], phase: str) -> None:
+        """Samples of a motion."""
+        super().take(states, phase)
+        self._append()
+
+    def take_braking(self, states: Sequence[RobotState]) -> None:
+        """Samples of a robot that brakes."""
+        super().take_braking(states)
+        self._append()
+
+    def _append(self) -> None:
         """What is new goes to disk."""
-        if len(log) > self._written:
-            self._stream.append(log.states[self._written :], log.phases[self._written :])
-            self._written = len(log)
+        if len(self.log) > self._written:
+            self._stream.append(self.log.states[self._written :], self.log.phases[self._written :])
+            self._written = len(self.log)
 
-    def _show(self, log: SampleLog, progress: Progress) -> None:
+
+class LiveView:
+    """The newest samples of a run, for those who watch it.
+
+    Args:
+        online: estimates along the way.
+    """
+
+    def __init__(self, run: Run, online: OnlineEstimator, speaker: Speaker[FromChild]) -> None:
+        self._collision, self._log, self._online, self._speaker = run.collision, run.recorder.log, online, speaker
+        self._sent_s, self._began_s = -np.inf, np.inf
+
+    def show(self, progress: Progress) -> None:
         """The newest samples to who watches, at most every `LIVE_PERIOD_S` of the wall clock."""
         now = time.monotonic()
         self._began_s = min(self._began_s, now)
-        if now - self._sent_s < 0.9 * LIVE_PERIOD_S or not len(log):
+        if now - self._sent_s < 0.9 * LIVE_PERIOD_S or not len(self._log):
             return
         self._sent_s = now
-        self._speaker.tell(Sampled(self._batch(log, progress, wall_s=now - self._began_s)))
+        self._speaker.tell(Sampled(self._batch(progress, wall_s=now - self._began_s)))
 
-    def _batch(self, log: SampleLog, progress: Progress, *, wall_s: float) -> LiveBatch:
-        states = log.states[-LIVE_ROWS:]
-        estimate, motion = self.online.so_far, self.online.motion
+    def _batch(self, progress: Progress, *, wall_s: float) -> LiveBatch:
+        states = self._log.states[-LIVE_ROWS:]
+        estimate, motion = self._online.so_far, self._online.motion
         known = np.where(np.isfinite(estimate.phi), estimate.phi, 0.0)  # the paper leaves the products of inertia out
         expected = wrench(motion, known)[0] + estimate.offset
-        nearest = self.collision.obstacle_distance(states[-1].q)
+        nearest = self._collision.obstacle_distance(states[-1].q)
         return LiveBatch(
             phase=progress.phase,
             t_s=[round(state.t, 6) for state in states],

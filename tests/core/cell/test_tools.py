@@ -10,12 +10,12 @@ import pytest
 from core.cell.cell import Box, Cell, Pose
 from core.cell.folder import load_cell
 from core.cell.tools import find_tools, tool_boxes, widest_box
+from core.events import drive
 from core.planning.search import plan_procedure
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.second_opinion.opinion import JointPath, second_opinion
 from core.second_opinion.pairs import PairKind
-from core.trial.draw import run_to_end
 from tests.core.handed import GRIPPER, HAND_AS_TOOL, cell_folder
 
 SMALL = Box(size_m=(0.02, 0.02, 0.02), pose=Pose(xyz_m=(0.0, 0.0, 0.01)))
@@ -67,7 +67,7 @@ def test_a_tools_corners_keep_the_speed_limit(tmp_path: Path) -> None:
     assert widest_box(cell, SMALL) == tool_boxes(cell)["gripper"]
     robot = RobotModel.of_cell(cell)
     home = np.array(cell.robot.home_rad)
-    plan = run_to_end(plan_procedure(cell, robot, CollisionModel(cell, robot, SMALL), SMALL, start=home, poses=("z-", "z+")))
+    plan = drive(plan_procedure(cell, robot, CollisionModel(cell, robot, SMALL), SMALL, start=home, poses=("z-", "z+")))
     assert plan.opinion.passes
     fastest = plan.opinion.fastest
     assert fastest.speed_m_s <= cell.limits.cartesian_speed_m_s * (1 + 1e-6)

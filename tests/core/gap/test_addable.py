@@ -11,6 +11,7 @@ from core.cell.cell import TWIN_FILE, Cell
 from core.cell.folder import load_cell
 from core.effects.library import library
 from core.errors import BadTwin
+from core.events import drive
 from core.gap.diagnosis import diagnose
 from core.gap.twin_addition import addable_to, with_effect
 from core.plant.imperfections import Imperfections
@@ -18,7 +19,7 @@ from core.procedure.identify import carry_out
 from core.recording.folder import write_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload, run_to_end
+from core.trial import plan_each_payload
 from core.twin.twin import NOMINAL
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "payload_shift"))
@@ -30,7 +31,7 @@ def late() -> Recording:
     cell, plans = plan_each_payload("lwr4_bench")
     carried = cell.payloads["cylinder"]
     session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=Imperfections(wrench_delay_s=0.02))
-    return run_to_end(carry_out(cell, session, carried.box, plans["cylinder"])).recording
+    return drive(carry_out(cell, session, carried.box, plans["cylinder"])).recording
 
 
 @pytest.fixture(scope="module")

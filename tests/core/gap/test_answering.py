@@ -10,6 +10,7 @@ import pytest
 
 from core.cell.cell import Cell
 from core.effects.library import library
+from core.events import drive
 from core.gap.answer import Also, Diagnosis
 from core.gap.diagnosis import diagnose
 from core.payload.inertia import InertialParameters
@@ -19,7 +20,7 @@ from core.plant.mechanics import Drives
 from core.procedure.identify import carry_out
 from core.recording.recording import COLUMNS, Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload, run_to_end
+from core.trial import plan_each_payload
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
 PAYLOAD = "cylinder"
@@ -34,7 +35,7 @@ def recorded(name: str = "lwr4_bench", *, delay_s: float = 0.0, drives: Drives |
         cell, carried.parameters, seed=4, drives=drives or Drives(), imperfections=Imperfections(wrench_delay_s=delay_s),
         faults=(_magnet(cell, magnet, plan.robot_s),) if magnet else (),
     )  # fmt: skip
-    return run_to_end(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
+    return drive(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
 
 
 def _magnet(cell: Cell, size: float, robot_s: float):  # type: ignore[no-untyped-def]  # a fault

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from core.effects.library import library
+from core.events import drive
 from core.gap.attribution import attribute, distance_sigma, leftover
 from core.gap.basis import basis_of
 from core.gap.closure import gap_of
@@ -22,7 +23,7 @@ from core.procedure.identify import carry_out
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload, run_to_end
+from core.trial import plan_each_payload
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
@@ -35,7 +36,7 @@ def recorded(tilt: float = 0.0, delay: float = 0.0) -> Recording:
     carried = cell.payloads["cylinder"]
     imperfections = Imperfections(base_tilt_rad=(tilt, 0.0), wrench_delay_s=delay)
     session = SimulatedSession(cell, carried.parameters, seed=4, imperfections=imperfections)
-    return run_to_end(carry_out(cell, session, carried.box, plans["cylinder"])).recording
+    return drive(carry_out(cell, session, carried.box, plans["cylinder"])).recording
 
 
 def fitted(recording: Recording) -> tuple[Windows, EffectFit, list[EffectFit]]:

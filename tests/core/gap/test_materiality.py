@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from core.effects.library import library
+from core.events import drive
 from core.gap.closure import gap_of
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
@@ -22,7 +23,7 @@ from core.plant.mechanics import Drives
 from core.procedure.identify import carry_out
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import plan_each_payload, run_to_end
+from core.trial.draw import plan_each_payload
 
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
 
@@ -35,7 +36,7 @@ def near_a_magnet() -> tuple[Recording, InertialParameters]:
     kinds = {fault.variant: fault for fault in variants("unknown")}
     magnet = kinds["magnetic_field"].draw(np.random.default_rng(1), 0.45, Setting(cell, carried.parameters, plan.robot_s))
     session = SimulatedSession(cell, carried.parameters, seed=4, faults=(magnet,), drives=Drives(damping_s=0.0, friction=0.0))
-    return run_to_end(carry_out(cell, session, carried.box, plan)).recording, carried.parameters
+    return drive(carry_out(cell, session, carried.box, plan)).recording, carried.parameters
 
 
 def examined(reference: InertialParameters | None) -> tuple[str, Evidence, set[str]]:

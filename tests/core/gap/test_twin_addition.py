@@ -16,6 +16,7 @@ from core.cli.main import app
 from core.effects.library import library
 from core.errors import BadTwin
 from core.estimation.identification import identify_recording
+from core.events import drive
 from core.gap.diagnosis import diagnose
 from core.gap.twin_addition import find_effects, with_effect
 from core.plant.imperfections import Imperfections
@@ -24,7 +25,7 @@ from core.procedure.identify import carry_out
 from core.recording.folder import read_recording, recording_sha256, write_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial import plan_each_payload, run_to_end
+from core.trial import plan_each_payload
 from core.twin.file import read_twin
 from core.twin.twin import NOMINAL
 
@@ -41,7 +42,7 @@ def recorded(cell: Cell, **options: object) -> Recording:
     carried = cell.payloads[PAYLOAD]
     session = SimulatedSession(cell, carried.parameters, seed=4, drives=SMOOTH, **options)  # type: ignore[arg-type]  # any option
     plan = plan_each_payload("lwr4_bench")[1][PAYLOAD]
-    return run_to_end(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
+    return drive(carry_out(cell, session, carried.box, plan, payload=PAYLOAD)).recording
 
 
 @pytest.fixture(scope="module")

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
-
 import numpy as np
 import pytest
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.errors import NoPath
-from core.events import Event, Planned
+from core.events import Event, Planned, drive
 from core.planning.experiment import plan_experiment
 from core.planning.experiment_path import path_of
 from core.planning.plan import Plan
@@ -34,18 +32,8 @@ def planned(request: pytest.FixtureRequest) -> tuple[Cell, RobotModel, Collision
     box = cell.payloads["cylinder"].box
     collision = CollisionModel(cell, robot, box)
     events: list[Event] = []
-    run = plan_experiment(cell, robot, collision, box, STOPS, start=np.array(cell.robot.home_rad))
-
-    def watched() -> Generator[Event, None, Plan]:
-        plan = yield from run
-        return plan
-
-    steps = watched()
-    while True:
-        try:
-            events.append(next(steps))
-        except StopIteration as end:
-            return cell, robot, collision, end.value, events
+    plan = drive(plan_experiment(cell, robot, collision, box, STOPS, start=np.array(cell.robot.home_rad)), events.append)
+    return cell, robot, collision, plan, events
 
 
 def path(planned: tuple[Cell, RobotModel, CollisionModel, Plan, list[Event]]) -> Recording:

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.errors import BadInput
+from core.events import drive
 from core.planning.commanded_path import compute_joint_paths
 from core.planning.plan import Plan, motions_of
 from core.planning.search import plan_procedure
@@ -25,7 +26,6 @@ from core.planning.slow_run import limit_speed
 from core.planning.timing import MotionLimits
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-from core.trial.draw import run_to_end
 from tests.independent_checker import IndependentChecker
 
 CELL = Path(__file__).parents[3] / "cells" / "ur5e_line"
@@ -41,7 +41,7 @@ def planned() -> tuple[Cell, RobotModel, CollisionModel, Plan]:
     collision = CollisionModel(cell, robot, cell.payload_box)
     home = np.array(cell.robot.home_rad)
     plan = plan_procedure(cell, robot, collision, cell.payload_box, start=home, poses=("z-", "z+"), timing=SHORT)
-    return cell, robot, collision, run_to_end(plan)
+    return cell, robot, collision, drive(plan)
 
 
 @cache

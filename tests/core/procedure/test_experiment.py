@@ -13,6 +13,7 @@ from core.cell.folder import find_cell, load_cell
 from core.effects.library import library
 from core.errors import BadInput
 from core.estimation.identification import identify_recording
+from core.events import drive
 from core.gap.answer import Diagnosis
 from core.gap.attribution import INSEPARABLE_SIGMA, distance_sigma
 from core.gap.choice import Choice, choose_experiment
@@ -25,7 +26,6 @@ from core.procedure.outcome import Outcome
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import run_to_end
 from tests.late_readings import CARRIED, LATE, NOISIER, first_run, noisy_cell, session
 
 FEW = tuple(effect for effect in library() if effect.id in ("time_delay", "sensor_lowpass", "kinematic_lag", "base_tilt"))
@@ -50,9 +50,9 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     cell, before = noisy_cell(), first_run()
     box = cell.payloads[CARRIED].box
     first = examine(before, FEW, fit_all=one_by_one)
-    choice = run_to_end(choose_experiment(cell, before, first[1], box))
+    choice = drive(choose_experiment(cell, before, first[1], box))
     out = tmp_path_factory.mktemp("experiment") / "both"
-    outcome = run_to_end(measure_more(before, choice.proposal.motion.stops, cell, session(5), box, out=out))
+    outcome = drive(measure_more(before, choice.proposal.motion.stops, cell, session(5), box, out=out))
     return Story(cell, before, first, choice, outcome, examine(outcome.recording, FEW, fit_all=one_by_one), out)
 
 
@@ -121,7 +121,7 @@ def test_what_is_no_motion_or_no_recording_of_this_robot_is_refused_before_anyth
     carried = other.payloads["cylinder"]
     run = measure_more(story.before, (Stop(down=(0.0, 0.0, 1.0)),), other, SimulatedSession(other, carried.parameters), carried.box)
     with pytest.raises(BadInput, match="another robot"):
-        run_to_end(run)
+        drive(run)
     run = measure_more(story.before, (), story.cell, session(1), story.cell.payloads[CARRIED].box)
     with pytest.raises(BadInput, match="no stops"):
-        run_to_end(run)
+        drive(run)

@@ -14,7 +14,7 @@ from scipy.spatial import cKDTree
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.errors import BadState, Interrupted, OverLoad
-from core.events import Event, Finished, PhaseStarted, Planned, Progress, RecordingWritten, RobotStopped, StepFinished
+from core.events import Event, Finished, PhaseStarted, Planned, Progress, RecordingWritten, RobotStopped, StepFinished, drive
 from core.planning.settings import Timing
 from core.procedure.identify import identify
 from core.procedure.outcome import Outcome
@@ -30,11 +30,7 @@ SHORT = Timing(hold_s=0.5, settle_s=0.4, robot_s=1.0)
 def drained(run: Generator[Event, None, Outcome]) -> tuple[list[Event], Outcome]:
     """All events of a run and what it returned."""
     events: list[Event] = []
-    while True:
-        try:
-            events.append(next(run))
-        except StopIteration as end:
-            return events, end.value
+    return events, drive(run, events.append)
 
 
 @pytest.fixture(scope="module", params=["lwr4_bench", "ur5e_line"])
@@ -203,12 +199,10 @@ def test_a_run_that_is_held_again_and_again_goes_on_along_its_plan_and_finds_the
 def held_at_random(run: Generator[Event, None, Outcome], lease: Lease, phases: list[str]) -> tuple[list[Event], Outcome]:
     """A run with somebody who holds it at some thirty moments and lets it go on each time; `phases` gets where that was."""
     rng, events, phase, left = np.random.default_rng(8), [], "", 10
-    while True:
-        try:
-            events.append(next(run))
-        except StopIteration as end:
-            return events, end.value
-        event = events[-1]
+
+    def tell(event: Event) -> None:
+        nonlocal phase, left
+        events.append(event)
         if isinstance(event, PhaseStarted):
             phase = event.phase
         left -= isinstance(event, Progress)
@@ -219,6 +213,8 @@ def held_at_random(run: Generator[Event, None, Outcome], lease: Lease, phases: l
         if isinstance(event, RobotStopped):
             assert event.held, event
             lease.resume()
+
+    return events, drive(run, tell)
 
 
 def test_a_step_is_finished_when_its_hold_and_its_rotation_are_recorded(whole_run):

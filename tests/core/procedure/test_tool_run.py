@@ -15,6 +15,7 @@ import pytest
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.estimation.result import result_of
+from core.events import drive
 from core.gap.diagnosis import examine
 from core.planning.settings import Timing
 from core.procedure.identify import identify
@@ -22,7 +23,6 @@ from core.procedure.outcome import Outcome
 from core.recording.folder import read_recording
 from core.report.page import write_report
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import run_to_end
 from tests.core.handed import GRIPPER, cell_folder
 
 ROOT = Path(__file__).parents[3]
@@ -62,7 +62,7 @@ def ran(tmp_path_factory: pytest.TempPathFactory) -> tuple[Cell, Outcome, Path]:
     steps = identify(
         cell, session, carried.box, payload="part", reference=carried, timing=Timing(robot_s=1.0), seed=4, out=folder / "recording"
     )
-    return cell, run_to_end(steps), folder
+    return cell, drive(steps), folder
 
 
 def test_the_workpiece_is_right_within_its_interval_which_needs_the_tools_share(ran: tuple[Cell, Outcome, Path]) -> None:

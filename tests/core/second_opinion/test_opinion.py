@@ -20,6 +20,7 @@ from scipy.spatial.transform import Rotation
 from core.cell.cell import Box, Cell, Pose
 from core.cell.folder import load_cell
 from core.errors import BadRobot, PlanDisputed
+from core.events import drive
 from core.planning.commanded_path import PlanPart, compute_joint_paths
 from core.planning.joint_torques import JointTorques, guess_load
 from core.planning.plan import Plan, plan_summary
@@ -34,7 +35,6 @@ from core.second_opinion.left_out import describe_left_out
 from core.second_opinion.opinion import Approach, JointPath, Opinion, PeakSpeed, _exact, _steps, second_opinion
 from core.second_opinion.pairs import PairKind, Placed, classify_pairs, place_bodies, place_standing
 from core.second_opinion.refusal import refuse_disputed
-from core.trial.draw import run_to_end
 from tests.core.robot.mesh_bytes import dae, elbow
 
 Array = NDArray[np.float64]
@@ -64,7 +64,7 @@ def bench(name: str) -> Bench:
 @cache
 def planned(name: str) -> Plan:
     at = bench(name)
-    return run_to_end(plan_procedure(at.cell, at.robot, at.collision, at.cell.payload_box, start=at.home, poses=("x-", "x+")))
+    return drive(plan_procedure(at.cell, at.robot, at.collision, at.cell.payload_box, start=at.home, poses=("x-", "x+")))
 
 
 def postures(robot: RobotModel, count: int) -> Array:

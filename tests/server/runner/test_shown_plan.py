@@ -10,6 +10,7 @@ import pytest
 
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
+from core.events import drive
 from core.payload.shapes import Pose
 from core.planning.plan import Plan
 from core.planning.search import plan_procedure
@@ -30,12 +31,7 @@ def cell() -> Cell:
 def plan(cell) -> Plan:
     robot = RobotModel.of_cell(cell)
     home, collision = np.array(cell.robot.home_rad), CollisionModel(cell, robot, cell.payload_box)
-    planning = plan_procedure(cell, robot, collision, cell.payload_box, start=home, poses=("x-", "x+"))
-    while True:
-        try:
-            next(planning)
-        except StopIteration as end:
-            return end.value
+    return drive(plan_procedure(cell, robot, collision, cell.payload_box, start=home, poses=("x-", "x+")))
 
 
 def test_one_set_point_that_differs_by_a_bit_is_another_plan(plan):

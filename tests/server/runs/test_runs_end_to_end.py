@@ -260,7 +260,7 @@ def test_a_zone_that_moves_into_the_way_stops_the_robot_and_the_rest_is_planned_
         wait_for(lambda: any(event["kind"] == "robot_stopped" for event in events(console, run)), "the guard to stop the robot")
     stop = next(event for event in events(console, run) if event["kind"] == "robot_stopped")
     assert stop["error"] == "TooClose"
-    assert zone.name in stop["message"]
+    assert stop["message"]["parameters"]["second"] == {"code": "body-zone", "parameters": {"name": zone.name}}
     states = [event["state"] for event in events(console, run) if event["kind"] == "state_changed"]
     assert states[4:6] == ["Suspending", "Suspended"]
     wait_for(lambda: console.run(run)["state"] != "Suspended", "the new plan")

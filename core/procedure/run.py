@@ -1,0 +1,197 @@
+"""A run of a robot: it moves along a plan, and after a stop by the guard along a plan for the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.cell.cell import Box, Cell, Pose
+from core.control.execute import execute
+from core.control.guard import Guard
+from core.control.movers import Mover, Playback, StandStill
+from core.control.rotation import Rotation
+from core.errors import Held, Stopped
+from core.events import Event, PhaseStarted, Progress, RobotStopped, StepFinished
+from core.planning.joint_torques import Load
+from core.planning.plan import Leg, Plan
+from core.planning.sequence import MotionSequence, PlanRequest
+from core.planning.settings import Planner
+from core.procedure.recorder import Recorder
+from core.robot.collision import CollisionModel
+from core.robot.model import RobotModel
+from core.sessions.session import RobotSession, RobotState
+
+Array = NDArray[np.float64]
+
+MAX_RESTARTS = 3
+"""How often the guard may stop a run before it is given up."""
+
+BATCH_S = 0.02
+"""How often samples are handed on while the robot moves."""
+
+
+@dataclass(frozen=True)
+class Planning:
+    """How the plans of a run are found: here, by this process.
+
+    Args:
+        sequence: what the robot goes through.
+        planner: of the paths.
+        seed: of the first plan; another one after each stop gives other start configurations.
+        effort: how much is searched before a plan is refused, see `core.planning.effort`.
+        load: what the joints' torques are judged with; guessed where nothing is known of it.
+    """
+
+    sequence: MotionSequence
+    planner: Planner = "rrt_connect"
+    seed: int = 0
+    effort: int = 1
+    load: Load | None = None
+
+    def find_plan(self, run: Run, start: Array) -> Generator[Event, None, Plan]:
+        """A plan through what is left of a run, from joint positions `start` (n,), rad, where the robot stands."""
+        return self.sequence.plan_legs(self.request(run, start), run.robot, run.collision)
+
+    def request(self, run: Run, start: Array) -> PlanRequest:
+        """What is to be planned, for whoever plans it."""
+        seed = self.seed + run.restarts
+        return PlanRequest(run.cell, run.payload_box, start, run.done, run.session.period, self.planner, seed, self.load, self.effort)
+
+
+class Run:
+    """One robot in one cell: plans a sequence of motions, moves, and plans the rest anew after a stop.
+
+    Args:
+        robot: of the cell.
+        planning: finds the plans.
+        recorder: takes the samples.
+        done: steps that are finished already, by a run that this one goes on with.
+        plan_s: time that planning has taken already, s.
+    """
+
+    def __init__(
+        self,
+        cell: Cell,
+        robot: RobotModel,
+        session: RobotSession,
+        payload_box: Box,
+        planning: Planning,
+        recorder: Recorder,
+        *,
+        done: int = 0,
+        plan_s: float = 0.0,
+    ) -> None:
+        self.cell, self.robot, self.session, self.payload_box = cell, robot, session, payload_box
+        self.planning, self.recorder = planning, recorder
+        self.collision = CollisionModel(cell, robot, payload_box)
+        self.guard = Guard(cell, robot, self.collision, period=session.period)
+        self.steps = planning.sequence.steps + 1
+        """All legs, and the way home."""
+        self.done = done
+        """Steps that are finished: of the plan, and of a run that this one goes on with."""
+        self.restarts = 0
+        self.plan_s = plan_s
+
+    def make_plan(self, start: Array) -> Generator[Event, None, Plan]:
+        """A plan through what is left to do, from joint positions `start` (n,), rad, where the robot stands."""
+        plan = yield from self.planning.find_plan(self, start)
+        self.plan_s += plan.plan_s
+        return plan
+
+    def execute_plan(self, plan: Plan) -> Generator[Event, None, Plan]:
+        """Carries the plan out; after a stop by the guard the rest of it from new start configurations, as the paper says.
+
+        Returns the last plan.
+        """
+        while True:
+            try:
+                yield from self._follow(plan)
+            except Stopped as error:
+                final = self.restarts >= MAX_RESTARTS or not error.may_go_on
+                here = self._record_braking()
+                yield self._describe_stop(error, final=final)
+                if final:
+                    raise
+                self.restarts += 1
+                plan = yield from self.make_plan(here)
+                self.session.release()
+            else:
+                return plan
+
+    def move_zone(self, name: str, pose: Pose) -> None:
+        """A zone or an obstacle has moved (world frame): the guard sees it at its next look, later plans keep clear of it.
+
+        To be called between two events.
+
+        Raises:
+            BadCell: there is none of that name.
+        """
+        self.collision.move(name, pose)
+        self.cell = self.cell.with_pose_of(name, pose)
+
+    def _follow(self, plan: Plan) -> Generator[Event, None, None]:
+        """Leg after leg, then home."""
+        for leg in plan.legs:
+            for phase, toward, mover in self._motions(leg, plan):
+                yield from self._move(phase, toward, mover, plan, self.done + 1)
+            self.done += 1
+            yield StepFinished(step=self.done, steps=self.steps)
+        yield from self._move("transfer", "home", Playback(plan.home.trajectory), plan, self.steps)
+
+    def _motions(self, leg: Leg, plan: Plan) -> Generator[tuple[str, str, Mover], None, None]:
+        """Transfer, motionless phase, and where there is one the movement and another motionless phase; each made when it is its turn."""
+        hold = f"hold:{leg.axis}"
+        period = self.session.period
+        yield "transfer", leg.axis, Playback(leg.transfer.trajectory)
+        yield hold, "", StandStill(plan.timing.hold_s, period)
+        if leg.profile is not None:
+            speed = self.cell.limits.cartesian_speed_m_s
+            axis = "xyz".index(leg.about)
+            points, limits = self.collision.points, self.guard.limits
+            yield f"rotate:{leg.about}", "", Rotation(self.robot, points, limits, cartesian_speed=speed, profile=leg.profile, axis=axis)
+        if leg.wave is not None:
+            yield "transfer", leg.axis, Playback(leg.wave)
+        if leg.moving_s > 0.0:
+            yield hold, "", StandStill(plan.timing.settle_s, period)
+
+    def _move(self, phase: str, toward: str, mover: Mover, plan: Plan, step: int) -> Generator[Event, None, None]:
+        """One motion: its samples to the recorder, its progress as events.
+
+        Where the robot is put on hold it brakes and keeps its place. Who drives this generator asks for the next event when it may go on;
+        it then goes on from where it stands, along the same motion.
+        """
+        size = max(1, round(BATCH_S / self.session.period))
+        log = self.recorder.log
+        while True:
+            yield PhaseStarted(phase=phase, toward=toward, step=step, steps=self.steps)
+            try:
+                for batch in execute(self.session, self.guard, mover, phase, batch=size):
+                    self.recorder.take(batch.states, batch.phase)
+                    total_s = max(plan.robot_s, log.seconds)
+                    yield Progress(phase=phase, done_s=log.seconds, total_s=total_s, estimate_phi=self.recorder.phi)
+            except Held as held:
+                here = self._record_braking()
+                yield self._describe_stop(held, final=False, held=True)
+                mover.resume(here)
+                self.session.release()
+            else:
+                return
+
+    def _describe_stop(self, error: Stopped, *, final: bool, held: bool = False) -> RobotStopped:
+        restart = self.restarts + (not held)  # a pause costs no attempt
+        kind = type(error).__name__
+        return RobotStopped(error=kind, message=error.message, restart=restart, final=final, held=held, lateness=error.lateness)
+
+    def _record_braking(self) -> Array:
+        """Records the braking until the command stands still, and returns it."""
+        states: list[RobotState] = []
+        try:
+            while True:
+                states.append(self.session.state())
+                if len(states) > 1 and np.array_equal(states[-1].q_cmd, states[-2].q_cmd, equal_nan=True):
+                    return states[-1].q_cmd
+        finally:
+            self.recorder.take_braking(states)
