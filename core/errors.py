@@ -266,14 +266,17 @@ class Stopped(HeftError):
     exit_code = 4
     may_go_on: ClassVar[bool] = True
     """Whether the procedure may go on by itself once the robot stands."""
+    cause: ClassVar[Cause | None] = None
+    """What was late, where that is what the error is about: `value` and `limit` are its times, s."""
     lateness: Lateness | None = None
-    """What was late, where the robot was stopped because something was."""
 
     def __init__(self, code: str, /, *, value: float, limit: float, samples: Sequence[object] = (), **parameters: Parameter) -> None:
         super().__init__(code, value=value, limit=limit, **parameters)
         self.value = value
         self.limit = limit
         self.samples = tuple(samples)
+        if self.cause is not None:
+            self.lateness = Lateness(cause=self.cause, late_s=value, limit_s=limit)
 
 
 class TooClose(Stopped):
@@ -301,17 +304,13 @@ class BadState(Stopped):
 class SensorFrozen(BadState):
     """The wrench has not changed for longer than a live sensor's noise allows."""
 
-    def __init__(self, code: str, /, *, value: float, limit: float, samples: Sequence[object] = (), **parameters: Parameter) -> None:
-        super().__init__(code, value=value, limit=limit, samples=samples, **parameters)
-        self.lateness = Lateness(cause=Cause.SENSOR, late_s=value, limit_s=limit)
+    cause = Cause.SENSOR
 
 
 class RobotStateLate(BadState):
     """The robot's state came later than the control loop may wait for it."""
 
-    def __init__(self, code: str, /, *, value: float, limit: float, samples: Sequence[object] = (), **parameters: Parameter) -> None:
-        super().__init__(code, value=value, limit=limit, samples=samples, **parameters)
-        self.lateness = Lateness(cause=Cause.ROBOT, late_s=value, limit_s=limit)
+    cause = Cause.ROBOT
 
 
 class Held(Stopped):

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from core.payload.inertia import symmetric
 
@@ -52,9 +51,13 @@ def zyx_degrees(rotation: Array) -> Array:
 
     One of A and C is 0 where B is a right angle: both turn about the same axis there.
     """
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415  the service knows the exports, and starts without SciPy
+
     return np.asarray(Rotation.from_matrix(rotation).as_euler("ZYX", degrees=True, suppress_warnings=True))
 
 
 def to_quaternion(rotation: Array) -> Array:
     """(4,), w x y z with w >= 0."""
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415  as above
+
     return np.asarray(Rotation.from_matrix(rotation).as_quat(canonical=True, scalar_first=True))

@@ -92,7 +92,7 @@ def test_a_description_that_does_not_fit_its_urdf_is_refused(changes: dict[str, 
 def test_a_home_outside_the_limits_is_refused_also_for_a_cell_made_in_memory() -> None:
     cell = load_cell(CELLS / "lwr4_bench")
     robot = cell.robot.model_copy(update={"home_rad": (0.0, 3.0, 0.0, 1.75, 0.0, -1.05, 0.0)})
-    with pytest.raises(BadCell, match=r"robot.home_rad: found 3.0 for 'joint2'"):
+    with pytest.raises(BadCell, match=r"robot.home_rad: found 3 for 'joint2'"):
         RobotModel.of_cell(cell.model_copy(update={"robot": robot}))
 
 
