@@ -4102,7 +4102,7 @@ export interface components {
              */
             type: "/problems/people-role-lacking";
         });
-        /** @description people-without-role = { $endpoint }: { $who } is no role; it takes one of { $needed } */
+        /** @description people-without-role = { $endpoint }: { $who } has no role; it takes one of { $needed } */
         PeopleWithoutRoleProblem: {
             /** @constant */
             type: "/problems/people-without-role";
