@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.errors import NoPath, NoStartConfiguration
 from core.planning.certificate import is_clear
@@ -25,8 +25,6 @@ from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
-
-Array = NDArray[np.float64]
 
 CANDIDATES = 100_000
 """Random configurations per axis, 20 times what one round of Algorithm 6 looks at."""

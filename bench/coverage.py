@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
+
+from core.array import Array
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
@@ -22,8 +23,6 @@ from core.estimation.estimate import Identification
 from core.estimation.identification import identify_recording
 from core.payload.inertia import PHI_NAMES, InertialParameters
 from tests.synthetic import NOISE_STD, Imperfections, payload, random_payload, record, run_of
-
-Array = NDArray[np.float64]
 
 INTERVAL = 1.96
 MOTIONS = 10

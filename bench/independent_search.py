@@ -10,15 +10,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Payload
 from core.planning.plan import POSES
 from core.planning.settings import Timing
 from core.robot.decoupling import decoupling_profile
 from tests.independent_checker import IndependentChecker
-
-Array = NDArray[np.float64]
 
 CANDIDATES = 4000
 PERIOD_S = 0.001

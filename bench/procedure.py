@@ -13,6 +13,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.events import drive
@@ -24,8 +25,6 @@ from core.procedure.identify import carry_out
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.sessions.simulated import SimulatedSession
-
-Array = NDArray[np.float64]
 
 TARGETS = {"as in Table 2": (0.03, 0.1, 1.0, 1.0), "tilt, delay and drift": (0.1, 0.5, 4.0, 4.0)}
 """Median errors to reach, per cent: mass; first moment; each of Ixx, Iyy, Izz; products (of the largest moment)."""

@@ -16,9 +16,9 @@ from dataclasses import dataclass, field
 from multiprocessing import get_context
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bench.brute_force import CANDIDATES, BruteForce
+from core.array import Array
 from core.cell.cell import Cell
 from core.errors import NoStartConfiguration, Refused
 from core.events import Event, RobotStopped, StartConfigurationFound, drive
@@ -33,8 +33,6 @@ from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 from tests.independent_checker import IndependentChecker
 from tests.random_cells import RandomCell, random_cell
-
-Array = NDArray[np.float64]
 
 ALIGNED_RAD = 1e-3
 

@@ -19,9 +19,9 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bench.independent_search import CANDIDATES, IndependentSearch
+from core.array import Array
 from core.cell.cell import Cell
 from core.cell.folder import check_robot
 from core.cell.urdf import check_urdf
@@ -35,8 +35,6 @@ from core.robot.model import RobotModel
 from tests.independent_checker import IndependentChecker
 from tests.random_cells import ARMS, random_cell
 from tests.real_robots import ROBOTS, random_real_cell
-
-Array = NDArray[np.float64]
 
 SOLVED_SHARE = 0.95
 MEDIAN_S, P95_S = 5.0, 15.0

@@ -14,15 +14,13 @@ import time
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from playwright.sync_api import Page
 
 from bench.watchers import Reader
+from core.array import Array
 from tests.server.real_service import Console, RealService, real_service
 from tests.web.screens import signed_in
 from tests.web.tablet import chromium
-
-Array = NDArray[np.float64]
 
 OTHERS = 9
 ALLOWED_S = 0.2

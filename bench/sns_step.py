@@ -13,15 +13,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.folder import load_cell
 from core.control.bounds import JointLimits, velocity_bounds
 from core.control.sns import sns_reference
 from core.control.sns_kernel import sns_step
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 CELLS = ("lwr4_bench", "ur5e_line")
 PERIOD = 0.001

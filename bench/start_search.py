@@ -14,8 +14,8 @@ from statistics import median
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.folder import load_cell
 from core.planning.candidates import CandidateSearch, Weights
 from core.planning.grid import draw_postures, first_grid
@@ -26,8 +26,6 @@ from core.robot.model import RobotModel
 CELLS = Path(__file__).parents[1] / "cells"
 CANDIDATES = 10_000
 REPETITIONS = 3
-
-Array = NDArray[np.float64]
 
 
 def search(robot: RobotModel, collision: CollisionModel, vertices: int) -> Array:

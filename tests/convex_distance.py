@@ -15,7 +15,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 EXACT_M = 1e-7
 """The two bounds are no farther apart than this."""

@@ -9,11 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from core.array import Array
 from tests.convex_distance import Convex, bounds, packed
-
-Array = NDArray[np.float64]
 
 LONGEST_FALL_S = 3.0
 TICK_S = 0.002

@@ -12,11 +12,9 @@ from typing import Any
 
 import numpy as np
 import trimesh
-from numpy.typing import NDArray
 
+from core.array import Array
 from tests.convex_distance import Convex, ball, box, capsule, cylinder
-
-Array = NDArray[np.float64]
 
 FLAT = 1e-3
 """Relative volume by which a mesh and its hull may differ where the mesh counts as convex."""

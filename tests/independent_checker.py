@@ -22,14 +22,12 @@ import fcl
 import numpy as np
 import trimesh
 from numba import njit
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Payload, Shape
 from tests.convex_distance import EXACT_M, Convex, ball, bounds, box, capsule, packed
 from tests.free_flight import deepest_flight
 from tests.independent_arm import Arm, Body, Inertia, pose
-
-Array = NDArray[np.float64]
 
 NUMERICAL_M = 1e-6
 NUMERICAL = 1e-6

@@ -9,16 +9,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Obstacle, Payload, Pose, Zone
 from core.cell.folder import contradictions_of, load_cell
 from core.errors import BadCell, refuse
 from core.payload.inertia import InertialParameters
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 CELLS = Path(__file__).parent.parent / "cells"
 ARMS = ("lwr4_bench", "ur5e_line")

@@ -16,14 +16,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Obstacle, Payload, Pose, Robot, Sensor, Zone
 from core.cell.folder import contradictions_of
 from tests.independent_arm import Arm, pose
 from tests.independent_checker import IndependentChecker
-
-Array = NDArray[np.float64]
 
 SHARE = Path(sysconfig.get_paths()["purelib"]) / "cmeel.prefix" / "share"
 SENSOR = "ft_sensor"

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field
 
+from core.array import Array
 from core.cell.tool import Tool
 from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 from core.errors import BadRobot
@@ -41,7 +41,6 @@ __all__ = [
 
 ]  # fmt: skip
 
-Array = NDArray[np.float64]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
 Text = Annotated[str, Field(min_length=1, max_length=200)]
 

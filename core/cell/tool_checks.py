@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.contradictions import load_contradictions
 from core.cell.tool import STATED
 from core.cell.urdf import Urdf
@@ -18,8 +18,6 @@ from core.payload.rotations import rotation_of
 
 if TYPE_CHECKING:
     from core.cell.cell import Cell, Tool
-
-Array = NDArray[np.float64]
 
 
 HARDLY_NEGATIVE = 1e-6

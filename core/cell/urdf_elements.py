@@ -9,12 +9,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import BadRobot
 from core.payload.inertia import symmetric
-
-Array = NDArray[np.float64]
 
 MAX_BYTES = 5_000_000
 MAX_DEPTH = 32

@@ -10,13 +10,11 @@ from collections.abc import Iterable
 from copy import deepcopy
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.urdf_elements import read_xml
 from core.payload.inertia import InertialParameters
 from core.payload.rotations import rotation_of_rpy
-
-Array = NDArray[np.float64]
 
 
 class UrdfTree:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 from rich.table import Table
 
 from core.cli.terminal import find_wording
@@ -20,8 +19,6 @@ from core.second_opinion.opinion import Opinion
 from core.second_opinion.pairs import PairKind
 from core.words.message import Message
 from core.words.wording import Wording
-
-Array = NDArray[np.float64]
 
 SHOWN_EFFECTS = 5
 SHOWN_PARAMETERS = 4

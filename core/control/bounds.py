@@ -15,12 +15,10 @@ from typing import NamedTuple, Self
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 ROUNDING = 1e-9
 """Position limits are drawn in by this much (rad), so that rounding cannot carry a joint past them."""

@@ -9,9 +9,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.control.speed import fastest_point
-
-Array = NDArray[np.float64]
 
 
 class GuardStop(IntEnum):

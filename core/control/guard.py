@@ -22,8 +22,8 @@ from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.control.bounds import JointLimits
 from core.control.checks import Findings, GuardStop, Numbers, _check
@@ -32,8 +32,6 @@ from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.pair_group import Nearest
 from core.sessions.session import RobotState
-
-Array = NDArray[np.float64]
 
 SAMPLING = 0.02
 """An exact distance is taken at least this often, s."""

@@ -17,7 +17,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 _TOLERANCE = 1e-10
 _PIVOTS = 100

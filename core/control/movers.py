@@ -5,14 +5,12 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.control.resuming import resume_path, smooth_share
 from core.errors import BadState
 from core.robot.trajectory import JointTrajectory
 from core.sessions.session import RobotState
-
-Array = NDArray[np.float64]
 
 START_TOLERANCE = 1e-3
 """How far from the robot's commanded position a trajectory may start, rad."""

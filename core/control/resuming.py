@@ -8,11 +8,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import BadState
-
-Array = NDArray[np.float64]
 
 OFF_PATH = 0.02
 """How far from its path a robot may stand after braking, rad. It brakes along the tangent, so it is some 1e-3 rad; more means that

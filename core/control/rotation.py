@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation as SpatialRotation
 
+from core.array import Array
 from core.control.bounds import JointLimits
 from core.control.movers import Mover
 from core.control.resuming import place_on_path, smooth_share
@@ -16,8 +16,6 @@ from core.robot.collision import SpeedPoints
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
 from core.sessions.session import RobotState
-
-Array = NDArray[np.float64]
 
 SPEED_SHARE = 0.97
 """Of the Cartesian limit that a rotation may command."""

@@ -6,12 +6,11 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.control.sns_kernel import _sns_step
 from core.control.speed import fastest_point
 from core.robot.chain import _forward, _jacobian
 from core.robot.rotations import pose_error
-
-Array = NDArray[np.float64]
 
 GAIN = 100.0
 """Of the pose error, 1/s. Integrating velocities leaves some 0.1 um of error per period; this keeps the sum near 1 um."""

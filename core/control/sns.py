@@ -15,9 +15,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 RANK_TOLERANCE = 1e-5
 """Smallest singular value, relative to the largest, that still counts."""

@@ -12,12 +12,11 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.control.bounds import JointLimits, _velocity_bounds
 from core.control.largest_scale import _largest_scale
 from core.control.sns import RANK_TOLERANCE, TOLERANCE, JointVelocities
 from core.robot.chain import Chain, _jacobian
-
-Array = NDArray[np.float64]
 
 _PIVOT = RANK_TOLERANCE**2  # J W J^T squares the singular values
 _ACHIEVED = 1e-7

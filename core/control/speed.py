@@ -6,9 +6,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.robot.chain import joint_frames
-
-Array = NDArray[np.float64]
 
 
 @njit(cache=True)

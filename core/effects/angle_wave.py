@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.scene import Scene
-
-Array = NDArray[np.float64]
 
 
 def angle_wave(scene: Scene, order: Array, c: Array, s: Array) -> tuple[Array, Array]:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.payload.rotations import cross, rotation_of
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 class BaseTilt(Effect):

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import play
 from core.effects.scene import Scene
@@ -12,8 +12,6 @@ from core.effects.window_search import weights
 from core.payload.inertia import regressor
 from core.payload.rotations import cross
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 CREEP = 0.003
 """m/s, speed at which two thirds of the Coulomb friction act."""

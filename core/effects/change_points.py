@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 
 def change_points(series: Array, *, count: int, apart: int) -> list[int]:

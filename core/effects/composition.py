@@ -6,14 +6,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from core.array import Array
 from core.effects.effect import STAGES, Effect
 from core.effects.memory import Memory
 from core.effects.scene import Scene
-
-Array = NDArray[np.float64]
 
 
 class Term(NamedTuple):

@@ -11,9 +11,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.memory import Past
-
-Array = NDArray[np.float64]
 
 GAMMA = 0.55
 BETA = 0.25 * (0.5 + GAMMA) ** 2

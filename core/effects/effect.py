@@ -10,14 +10,12 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.scene import Scene
 from core.effects.sides import Side
 from core.recording.recording import Recording
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 Stage = Literal["sensor", "timing", "mounting", "kinematics", "payload", "environment", "actuation"]
 STAGES: tuple[Stage, ...] = ("mounting", "kinematics", "actuation", "payload", "environment", "timing", "sensor")

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.effects.window_search import best_windows, onset_parameter_scale, weights
 from core.payload.rotations import cross
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 LONGEST_S = 30.0
 """Of a touch."""

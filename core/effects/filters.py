@@ -13,9 +13,8 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.memory import Past
-
-Array = NDArray[np.float64]
 
 ROWS = 6
 """That a value between samples is interpolated from: with four, what is left of a sharp delay looks like a filter."""

@@ -7,13 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 from scipy.signal import savgol_filter
 
+from core.array import Array
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 SMOOTHING = 0.1
 """s, window of the Savitzky-Golay filter that every signal goes through alike."""

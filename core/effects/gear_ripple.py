@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.angle_wave import angle_wave
 from core.effects.effect import Effect, Parameter
 from core.effects.gear_search import COARSEST, FINEST, Peak, RippleSearch
@@ -12,8 +12,6 @@ from core.effects.joint_error import joint_count, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 SEARCHED_RAD = 3e-4
 """Size of the ripples from which a fit starts: from too small ones, it would jump to another ratio."""

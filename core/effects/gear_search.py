@@ -8,13 +8,11 @@ from itertools import pairwise
 from typing import NamedTuple, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.scene import Scene
 from core.effects.window_search import weights
 from core.payload.rotations import cross
-
-Array = NDArray[np.float64]
 
 COARSEST, FINEST = 10.0, 200.0
 """Gear ratios looked for."""

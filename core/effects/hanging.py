@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.memory import Past
-
-Array = NDArray[np.float64]
 
 GRAVITY = 9.81
 """m/s2, under which the frequency of a pendulum is stated."""

@@ -10,9 +10,8 @@ from scipy.ndimage import median_filter
 from scipy.special import gammaincc
 from scipy.stats import norm
 
+from core.array import Array
 from core.recording.recording import Recording
-
-Array = NDArray[np.float64]
 
 SETTLING = 0.25
 """Share of each hold that is left out at its start, where the arm still rings."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import derivative, low_pass
 from core.effects.joint_error import find_largest_joint, joint_count, joint_torque, true_motion, without_joints
@@ -12,8 +12,6 @@ from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.effects.splines import smooth_by_splines
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 CONTACT_TORQUE = 1.0
 """N m, at which the teeth are about in contact on one side."""

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.deflection import deflection
 from core.effects.effect import Effect, Parameter
 from core.effects.joint_error import find_largest_joint, joint_count, rigid_load, true_motion, without_joints
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 class JointElasticity(Effect):

@@ -9,13 +9,11 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 @njit(cache=True)

@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.friction_fit import FrictionFit, FrictionSignals, fit_joint, noise_of, sigma_of, tracking_error
 from core.recording.recording import Recording
 from core.words.message import Message
 
-Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 LOUD, LEAST = 3.0, 0.02

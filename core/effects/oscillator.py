@@ -6,11 +6,9 @@ import cmath
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.memory import Past
-
-Array = NDArray[np.float64]
 
 
 @njit(cache=True)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.hanging import GRAVITY, hang
 from core.effects.oscillator import oscillate, spectral_peaks
@@ -14,8 +14,6 @@ from core.effects.rigid_body import centre_of_mass
 from core.effects.scene import Scene
 from core.payload.rotations import cross
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 SHARES = ("xx", "xy", "xz", "yy", "yz", "zz")
 

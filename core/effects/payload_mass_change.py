@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.effects.window_search import best_windows, onset_parameter_scale, ramp
 from core.payload.inertia import regressor, six_of
 from core.payload.rigid_wrench import wrench as rigid_wrench
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 class PayloadMassChange(Effect):

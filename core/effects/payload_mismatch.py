@@ -8,12 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import chi2
 
+from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.recording.recording import Recording
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 CHANCE = 1e-4
 """A difference that chance gives less often than this lies beyond the uncertainty."""

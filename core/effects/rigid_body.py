@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.payload.rigid_wrench import wrench as rigid_wrench
-
-Array = NDArray[np.float64]
 
 
 def wrench_change(scene: Scene, true: Motion) -> Array:

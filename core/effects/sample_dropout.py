@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.recording.recording import PAUSE_S, Recording
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 MATERIAL = 0.01
 """Share of the samples that are held or lost."""

@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.memory import Memory, Past
 from core.payload.inertia import Motion, spatial_inertia
 from core.payload.rigid_wrench import wrench
-
-Array = NDArray[np.float64]
 
 PER_ROW = ("t", "phase", "motion", "rotation", "position", "q", "dq", "jacobian", "torque", "link_inertia", "link_torque", "temperature")
 

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.channels import find_largest_channel, shares
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import low_pass
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 class SensorCreep(Effect):

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.channels import CHANNELS, SUFFIXES, UNITS, say_load
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 PLAUSIBLE = 0.02
 """Share of a channel's full scale that another at full scale brings into it."""

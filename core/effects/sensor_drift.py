@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.channels import amplitudes, expand_to_channels, say_largest
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 REFERENCE = 60.0
 """s after the start; the amplitudes are the drift at this time."""

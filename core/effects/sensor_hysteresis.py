@@ -5,16 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.channels import CHANNELS, find_largest_channel, full_scale, shares, without_range
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import play
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
-
 
 TURNING = (0.001, 0.003, 0.01, 0.03)
 """Shares of full scale over which a loop may turn, from which fits start."""

@@ -6,15 +6,13 @@ import cmath
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.excitation import stillness
 from core.effects.filters import low_pass
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 class SensorLowpass(Effect):

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.channels import CHANNELS, find_largest_channel
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.hold_noise import hold_noise, line_in, rate, steady, without_line
@@ -13,8 +13,6 @@ from core.effects.sensor_interference import SIGNIFICANT
 from core.effects.sensor_quantization import step_of
 from core.recording.recording import Recording
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 HELD = 0.01
 """Share of held samples from which on they are left out."""

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.channels import find_largest_channel, full_scale, shares, without_range
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 class SensorNonlinearity(Effect):

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.change_points import change_points
 from core.effects.channels import amplitudes, expand_to_channels, say_largest
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 class SensorOffsetStep(Effect):

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, say_load
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.recording.recording import Recording
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 COARSER = 1.4
 """Times the stated resolution; less is a question of rounding."""

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, say_load
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.effects.window_search import ROWS, weights
 from core.payload.inertia import regressor
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 SHARES = np.linspace(0.08, 0.98, 16)
 """Of the largest load of a channel, limits that are looked at before a fit."""

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.payload.rotations import cross
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 class SensorTranslation(Effect):

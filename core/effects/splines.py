@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 from scipy.ndimage import convolve1d
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 
 def smooth_by_splines(x: Array, period: float, spacing: float) -> Array:

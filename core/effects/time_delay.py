@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.effects.excitation import stillness
 from core.effects.filters import delay_signal
 from core.effects.scene import Scene
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 class TimeDelay(Effect):

@@ -7,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.scene import Scene
 from core.payload.inertia import regressor
 
-Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
 LEVER = 0.05

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
+from core.array import Array
 from core.payload.inertia import is_consistent, phi_of_pseudo_inertia, pseudo_inertia
-
-Array = NDArray[np.float64]
 
 SMALLEST = 1e-6
 """Eigenvalue of the scaled pseudo-inertia that is kept: a body is never quite flat."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.payload.inertia import PHI_NAMES, Motion
 from core.words.message import Message
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 LARGEST_RELATIVE_STD = 0.1

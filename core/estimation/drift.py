@@ -9,11 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.recording.recording import PAUSE_S
-
-Array = NDArray[np.float64]
 
 SPACING_S = 6.0
 """Between the knots of the walk; linear in between."""

@@ -9,12 +9,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.segments import Segment
 from core.payload.inertia import InertialParameters, Motion
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")

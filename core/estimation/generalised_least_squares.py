@@ -15,14 +15,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.drift import STEP_STD, drift_basis, improve_variance, parts_of, steps_between
 from core.estimation.noise import WrenchNoise
 from core.estimation.weak_form import WeakForm, whiten
 from core.payload.inertia import spatial_inertia
-
-Array = NDArray[np.float64]
 
 TILT = slice(10, 12)
 DELAY = 12

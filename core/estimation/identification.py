@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.consistency import nearest_consistent
 from core.estimation.determination import find_determined, reasons
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
@@ -24,7 +25,6 @@ from core.recording.recording import Recording
 from core.twin.twin import NOMINAL, Twin
 from core.words.message import Message
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 SMOOTHING_S = 0.05

@@ -11,17 +11,15 @@ from functools import cached_property
 
 import numpy as np
 from filterpy.kalman import KalmanFilter
-from numpy.typing import NDArray
 from scipy.linalg import solve_discrete_are
 from scipy.ndimage import convolve1d
 from scipy.signal import savgol_coeffs
 
+from core.array import Array
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
 from core.robot.rotations import exponential, logarithm
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

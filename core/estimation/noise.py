@@ -7,9 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.segments import Segment
-
-Array = NDArray[np.float64]
 
 SHORTEST = 50
 """Samples that a hold needs for its variance to count."""

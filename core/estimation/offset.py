@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.segments import ALONG_AXIS
-
-Array = NDArray[np.float64]
 
 
 def pose_of_gravity(g: Array) -> tuple[int, int] | None:

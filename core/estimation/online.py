@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.estimate import PaperEstimate
 from core.estimation.kinematics import KinematicFilter
 from core.estimation.offset import OpposedPoses
@@ -12,8 +12,6 @@ from core.estimation.regression import RecursiveRegression, Thresholds
 from core.estimation.still_poses import StillPoses
 from core.payload.inertia import Motion
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 
 class OnlineEstimator:

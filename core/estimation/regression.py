@@ -12,12 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.segments import ALONG_AXIS
 from core.estimation.uncertainty import gain, inertia_uncertainty, one_sigma, propagate_covariance
 from core.payload.inertia import Motion
 from core.payload.rotations import skew
-
-Array = NDArray[np.float64]
 
 DIFFUSE = 100.0
 """Variance of the parameters before the first sample, SI."""

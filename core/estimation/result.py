@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
+from core.array import Array
 from core.recording.recording import Recording
 from core.recording.workpiece import workpiece_alone
 from core.version import code_version
@@ -17,7 +17,6 @@ from core.words.message import Message
 if TYPE_CHECKING:  # who only reads answers waits for no estimator
     from core.estimation.estimate import Estimate, Identification, Verification
 
-Array = NDArray[np.float64]
 Numbers = list[float | None]
 
 

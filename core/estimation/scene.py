@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.scene import Scene
 from core.estimation.kinematics import Poses, local_derivative
 from core.estimation.segments import Segment
@@ -12,8 +13,6 @@ from core.payload.inertia import Motion
 from core.recording.recording import Recording
 from core.robot.dynamics import LinkDynamics, has_masses
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 SMOOTHING_S = 0.036
 """Of the joints' accelerations."""

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import uniform_filter1d
 
-Array = NDArray[np.float64]
+from core.array import Array
+
 Bools = NDArray[np.bool_]
 
 SETTLING_S = 0.15

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.payload.inertia import Motion, regressor
-
-Array = NDArray[np.float64]
 
 PRIOR_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1e3)))
 """Of mass (kg), first moment (kg m) and offsets (N, N m): so wide that they matter only where no pose has told anything."""

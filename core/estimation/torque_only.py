@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.estimate import Identification, PaperEstimate, TimeSeries
 from core.estimation.kinematics import Poses, smooth_motion
 from core.estimation.segments import segments_of_motion, segments_of_phase
 from core.recording.recording import Recording
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 SMOOTHING_S = 0.05
 

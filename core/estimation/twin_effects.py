@@ -8,8 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.scene import Scene
 from core.estimation.generalised_least_squares import Fit, fit, refit
 from core.estimation.kinematics import Poses, smooth_motion
@@ -20,8 +20,6 @@ from core.estimation.weak_form import WeakForm
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
 from core.twin.twin import Twin
-
-Array = NDArray[np.float64]
 
 GRID_S = 0.005
 """Period of the scene that effects are applied to, as in the diagnosis that fits them."""

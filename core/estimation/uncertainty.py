@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 
 def gain(covariance: Array, regr: Array, variance: Array) -> Array:

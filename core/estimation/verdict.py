@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from core.estimation.determination import explain_not_excited
 from core.estimation.estimate import CHANNELS, Estimate
@@ -13,8 +12,6 @@ from core.estimation.generalised_least_squares import Fit
 from core.payload.inertia import PHI_NAMES
 from core.recording.recording import Recording
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 INTERVAL = 1.96
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.estimate import Verification
 from core.estimation.generalised_least_squares import DELAY, OFFSET, TILT, Fit, fit
 from core.estimation.kinematics import Poses
@@ -14,8 +14,6 @@ from core.estimation.noise import WrenchNoise
 from core.estimation.segments import Segment
 from core.estimation.weak_form import WeakForm
 from core.payload.inertia import spatial_inertia
-
-Array = NDArray[np.float64]
 
 FEWEST_WINDOWS = 8
 """A motion with fewer is too short to judge by."""

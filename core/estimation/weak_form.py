@@ -21,11 +21,10 @@ from scipy.linalg import cholesky_banded, eigh
 from scipy.linalg.lapack import dtbtrs
 from scipy.sparse import csr_array, diags_array
 
+from core.array import Array
 from core.estimation.kinematics import Poses, axial
 from core.payload.inertia import inertia_columns, symmetric
 from core.payload.rotations import rotation_of, skew
-
-Array = NDArray[np.float64]
 
 STEP_S = 0.025
 """Knot spacing of the windows: features up to 20 Hz are kept."""

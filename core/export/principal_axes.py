@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.payload.inertia import symmetric
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

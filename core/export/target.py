@@ -8,14 +8,12 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import BadPayload
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 INERTIA_NAMES = PHI_NAMES[4:]
 MM = 1000.0

@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import expit, softmax
 
+from core.array import Array
 from core.gap.effect_fit import EffectFit
 from core.gap.windows import Windows
-
-Array = NDArray[np.float64]
 
 INSEPARABLE_SIGMA = 3.0
 NONE_PRIOR = 3.0

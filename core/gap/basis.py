@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import HeftError
 from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
 from core.estimation.noise import sensor_noise, unknown_noise
@@ -16,8 +16,6 @@ from core.estimation.weak_form import RawFeatures, regressor_of
 from core.gap.windows import Basis, window_matrix
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
-
-Array = NDArray[np.float64]
 
 GRID_S = 0.005
 """Period of the scene that effects are applied to."""

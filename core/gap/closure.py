@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.gap.effect_fit import EffectFit
 from core.gap.windows import Windows
-
-Array = NDArray[np.float64]
 
 RESAMPLED = 300
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 CLUSTER_S = 1.0
 """What a model gets wrong goes on for about so long; further apart it counts as independent."""

@@ -8,16 +8,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.gap.clustered import enlarge_covariance
 from core.gap.problem import Problem
 from core.gap.quadratic import bounded_minimum, inverse, solve_scaled
 from core.gap.spared_noise import estimate_spared_noise
 from core.gap.windows import PHI, Windows
-
-Array = NDArray[np.float64]
 
 ITERATIONS = 24
 CONVERGED = 0.02

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.gap.answer import JointGap
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 ROWS = 1000
 """No more rows than about this many are looked at."""

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 GAP = 2.0
 """Held-out gap, noise being 1, from which an effect is material."""

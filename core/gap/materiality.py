@@ -5,13 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.gap.effect_fit import EffectFit
 from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
 from core.gap.windows import PHI, Windows
 from core.words.message import Message
-
-Array = NDArray[np.float64]
-
 
 DOUBT = 2.0
 """A reference is doubted only where the payload's difference from it moves the wrench by more than so many times the gap."""

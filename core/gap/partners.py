@@ -6,16 +6,14 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import STAGES, Effect
 from core.gap.effect_fit import EffectFit
 from core.gap.fit_all import Task
 from core.gap.problem import Problem
 from core.gap.quadratic import solve_scaled
 from core.gap.windows import Windows
-
-Array = NDArray[np.float64]
 
 STARTS = 2
 """How many of an effect's starting values are looked at."""

@@ -10,8 +10,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.scene import PER_ROW, Scene
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import poses_of
@@ -22,8 +22,6 @@ from core.gap.quadratic import bounded_minimum, inverse
 from core.gap.windows import BACKGROUND, OFFSET, Windows
 from core.payload.inertia import Motion
 from core.recording.recording import BETWEEN_RUNS_S, Recording
-
-Array = NDArray[np.float64]
 
 
 class Prediction:

@@ -8,14 +8,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.effect import STAGES, Effect, Parameter
 from core.effects.scene import Scene
 from core.gap.quadratic import bounded_minimum
 from core.gap.windows import BACKGROUND, PHI, Windows
-
-Array = NDArray[np.float64]
 
 PRIOR_WIDTH = 2.0
 """Standard deviation of the prior in plausible sizes."""

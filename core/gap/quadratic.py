@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 LEAST_EIGENVALUE = 1e-15
 """Of the scaled matrix, relative to the largest; what is smaller is rounding."""

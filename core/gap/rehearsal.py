@@ -9,16 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, RotationSpline
 
+from core.array import Array
 from core.estimation.kinematics import Poses, axial
 from core.planning.stop import HOLD_S, Stop, Swings, Wave, wave_shape
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 STEP_S = 0.01
 """Between the poses that are worked out."""

@@ -6,14 +6,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.fft import dct
 
 from core.gap.effect_fit import EffectFit
 from core.gap.windows import Windows
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 BANDS_HZ = ((0.0, 2.0), (2.0, 8.0), (8.0, 20.0))

@@ -7,13 +7,11 @@ residual gets smaller whether the filter is there or not. That is no evidence, a
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.gap.problem import Problem
 from core.gap.windows import BLUR, LATE, PHI, Windows
 from core.payload.inertia import spatial_inertia
-
-Array = NDArray[np.float64]
 
 
 def estimate_spared_noise(problem: Problem, theta: Array, beta: Array) -> Array:

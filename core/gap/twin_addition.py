@@ -7,9 +7,6 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from core.cell.cell import Cell
 from core.effects.effect import Effect
 from core.effects.library import library, symptoms
@@ -26,8 +23,6 @@ from core.recording.recording import Recording
 from core.twin.file import close_name
 from core.twin.twin import Entry, Fitted, Twin
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 ASKED = Message.of("gap-effect-asked")
 MOST_LETTERS = 80

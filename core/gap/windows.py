@@ -18,6 +18,7 @@ from scipy.linalg import cholesky_banded
 from scipy.linalg.lapack import dtbtrs
 from scipy.sparse import csr_array
 
+from core.array import Array
 from core.effects.composition import Term
 from core.effects.scene import Scene
 from core.estimation.drift import STEP_STD
@@ -28,8 +29,6 @@ from core.estimation.weak_form import STEP_S, tilt_axes
 from core.payload.inertia import Motion, spatial_inertia
 from core.payload.rigid_wrench import wrench
 from core.recording.recording import PAUSE_S
-
-Array = NDArray[np.float64]
 
 PHI = slice(0, 10)
 OFFSET = slice(10, 16)

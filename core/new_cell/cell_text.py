@@ -6,12 +6,8 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from core.array import Array
 from core.cell.cell import Box
-
-Array = NDArray[np.float64]
 
 NOT_STATED = "not stated"
 """What a sensor's name begins with whose figures are nobody's."""

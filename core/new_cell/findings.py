@@ -11,9 +11,9 @@ from typing import Any, Literal
 
 import coal
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
+from core.array import Array
 from core.cell.cell import CELL_FILE, Box, Cell
 from core.cell.folder import read_cell_folder
 from core.cell.tools import add_cell_tools
@@ -27,8 +27,6 @@ from core.robot.model import RobotModel
 from core.robot.watched_pairs import OVERLAPPING
 from core.words.catalogue import Language
 from core.words.message import Message, Parameter
-
-Array = NDArray[np.float64]
 
 NEAR_HOME = 2.0  # times what is required
 FLANGE_M = 0.005  # of the payload box from the flange face

@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Limits
 from core.errors import BadRobot
 from core.robot.bodies import FLOOR, PAYLOAD, Body, floor_body
@@ -16,7 +17,6 @@ from core.robot.model import RobotModel
 from core.robot.watched_pairs import CONTACT_M, FEW_JOINTS
 from core.words.message import Message
 
-Array = NDArray[np.float64]
 Pair = tuple[str, str]
 
 SAMPLES = 512

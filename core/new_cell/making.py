@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from core.cell.cell import CELL_FILE, Box, Cell, Robot, Sensor
 from core.cell.folder import load_cell
@@ -36,8 +35,6 @@ from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.watched_pairs import find_joined_links
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 URDF = "robot.urdf"
 PICTURE = "home.png"

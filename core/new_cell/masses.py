@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.urdf_elements import UrdfLink
 from core.cell.urdf_tree import UrdfTree
 from core.new_cell.frames import ArmFrames
@@ -15,8 +15,6 @@ from core.payload.inertia import InertialParameters
 from core.robot.bodies import Body
 from core.robot.model import RobotModel
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 DENSITY = 1000.0  # kg/m3 of a link's hull: aluminium and motors with air between them
 LEAST_MASS = 0.01  # kg

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Pose
 from core.robot.bodies import Body
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 EDGE_M = 0.16
 BEYOND_TOOL_M = 0.1

@@ -12,15 +12,13 @@ mpl.use("Agg")
 import numpy as np
 from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.report.faces import body_faces, joint_poses, place_faces
 from core.robot.bodies import PAYLOAD, Body
 from core.robot.model import RobotModel
 from core.words.catalogue import find_language
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 BASE, LINKS, TOOL, LOAD, FLOOR = "#8a8f98", ("#4f79a7", "#7fa3c7"), "#59a14f", "#e8963c", "#d9d9d9"
 LIGHT = np.array([0.4, -0.5, 0.77])

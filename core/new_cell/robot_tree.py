@@ -7,14 +7,12 @@ from collections.abc import Iterator
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.cell.urdf import Urdf, check_urdf
 from core.cell.urdf_elements import UrdfJoint, parse
 from core.errors import BadRobot
-
-Array = NDArray[np.float64]
 
 KEPT_OF_JOINT = ("origin", "parent", "child", "axis", "limit", "mimic")
 KEPT_OF_LINK = ("inertial", "visual", "collision")

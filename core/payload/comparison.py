@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
+from core.array import Array
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 SIGNIFICANT = 0.01
 """Chance of a difference at least as large between two runs with one payload, below which they are said to differ."""

@@ -11,10 +11,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from core.array import Array
 from core.errors import BadPayload
 from core.payload.rotations import skew
-
-Array = NDArray[np.float64]
 
 PHI_NAMES = ("m", "mc_x", "mc_y", "mc_z", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz")
 PHI_UNITS = ("kg", "kg m", "kg m", "kg m", *["kg m2"] * 6)

@@ -5,12 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from core.array import Array
 from core.payload.inertia import InertialParameters
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -8,11 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.payload.inertia import Motion
-
-Array = NDArray[np.float64]
 
 
 def wrench(motion: Motion, phi: Array) -> Array:

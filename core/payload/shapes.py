@@ -6,12 +6,11 @@ from functools import cached_property
 from typing import Annotated, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from core.array import Array
 from core.payload.rotations import rotation_of_rpy
 
-Array = NDArray[np.float64]
 Number = Annotated[float, Field(strict=True, ge=-1000, le=1000)]  # no quantity of a cell is larger, in SI units
 Angle = Annotated[float, Field(strict=True, ge=-2 * np.pi, le=2 * np.pi)]
 Positive = Annotated[float, Field(strict=True, gt=0, le=1000)]

@@ -6,11 +6,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from core.array import Array
 from core.payload.inertia import frame_change, six_of
-
-Array = NDArray[np.float64]
 
 ROUNDING = 1e-12  # of a frame change, whose entries are of the order of 1
 

@@ -10,12 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import BPoly, PPoly
 
+from core.array import Array
 from core.errors import NoPath
-
-Array = NDArray[np.float64]
 
 _SIDE = np.array([1.0, 0.6, 0.2])
 _HALVINGS = 10

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.planning.grid import Postures
 from core.planning.link_room import LinkRoom
@@ -15,8 +16,6 @@ from core.robot.collision import CollisionModel
 from core.robot.inverse_kinematics import solve_poses
 from core.robot.model import RobotModel
 from core.robot.point_speed import point_speeds
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

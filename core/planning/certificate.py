@@ -13,11 +13,9 @@ from dataclasses import dataclass, field
 from heapq import heappop, heappush
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.planning.pair_margins import PairMargins
-
-Array = NDArray[np.float64]
 
 Spare = Callable[[Array], float]
 """Margin (m) that a planner wants to keep at a configuration on top of what the cell requires."""

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.control.bounds import JointLimits
 from core.control.movers import Mover, Playback
@@ -19,8 +19,6 @@ from core.robot.trajectory import AngularProfile, JointTrajectory
 from core.second_opinion.opinion import JointPath
 from core.second_opinion.part_name import name_part
 from core.sessions.session import RobotState
-
-Array = NDArray[np.float64]
 
 
 class PlanPart(NamedTuple):

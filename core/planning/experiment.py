@@ -10,8 +10,8 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import widest_box
 from core.errors import NoPath
@@ -30,8 +30,6 @@ from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
-
-Array = NDArray[np.float64]
 
 MASS_GUESS_KG = 1.0
 

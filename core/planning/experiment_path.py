@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.planning.plan import Leg, Plan
 from core.planning.rotation_room import Turn, rotation_path
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
-
-Array = NDArray[np.float64]
 
 
 def path_of(plan: Plan, robot: RobotModel, like: Recording) -> Recording:

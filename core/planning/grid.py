@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
+from core.array import Array
 from core.robot.chain import forward_many
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 NEAR_SHARE = 0.3  # of the postures that are drawn round the configuration the robot comes from
 NEAR_STD = 0.6  # rad

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import add_cell_tools
 from core.cell.urdf import check_urdf
@@ -23,8 +23,6 @@ from core.robot.model import RobotModel
 from core.second_opinion.opinion import JointPath
 from core.second_opinion.part_name import name_part
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 HOLDING_SHARE = 0.9
 """Of a joint's torque: what holding still may take where a pose is chosen. The rest is for moving."""

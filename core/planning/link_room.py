@@ -8,12 +8,10 @@ payload, which Section 3 wants to be large. Here each link's distance is seen ag
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 SAMPLES = 300
 """Random configurations that tell the most room of a link: the largest of so many is near enough to the largest of all."""

@@ -7,13 +7,11 @@ turning base. Certifying pair by pair therefore needs far fewer samples than cer
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.robot.bodies import Body
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 
 class PairMargins:

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 from ompl import base, geometric, util
 
+from core.array import Array
 from core.cell.body_name import name_body
 from core.cell.cell import Cell
 from core.errors import NoPath
@@ -27,8 +27,6 @@ from core.planning.timing import MotionLimits, least_seconds
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 SPARE_M = 0.005
 """Margin that planning keeps on top of the required clearance, for rounding corners and for the controller's tracking error."""

@@ -9,9 +9,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from core.cell.cell import Cell
 from core.planning.commanded_path import PlanPart
 from core.planning.settings import WHOLE, Timing
@@ -29,8 +26,6 @@ from core.planning.summary import (
 from core.planning.transfer import Transfer
 from core.robot.trajectory import AngularProfile, JointTrajectory
 from core.second_opinion.opinion import Opinion
-
-Array = NDArray[np.float64]
 
 POSES = WHOLE.poses
 

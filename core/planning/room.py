@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
 from core.planning.throw import ThrowCheck
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 LIMIT_ROOM_RAD = 0.02
 """Paths keep this far from the joint limits, except where start or goal is closer."""

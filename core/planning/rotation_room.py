@@ -11,8 +11,8 @@ from enum import Enum, auto
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.planning.timing import MotionLimits
 from core.robot.chain import Chain, fill_jacobian, joint_frames
@@ -22,8 +22,6 @@ from core.robot.model import RobotModel
 from core.robot.point_speed import point_speeds
 from core.robot.rotations import exponential, pose_error
 from core.robot.trajectory import AngularProfile
-
-Array = NDArray[np.float64]
 
 SHARE = 0.95
 """Of the velocity, acceleration and Cartesian speed limits that a rotation may use, so that it runs unscaled."""

@@ -9,8 +9,8 @@ from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import widest_box
 from core.errors import NoPath
@@ -33,8 +33,6 @@ from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
 from core.second_opinion.opinion import JointPath, Opinion, second_opinion
 from core.second_opinion.refusal import refuse_disputed
-
-Array = NDArray[np.float64]
 
 
 def plan_procedure(

@@ -6,9 +6,7 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.errors import Refused
 from core.events import Event
@@ -19,8 +17,6 @@ from core.planning.search import plan_procedure
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

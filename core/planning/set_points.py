@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.errors import BadInput
 from core.files.whole_file import write_whole
@@ -18,8 +18,6 @@ from core.planning.commanded_path import compute_joint_paths
 from core.planning.plan import Leg, Plan, motions_of
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 ROUNDING = 9
 """Decimals of a joint position, rad: finer than any encoder."""

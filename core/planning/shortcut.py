@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 Cost = Callable[[Array], float]
 Clear = Callable[[Array], bool]

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.body_name import name_body
 from core.cell.cell import Cell
 from core.errors import NoStartConfiguration, TooHeavy
@@ -30,8 +30,6 @@ from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
 from core.robot.watched_pairs import ROOM_M
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 LIMIT_MARGIN_RAD = 0.05
 """Start configurations and rotations keep this far from the joint limits."""

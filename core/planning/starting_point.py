@@ -6,17 +6,15 @@ import json
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, ValidationError
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.errors import BadInput
 from core.files.schema_flaw import schema_flaw
 from core.recording.folder import read_recording
 from core.recording.recording import check_same_robot
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 OPTION = "--from"
 MAX_BYTES = 100_000

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field
 
+from core.array import Array
 from core.payload.shapes import Model
 from core.recording.recording import Recording
 from core.words.message import Message
@@ -16,7 +16,6 @@ from core.words.message import Message
 if TYPE_CHECKING:  # who only reads a proposal waits for no estimator
     from core.estimation.segments import Segment
 
-Array = NDArray[np.float64]
 
 Axis = Literal["x", "y", "z"]
 AXES: tuple[Axis, Axis, Axis] = ("x", "y", "z")

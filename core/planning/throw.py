@@ -14,11 +14,10 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
 from core.robot.model import SensorPose
 from core.robot.trajectory import AngularProfile
-
-Array = NDArray[np.float64]
 
 PAD_M = 0.005
 """Added to everything that flies, for the moments between those that are looked at."""

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.errors import NoPath
 from core.planning.phase_plane import fastest_profile
@@ -21,8 +21,6 @@ from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.point_speed import point_positions, point_speeds
 from core.robot.trajectory import JointTrajectory
-
-Array = NDArray[np.float64]
 
 SMOOTHING_S = 0.12
 """Window of the moving average: the time in which the speed changes from one bound to the next."""

@@ -8,9 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
+from core.array import Array
 from core.cell.body_name import name_body
 from core.cell.cell import Cell
 from core.errors import NoPath
@@ -25,8 +25,6 @@ from core.planning.timing import MotionLimits, time_curve
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.trajectory import JointTrajectory
-
-Array = NDArray[np.float64]
 
 SPEED_FRACTION = 0.96
 """Part of the Cartesian limit that is planned with; the rest is left to the controller's tracking error."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.errors import NoPath
 from core.planning.certificate import is_clear
@@ -19,8 +19,6 @@ from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.trajectory import JointTrajectory
 from core.robot.watched_pairs import ROOM_M
-
-Array = NDArray[np.float64]
 
 ACCELERATION_SHARE = 0.6
 """Of the joints' acceleration limits: such a motion shakes the arm for many seconds."""

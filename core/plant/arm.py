@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.cell.urdf import Hinge, check_urdf
 from core.cell.urdf_tree import UrdfTree, axis_of, end_of, origin_of
@@ -19,8 +19,6 @@ from core.errors import BadPayload, BadRobot
 from core.payload.inertia import InertialParameters
 from core.plant.principal import principal_inertia
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 
 def braking_positions(q: Array, dq: Array, acceleration: Array, *, period: float) -> Array:

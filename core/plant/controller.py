@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.plant.mechanics import PERIOD
-
-Array = NDArray[np.float64]
 
 SKIP_SENSORS = 1
 

@@ -6,14 +6,11 @@ from typing import NamedTuple
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.plant.arm import Arm
 from core.plant.faults.fault import Act, Fault, Machine, Setting
 from core.plant.mechanics import PERIOD, SPRING
-
-Array = NDArray[np.float64]
-
 
 LOCKED = 1e7
 """kg m2; an arm as heavy as this does not move while the rest comes to rest."""

@@ -6,14 +6,12 @@ from dataclasses import dataclass
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.payload.inertia import InertialParameters
 from core.plant.arm import Arm
 from core.plant.principal import principal_inertia
-
-Array = NDArray[np.float64]
 
 PERIOD = 0.001
 """Step of the simulation and period of the joint controller, s."""

@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import BadPayload
 from core.payload.inertia import InertialParameters
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 ROUNDING = 1e-6
 """Relative excess over A + B >= C that is taken for rounding: a flat plate has A + B = C."""

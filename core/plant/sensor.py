@@ -8,13 +8,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Sensor
 from core.plant.faults.fault import Channel
 from core.plant.imperfections import Drift
-
-Array = NDArray[np.float64]
 
 OFFSET_FORCE_STD = 3.0
 """N; wrist sensors come with offsets of several newtons."""

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.cell.tools import add_cell_tools
 from core.payload.inertia import InertialParameters
@@ -21,7 +21,6 @@ from core.plant.links import Links
 from core.plant.mechanics import NOTHING, PERIOD, Drives, build_model, build_spec
 from core.plant.sensor import Encoders, WhiteNoise, WristSensor
 
-Array = NDArray[np.float64]
 Hook = TypeVar("Hook")
 
 TORQUE_NOISE = 1e-3

@@ -11,8 +11,8 @@ from collections.abc import Generator
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Payload
 from core.errors import Interrupted, Refused, Stopped
 from core.estimation.identification import identify_recording
@@ -29,8 +29,6 @@ from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotSession
 from core.twin.twin import NOMINAL, Twin
-
-Array = NDArray[np.float64]
 
 
 def identify(

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.control.guard import SafetyRecord
 from core.estimation.estimate import Identification
@@ -16,8 +16,6 @@ from core.planning.plan import Plan
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
 from core.robot.pair_group import Nearest
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

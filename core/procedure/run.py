@@ -6,8 +6,8 @@ from collections.abc import Generator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Pose
 from core.control.execute import execute
 from core.control.guard import Guard
@@ -23,8 +23,6 @@ from core.procedure.recorder import Recorder
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.sessions.session import RobotSession, RobotState
-
-Array = NDArray[np.float64]
 
 MAX_RESTARTS = 3
 """How often the guard may stop a run before it is given up."""

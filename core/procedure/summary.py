@@ -4,14 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.planning.start_configuration import StartConfiguration
 from core.second_opinion.opinion import Opinion
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.cell.urdf import check_urdf
 from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 from core.errors import BadInput, BadRecording
@@ -27,8 +28,6 @@ from core.recording.recording import Recording, RobotDescription
 from core.recording.samples import FILES as SAMPLES
 from core.recording.samples import MAX_BYTES, Samples, name_column, write_samples
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 QUATERNION = ("qx", "qy", "qz", "qw")
 POSITION = ("px", "py", "pz")

@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import BadRecording
 from core.payload.inertia import InertialParameters
 from core.payload.known_tool import KnownTool, add_tools
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -17,12 +17,12 @@ import pyarrow.csv as pa_csv
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import BadRecording
 from core.files.jail import find_inside
 from core.recording.cut_text import cut_text
 from core.words.message import Message
 
-Array = NDArray[np.float64]
 Column: TypeAlias = "pa.ChunkedArray[Any]"
 
 FILES = ("samples.parquet", "samples.csv", "samples.csv.gz")

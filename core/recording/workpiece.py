@@ -6,15 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from core.cell.tool import STD
 from core.payload.inertia import is_consistent
 from core.payload.known_tool import KnownTool
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 _STATED_ROWS = dict(zip(STD, (slice(0, 1), slice(1, 4), slice(4, 10)), strict=True))
 

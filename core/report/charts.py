@@ -14,15 +14,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.segments import Segment
 from core.gap.limits import GAP
 from core.payload.inertia import Motion
 from core.words.ticks import mark_ticks
 from core.words.wording import Wording
-
-Array = NDArray[np.float64]
 
 CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 UNITS = ("N", "N", "N", "N m", "N m", "N m")

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.effects.sides import Side
 from core.gap.answer import Also, Diagnosis, GapPart, JointGap, Minor, Tied, Where
 from core.gap.limits import GAP
@@ -30,8 +31,6 @@ from core.report.rows import Fact, sentence
 from core.version import code_version
 from core.words.catalogue import Language
 from core.words.wording import Wording
-
-Array = NDArray[np.float64]
 
 HEADLINES = {
     "no_gap": "report-gap-none",

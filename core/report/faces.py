@@ -8,14 +8,13 @@ from typing import Any
 import coal
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
+from core.array import Array
 from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
 from core.robot.bodies import LinkShape, collision_shapes, visual_shapes
 from core.robot.model import RobotModel
 
-Array = NDArray[np.float64]
 Faces = list[Array]
 """Convex polygons, each (k, 3), counter-clockwise seen from outside, m."""
 

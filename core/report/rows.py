@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from core.estimation.estimate import Estimate, Identification
 from core.payload.inertia import PHI_NAMES, PHI_UNITS, InertialParameters, symmetric
@@ -15,8 +14,6 @@ from core.recording.recording import Recording
 from core.report.charts import CHANNELS, UNITS
 from core.report.verification_words import HOLDS_UP_TO, verification_sentence
 from core.words.wording import ENGLISH, Wording
-
-Array = NDArray[np.float64]
 
 INTERVAL = 1.96  # standard deviations on either side of a 95 % interval
 LOUD = 1.5  # times the noise: a residual that is no longer noise

@@ -10,16 +10,14 @@ from functools import cached_property
 from html import escape
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import tool_boxes
 from core.planning.start_configuration import StartConfiguration
 from core.report.faces import Faces, Part, arm_faces, box_faces, place_faces, shape_faces
 from core.robot.model import RobotModel, SensorPose
 from core.words.wording import ENGLISH, Wording
-
-Array = NDArray[np.float64]
 
 WIDTH, HEIGHT, MARGIN = 360, 330, 14  # px
 ELEVATION = np.radians(24.0)

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.report.motions import name_motion
 from core.words.wording import ENGLISH, Wording
-
-Array = NDArray[np.float64]
 
 HOLDS_UP_TO = 1.5
 """Times what is expected. Eight windows of six channels alone make a ratio uncertain by 0.1, so this is no chance."""

@@ -10,14 +10,13 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
 from core.cell.tools import tool_boxes
 from core.cell.urdf import check_urdf
 from core.cell.urdf_elements import UrdfShape
 from core.robot.meshes import WantedMesh, read_meshes
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 PAYLOAD = "payload"
 FLOOR = "floor"

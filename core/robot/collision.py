@@ -13,6 +13,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
 from core.cell.contradictions import BASE_IN_OBSTACLE
 from core.errors import BadCell
@@ -38,8 +39,6 @@ MOUNT_M = 0.002
 """A base this near to something is mounted on it."""
 
 __all__ = ["Body", "CollisionModel", "SpeedPoints"]
-
-Array = NDArray[np.float64]
 
 
 class CollisionModel:

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError, cKDTree
 
-Array = NDArray[np.float64]
+from core.array import Array
+
 Triangles = NDArray[np.int64]
 
 STANDS_OFF_M = 0.03

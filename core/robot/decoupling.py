@@ -10,12 +10,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from core.cell.cell import Box
 from core.robot.trajectory import AngularProfile
-
-Array = NDArray[np.float64]
 
 ACCELERATION = 4.8
 """Angular acceleration of the paper's experiments, rad/s2."""

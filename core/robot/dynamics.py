@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.payload.inertia import PINOCCHIO_ORDER, InertialParameters
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 
 class LinkDynamics:

@@ -11,10 +11,9 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.robot.chain import Chain, fill_jacobian, joint_frames
 from core.robot.rotations import pose_error
-
-Array = NDArray[np.float64]
 
 TOLERANCE = 1e-7
 """Largest remaining error of a solution, m and rad."""

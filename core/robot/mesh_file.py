@@ -14,9 +14,9 @@ from pathlib import PurePath
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import BadRobot
 
-Array = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
 KINDS = (".stl", ".obj", ".dae")

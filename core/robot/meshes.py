@@ -9,14 +9,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.urdf import MAX_MESH_BYTES
 from core.cell.urdf_elements import UrdfShape
 from core.errors import BadRobot
 from core.files.confinement import Arrays, KnownFiles, Order
 from core.files.jail import find_inside
 from core.robot.mesh_reader import read_parts
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.cell.folder import check_robot
 from core.cell.urdf import check_urdf
@@ -19,8 +19,6 @@ from core.cell.urdf_tree import UrdfTree, without_inertia
 from core.errors import BadRobot
 from core.recording.recording import RobotDescription
 from core.robot.chain import Chain, forward, forward_many, jacobian
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -9,14 +9,12 @@ from typing import Any
 import coal
 import numpy as np
 import pinocchio as pin
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.robot.bodies import (
     Body,
 )  # fmt: skip
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

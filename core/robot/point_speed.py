@@ -6,10 +6,9 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.robot.bodies import SpeedPoints
 from core.robot.chain import Chain, joint_frames
-
-Array = NDArray[np.float64]
 
 
 @njit(cache=True)

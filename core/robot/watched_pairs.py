@@ -15,13 +15,12 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.cell.urdf import Urdf, check_urdf
 from core.robot.bodies import Body, corners_of, reach_of
 from core.robot.model import RobotModel
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 CONTACT_M = 0.001
 """Bodies that provably stay this far apart cannot touch; bodies that are always close by construction have to keep it."""

@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Pose
 from core.second_opinion.solids import Solid, box, parse_vector, solids_of_geometries
-
-Array = NDArray[np.float64]
 
 PAYLOAD = "payload"
 

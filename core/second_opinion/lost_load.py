@@ -16,11 +16,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
 from core.second_opinion.arm import Frames, frame_of_pose
 from core.second_opinion.least import find_least
-
-Array = NDArray[np.float64]
 
 RESOLUTION_M = 0.005
 """How far from the least distance its figure may be; the verdict is exact."""

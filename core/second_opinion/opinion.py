@@ -8,16 +8,14 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.second_opinion.arm import Frames, build_solid_arm
 from core.second_opinion.least import find_least
 from core.second_opinion.lost_load import nearest_flight
 from core.second_opinion.pairs import AccountedPair, PairKind, Placed, classify_pairs, place_bodies, place_standing
 from core.second_opinion.solids import PlacedSolid, distance
-
-Array = NDArray[np.float64]
 
 NUMERICAL_M = 1e-5
 """python-fcl now and then puts solids some micrometres nearer than they are."""

@@ -7,14 +7,12 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell, Obstacle, Zone
 from core.second_opinion.arm import ArmBody, Frames, SolidArm, frame_of_pose
 from core.second_opinion.solids import PlacedSolid, Solid, box, distance, place, solid_of_shape
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 FLOOR = "floor"
 

@@ -24,10 +24,9 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 from scipy.spatial import ConvexHull, QhullError
 
+from core.array import Array
 from core.cell.cell import Box, Capsule, Cylinder, Shape, Sphere
 from core.second_opinion.surfaces import Surface, read_surfaces, winding_number
-
-Array = NDArray[np.float64]
 
 SIDES = 64
 """Of the prism round a cylinder: its edges stand out by 0.12 % of the radius."""

@@ -12,10 +12,9 @@ import fcl
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.files.confinement import Arrays, KnownFiles
 from core.second_opinion.mesh_reader import read_surface
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,11 @@ from types import TracebackType
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import Cause, Commanded, ControlLost, Held, HoldExpired, Lateness, Stopped
 from core.sessions.session import RobotSession, RobotState
 from core.words.message import Message
-
-Array = NDArray[np.float64]
 
 LEASE_S = 1.0
 """How long one renewal lasts where a cell does not say otherwise: over a usual Wi-Fi (round trip below 0.2 s in 99 %, below 0.8 s in

@@ -7,10 +7,7 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Self
 
-import numpy as np
-from numpy.typing import NDArray
-
-Array = NDArray[np.float64]
+from core.array import Array
 
 
 @dataclass(frozen=True)

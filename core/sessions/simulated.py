@@ -7,8 +7,8 @@ from types import TracebackType
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.errors import BadState, OutOfLimits, TooFast
 from core.payload.inertia import InertialParameters
@@ -21,8 +21,6 @@ from core.sessions.pace import AsFastAsPossible, Pace
 from core.sessions.session import RobotSession, RobotState
 from core.sessions.twin_wrench import TwinWrench
 from core.twin.twin import NOMINAL, Twin
-
-Array = NDArray[np.float64]
 
 TOLERANCE = 1.05
 """The drives refuse a command that asks for more than this times the joint's velocity limit."""

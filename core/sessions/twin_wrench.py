@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.plant.virtual_robot import Truth
 from core.robot.model import RobotModel
 from core.twin.twin import Twin, make_home_scene
-
-Array = NDArray[np.float64]
 
 
 class TwinWrench:

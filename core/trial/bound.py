@@ -10,9 +10,9 @@ from __future__ import annotations
 from copy import copy
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
+from core.array import Array
 from core.effects.library import symptoms
 from core.gap.basis import basis_of
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
@@ -22,8 +22,6 @@ from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
 from core.gap.materiality import is_material
 from core.gap.windows import PHI, Windows
 from core.recording.recording import Recording
-
-Array = NDArray[np.float64]
 
 
 class Bound(BaseModel):

@@ -10,11 +10,10 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 from scipy.special import expit, ndtr
 
+from core.array import Array
 from core.gap.limits import sizes
 from core.trial.judgement import CLEAR_SIGMA, SIZED_SIGMA, TIE_SIGMA, counts, forecast, is_beside, right, truth_class
 from core.trial.outcome import TrialOutcome
-
-Array = NDArray[np.float64]
 
 Z95 = 1.959964
 DETERMINED = 0.1

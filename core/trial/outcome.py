@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict
 
+from core.array import Array
 from core.gap.answer import Diagnosis, Explanation, PayloadPart, Value
 from core.trial.bound import Bound
 from core.trial.draw import Sealed
@@ -13,8 +12,6 @@ from core.trial.truth import Parameters
 from core.version import code_version
 from core.words.message import Message
 from core.words.stored import Said
-
-Array = NDArray[np.float64]
 
 
 class TrialPart(BaseModel):

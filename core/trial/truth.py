@@ -12,8 +12,8 @@ from typing import Any, TypeAlias
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.effects.channels import CHANNELS, SUFFIXES
 from core.payload.inertia import PHI_NAMES, PHI_UNITS, InertialParameters
@@ -22,7 +22,6 @@ from core.plant.faults import Fault, Setting
 from core.plant.links import Links
 from core.plant.mechanics import PERIOD, Drives, build_spec
 
-Array = NDArray[np.float64]
 Truth: TypeAlias = dict[str, Any]
 Parameters: TypeAlias = dict[str, float]
 

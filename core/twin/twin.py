@@ -9,9 +9,9 @@ import math
 from typing import Annotated, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import AwareDatetime, BaseModel, ConfigDict, Field
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.effects.composition import Composition, Term
 from core.effects.effect import Effect
@@ -20,7 +20,6 @@ from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.words.message import Message
 
-Array = NDArray[np.float64]
 Number = Annotated[float, Field(strict=True)]
 NotNegative = Annotated[float, Field(strict=True, ge=0)]
 

@@ -9,8 +9,8 @@ from collections.abc import Generator
 from multiprocessing.connection import Connection
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import Commanded, HeftError, Stopped
 from core.events import Event, Finished, Progress, RecordingWritten, RobotStopped, drive
 from core.files.whole_file import write_whole
@@ -43,7 +43,6 @@ from server.runner.served_run import DiskRecorder, LiveView, PlanningElsewhere, 
 from server.runner.shown_plan import build_run_plan
 
 ChildSpeaker = Speaker[FromChild]
-Array = NDArray[np.float64]
 
 
 def main(order: Order, connection: Connection) -> None:

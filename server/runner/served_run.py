@@ -7,8 +7,8 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.errors import Commanded
 from core.estimation.online import OnlineEstimator
 from core.estimation.result import to_json_numbers
@@ -25,8 +25,6 @@ from server.runner.messages import FromChild, Sampled
 from server.runner.pipe import Listener, Speaker
 from server.runner.planning import PlanningProcess, PlanRefused
 from server.runner.sample_stream import SampleStream
-
-Array = NDArray[np.float64]
 
 LIVE_PERIOD_S = 0.02
 """Of what is sent to who watches: 50 batches a second."""

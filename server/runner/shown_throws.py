@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.planning.plan import Leg, Plan
 from core.planning.throw import Throw
 from core.robot.model import RobotModel
 from server.runner.plan_schemas import ThrowPart
-
-Array = NDArray[np.float64]
 
 
 def throws_of(cell: Cell, payload_box: Box, plan: Plan) -> Iterator[ThrowPart]:

@@ -7,11 +7,10 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.report.faces import Faces, arm_faces, shape_faces
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 AROUND_RAD = np.deg2rad(np.arange(-180.0, 180.0, 15.0) + 45.0)
 DOWN_RAD = np.deg2rad([25.0, 40.0, 55.0])

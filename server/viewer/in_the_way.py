@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import viser
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell, Obstacle, Zone
 from core.report.faces import Faces, shape_faces
 from server.viewer.scene import INK, Colour, add_body
-
-Array = NDArray[np.float64]
 
 ABNORMAL: Colour = (255, 210, 31)
 """The console's yellow."""

@@ -9,12 +9,10 @@ from collections import deque
 
 import numpy as np
 import viser
-from numpy.typing import NDArray
 from viser import uplot
 
+from core.array import Array
 from server.runner.live_schemas import LiveBatch
-
-Array = NDArray[np.float64]
 
 SHOWN_S = 12.0
 PERIOD_S = 0.1

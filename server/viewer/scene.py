@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from viser import _messages as messages
 
+from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import tool_boxes
 from core.report.faces import Faces, arm_parts, joint_poses, shape_faces
@@ -18,7 +19,6 @@ from server.runner.live_schemas import NearestPart
 from server.runner.plan_schemas import RunPlan, ThrowPart
 from server.viewer.first_look import first_look
 
-Array = NDArray[np.float64]
 Colour = tuple[int, int, int]
 
 STEEL, LOAD, SOLID, ZONE, GHOST, PATH, NEAR, THROW = (

@@ -8,9 +8,10 @@ from typing import Self
 import mujoco
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.base import tilt_gravity, tilt_of
 from core.plant.faults.draws import seed_of, six
-from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
+from core.plant.faults.fault import Channel, Fault, Machine, Setting, Six
 
 
 @dataclass(frozen=True)

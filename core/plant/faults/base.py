@@ -10,8 +10,9 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.plant.faults.draws import draw_log_uniform
-from core.plant.faults.fault import Act, Array, Fault, Machine, Setting
+from core.plant.faults.fault import Act, Fault, Machine, Setting
 
 
 def tilt_of(rng: np.random.Generator, degrees: float) -> tuple[float, float]:

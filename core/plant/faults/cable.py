@@ -8,8 +8,9 @@ from typing import Self
 
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.draws import direction, draw_log_uniform, three
-from core.plant.faults.fault import Act, Array, Fault, Machine, Setting, Three
+from core.plant.faults.fault import Act, Fault, Machine, Setting, Three
 from core.plant.faults.grip import Grip, grip_of
 
 RUBBING = 0.002

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.plant.faults.fault import Setting, Six, Three
-
-Array = NDArray[np.float64]
 
 
 def draw_log_uniform(rng: np.random.Generator, low: float, high: float) -> float:

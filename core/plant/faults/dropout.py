@@ -8,8 +8,9 @@ from typing import Self
 
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.draws import draw_log_uniform, seed_of
-from core.plant.faults.fault import Array, Channel, Fault, Joints, Machine, Setting
+from core.plant.faults.fault import Channel, Fault, Joints, Machine, Setting
 
 LONGEST_BURST_S = 0.025
 """A robot whose joints are not heard of for longer would be stopped."""

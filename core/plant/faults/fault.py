@@ -12,10 +12,10 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.payload.inertia import InertialParameters
 
-Array = NDArray[np.float64]
 Three = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
 

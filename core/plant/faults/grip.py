@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.draws import direction, three
-from core.plant.faults.fault import Array, Machine, Three
+from core.plant.faults.fault import Machine, Three
 
 
 def cross_vectors(a: Array, b: Array) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 
-from core.plant.faults.fault import Array
+from core.array import Array
 
 
 class History:

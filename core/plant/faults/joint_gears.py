@@ -9,9 +9,10 @@ from typing import Self
 import mujoco
 import numpy as np
 
+from core.array import Array
 from core.plant.arm import arm_of_cell
 from core.plant.faults.draws import draw_log_uniform, draw_signed_log_uniform, some_joints
-from core.plant.faults.fault import Act, Array, Fault, Joints, Machine, Setting
+from core.plant.faults.fault import Act, Fault, Joints, Machine, Setting
 from core.plant.mechanics import arm_joints
 
 

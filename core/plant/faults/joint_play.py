@@ -9,8 +9,9 @@ from typing import Self
 import mujoco
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.draws import draw_log_uniform, some_joints
-from core.plant.faults.fault import Act, Array, Fault, Joints, Machine, Setting
+from core.plant.faults.fault import Act, Fault, Joints, Machine, Setting
 from core.plant.faults.joint_springs import DAMPING_RATIO, add_spring, spring_damping, spring_torques
 from core.plant.mechanics import arm_joints
 

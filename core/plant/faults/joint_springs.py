@@ -11,9 +11,10 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from core.array import Array
 from core.plant.arm import arm_of_cell
 from core.plant.faults.draws import draw_log_uniform
-from core.plant.faults.fault import Act, Array, Fault, Machine, Setting
+from core.plant.faults.fault import Act, Fault, Machine, Setting
 from core.plant.mechanics import SPRING, arm_joints
 
 WHEEL = 0.05

@@ -9,8 +9,9 @@ from typing import Self
 import mujoco
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.draws import direction, draw_log_uniform, three
-from core.plant.faults.fault import Array, Fault, Setting, Three
+from core.plant.faults.fault import Fault, Setting, Three
 from core.plant.faults.parts import size_of, split_off
 from core.plant.mechanics import get_parameters
 

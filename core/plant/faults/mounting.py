@@ -10,8 +10,9 @@ import mujoco
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.plant.faults.draws import direction, draw_log_uniform, sign, three
-from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Three
+from core.plant.faults.fault import Channel, Fault, Machine, Setting, Three
 from core.plant.mechanics import to_mujoco_quaternion
 
 

@@ -9,9 +9,10 @@ from typing import Self
 import mujoco
 import numpy as np
 
+from core.array import Array
 from core.payload.inertia import InertialParameters
 from core.plant.faults.draws import direction, draw_log_uniform, draw_signed_log_uniform, moment, sign, three
-from core.plant.faults.fault import Act, Array, Fault, Machine, Setting, Three
+from core.plant.faults.fault import Act, Fault, Machine, Setting, Three
 from core.plant.faults.parts import scale_mass, size_of, split_off
 from core.plant.mechanics import get_parameters, set_parameters
 

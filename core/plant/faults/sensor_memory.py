@@ -7,8 +7,9 @@ from typing import Self
 
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.draws import channels, draw_log_uniform, draw_signed_log_uniform, sign, six
-from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
+from core.plant.faults.fault import Channel, Fault, Machine, Setting, Six
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,9 @@ from typing import Self
 
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.draws import draw_log_uniform, seed_of, six
-from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
+from core.plant.faults.fault import Channel, Fault, Machine, Setting, Six
 from core.plant.faults.switching import RandomSwitch
 
 

@@ -7,8 +7,9 @@ from typing import Self
 
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.draws import draw_log_uniform, six
-from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six
+from core.plant.faults.fault import Channel, Fault, Machine, Setting, Six
 
 
 def coarse_step(rng: np.random.Generator, size: float, setting: Setting) -> Six:

@@ -9,10 +9,11 @@ from typing import Self
 import mujoco
 import numpy as np
 
+from core.array import Array
 from core.plant.arm import arm_of_cell
 from core.plant.faults.base import lean_gravity, tilt_of
 from core.plant.faults.draws import direction, draw_log_uniform, draw_signed_log_uniform, some_joints, three
-from core.plant.faults.fault import Act, Array, Fault, Joints, Machine, Setting, Three, Unknown
+from core.plant.faults.fault import Act, Fault, Joints, Machine, Setting, Three, Unknown
 from core.plant.faults.grip import Grip, cross_vectors
 from core.plant.faults.mounting import turn_frame
 from core.plant.mechanics import arm_joints

@@ -8,8 +8,9 @@ from typing import Self
 
 import numpy as np
 
+from core.array import Array
 from core.plant.faults.draws import channels, direction, draw_log_uniform, draw_signed_log_uniform, seed_of, sign, six, three, wrench_of
-from core.plant.faults.fault import Array, Channel, Fault, Machine, Setting, Six, Three, Unknown
+from core.plant.faults.fault import Channel, Fault, Machine, Setting, Six, Three, Unknown
 from core.plant.faults.switching import RandomSwitch
 
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.estimation.still_poses import StillPoses
-
-Array = NDArray[np.float64]
 
 NOISE_STD = np.array([0.06, 0.06, 0.09, 0.003, 0.003, 0.003])
 MASS, FIRST_MOMENT, OFFSET = 2.5, np.array([0.02, -0.05, 0.11]), np.array([3.0, -2.0, 5.0, 0.1, 0.2, -0.3])

@@ -10,15 +10,14 @@ import mujoco
 import numpy as np
 import pinocchio as pin
 import pytest
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.errors import BadInput, BadPayload
 from core.export.exports import TARGETS, target_of
 from core.payload.uncertain_parameters import UncertainParameters
 from tests.core.export.cloud import cloud, covariance
 
-Array = NDArray[np.float64]
 Body = tuple[float, Array, Array]
 """Mass (kg), centre of mass (m), inertia about it (kg m2)."""
 

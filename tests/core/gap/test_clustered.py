@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.gap.clustered import enlarge_covariance
-
-Array = NDArray[np.float64]
 
 T = np.arange(0.0, 60.0, 0.05)
 COUNT = 6 * len(T)

@@ -8,12 +8,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
+from core.array import Array
 from core.gap.quadratic import bounded_minimum
-
-Array = NDArray[np.float64]
 
 
 def problem(seed: int, n: int) -> tuple[Array, Array, Array]:

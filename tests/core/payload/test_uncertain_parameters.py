@@ -5,14 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pinocchio as pin
 import pytest
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.cell.folder import find_cell, load_cell
 from core.payload.uncertain_parameters import UncertainParameters
 from tests.core.export.cloud import cloud, covariance
 
-Array = NDArray[np.float64]
 PIN = [0, 1, 2, 3, 4, 5, 7, 6, 8, 9]
 
 

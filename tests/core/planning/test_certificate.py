@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Pose
 from core.cell.folder import load_cell
 from core.planning.certificate import is_clear, least_margin
@@ -16,8 +16,6 @@ from core.planning.pair_margins import PairMargins
 from core.planning.path import dense
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
-
-Array = NDArray[np.float64]
 
 CELLS = Path(__file__).parents[3] / "cells"
 GJK_M = 2e-6

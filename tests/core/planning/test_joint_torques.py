@@ -9,8 +9,8 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Friction, Pose
 from core.cell.folder import load_cell
 from core.errors import TooHeavy
@@ -24,7 +24,6 @@ from core.robot.model import RobotModel
 from core.second_opinion.opinion import JointPath
 from core.words.message import Message
 
-Array = NDArray[np.float64]
 CELLS = Path(__file__).parents[3] / "cells"
 PERIOD = 0.001
 IDEAL = Drives(armature_s2=0.0, damping_s=0.0, friction=0.0)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.errors import NoPath
@@ -28,7 +28,6 @@ with warnings.catch_warnings():
     from toppra.algorithm import TOPPRA
     from toppra.constraint import JointAccelerationConstraint, JointVelocityConstraint
 
-Array = NDArray[np.float64]
 
 CELLS = Path(__file__).parents[3] / "cells"
 PERIOD = 0.001

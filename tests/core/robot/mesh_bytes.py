@@ -6,9 +6,8 @@ import struct
 
 import numpy as np
 import trimesh
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from core.array import Array
 
 TETRAHEDRON = np.array([[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]])[
     np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])

@@ -11,7 +11,6 @@ import numpy as np
 import pinocchio as pin
 import pytest
 import trimesh
-from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
@@ -20,7 +19,6 @@ from core.robot.bodies import _hull
 from core.robot.meshes import Mesh, WantedMesh, read_meshes
 from core.second_opinion.solids import NEAR_M, Solid, distance, place, solids_of_geometries
 
-Array = NDArray[np.float64]
 PREFIX = next(folder for folder in Path(pin.__file__).parents if folder.name == "cmeel.prefix")
 ROBOTS = PREFIX / "share" / "example-robot-data" / "robots"
 FILES = (

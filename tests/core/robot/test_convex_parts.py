@@ -7,13 +7,11 @@ import pytest
 import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
+from core.array import Array
 from core.robot.convex_parts import MOST_PARTS, STANDS_OFF_M, convex_parts, stand_off
 from tests.core.robot.mesh_bytes import FLAT, elbow
-
-Array = NDArray[np.float64]
 
 
 def depth_outside(parts: list[Array], points: Array) -> float:

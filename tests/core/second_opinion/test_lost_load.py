@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from core.array import Array
 from core.cell.cell import Box, Capsule, Cell, Pose, Shape, Sphere, Zone
 from core.cell.folder import load_cell
 from core.errors import NoPath, PlanDisputed
@@ -23,7 +23,6 @@ from core.second_opinion.lost_load import FINE_M, RESOLUTION_M, distance_to, nea
 from core.second_opinion.opinion import JointPath, second_opinion
 from core.second_opinion.refusal import refuse_disputed
 
-Array = NDArray[np.float64]
 CELLS = Path(__file__).parents[3] / "cells"
 PERIOD = 0.001
 FAST = 1.2  # m/s of the sensor in these motions

@@ -14,9 +14,9 @@ import fcl
 import numpy as np
 import pytest
 import trimesh
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from core.array import Array
 from core.cell.cell import Box, Cell, Pose
 from core.cell.folder import load_cell
 from core.errors import BadRobot, PlanDisputed
@@ -37,7 +37,6 @@ from core.second_opinion.pairs import PairKind, Placed, classify_pairs, place_bo
 from core.second_opinion.refusal import refuse_disputed
 from tests.core.robot.mesh_bytes import dae, elbow
 
-Array = NDArray[np.float64]
 CELLS = Path(__file__).parents[3] / "cells"
 NAMES = ("lwr4_bench", "ur5e_line")
 PERIOD = 0.001
