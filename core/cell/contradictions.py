@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from core.errors import BadCell
+from core.payload.channels import CHANNELS
 
 if TYPE_CHECKING:
     from core.cell.cell import Cell, Payload
@@ -97,7 +98,7 @@ def load_contradictions(keys: Sequence[str], carried: InertialParameters, cell: 
     c = carried.first_moment
     static = g * np.array([carried.mass] * 3 + [np.hypot(c[1], c[2]), np.hypot(c[0], c[2]), np.hypot(c[0], c[1])])
     where = cell.locate("sensor.range")
-    for axis, load, measured in zip(("fx", "fy", "fz", "tx", "ty", "tz"), static, cell.sensor.range, strict=True):
+    for axis, load, measured in zip(CHANNELS, static, cell.sensor.range, strict=True):
         if load <= measured:
             continue
         if axis.startswith("f"):

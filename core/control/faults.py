@@ -8,11 +8,10 @@ from core.cell.body_name import name_body
 from core.cell.cell import Cell
 from core.control.checks import GuardStop, Numbers
 from core.errors import BadState, OutOfLimits, OverLoad, RobotStateLate, SensorFrozen, Stopped, TooClose, TooFast
+from core.payload.channels import CHANNELS
 from core.robot.model import RobotModel
 from core.robot.pair_group import Nearest
 from core.sessions.session import RobotState
-
-CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 
 IS_TOO_CLOSE = {
     "body-zone": "guard-too-close-to-zone",

@@ -7,10 +7,9 @@ import numpy as np
 from core.array import Array
 from core.effects.effect import Parameter
 from core.effects.scene import Scene
+from core.payload.channels import CHANNELS, UNITS
 from core.words.message import Message
 
-CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
-UNITS = ("N", "N", "N", "N m", "N m", "N m")
 SUFFIXES = ("n", "n", "n", "nm", "nm", "nm")
 """Units as they stand in the names of parameters."""
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, say_load
+from core.effects.channels import SUFFIXES, say_load
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
+from core.payload.channels import CHANNELS, UNITS
 from core.words.message import Message
 
 PLAUSIBLE = 0.02

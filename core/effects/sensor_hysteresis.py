@@ -7,10 +7,11 @@ import math
 import numpy as np
 
 from core.array import Array
-from core.effects.channels import CHANNELS, find_largest_channel, full_scale, shares, without_range
+from core.effects.channels import find_largest_channel, full_scale, shares, without_range
 from core.effects.effect import Effect, Parameter
 from core.effects.filters import play
 from core.effects.scene import Scene
+from core.payload.channels import CHANNELS
 from core.words.message import Message
 
 TURNING = (0.001, 0.003, 0.01, 0.03)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, say_largest
+from core.effects.channels import SUFFIXES, expand_to_channels, say_largest
 from core.effects.effect import Finding, Parameter, Symptom, View
 from core.effects.hold_noise import hold_noise, line_in, rate, steady
+from core.payload.channels import CHANNELS, UNITS
 from core.recording.recording import Recording
 from core.words.message import Message
 

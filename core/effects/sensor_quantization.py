@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, say_load
+from core.effects.channels import SUFFIXES, expand_to_channels, say_load
 from core.effects.effect import Finding, Parameter, Symptom, View
+from core.payload.channels import CHANNELS, UNITS
 from core.recording.recording import Recording
 from core.words.message import Message
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from core.array import Array
-from core.effects.channels import CHANNELS, SUFFIXES, UNITS, expand_to_channels, say_load
+from core.effects.channels import SUFFIXES, expand_to_channels, say_load
 from core.effects.effect import Effect, Parameter
 from core.effects.scene import Scene
 from core.effects.window_search import ROWS, weights
+from core.payload.channels import CHANNELS, UNITS
 from core.payload.inertia import regressor
 from core.words.message import Message
 

@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.estimation.segments import Segment
+from core.payload.channels import CHANNELS
 from core.payload.inertia import InertialParameters, Motion
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
 Bools = NDArray[np.bool_]
-
-CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 
 
 @dataclass(frozen=True)

@@ -29,9 +29,10 @@ from core.gap.evidence import EXPLAINED, Evidence
 from core.gap.joint_side import joint_side
 from core.gap.materiality import payload_shift
 from core.gap.proposal import Proposal
-from core.gap.residual import CHANNELS, Residual
+from core.gap.residual import Residual
 from core.gap.symptoms import find_leading, observe_symptoms
 from core.gap.windows import OFFSET
+from core.payload.channels import CHANNELS
 from core.recording.recording import Recording
 from core.words.message import Message
 

@@ -10,9 +10,9 @@ from scipy.fft import dct
 
 from core.gap.effect_fit import EffectFit
 from core.gap.windows import Windows
+from core.payload.channels import CHANNELS
 from core.words.message import Message
 
-CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
 BANDS_HZ = ((0.0, 2.0), (2.0, 8.0), (8.0, 20.0))
 
 

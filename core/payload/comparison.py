@@ -8,14 +8,13 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict
 
 from core.array import Array
+from core.payload.channels import CHANNELS, UNITS
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
 SIGNIFICANT = 0.01
 """Chance of a difference at least as large between two runs with one payload, below which they are said to differ."""
-OFFSET_NAMES = ("fx", "fy", "fz", "tx", "ty", "tz")
-OFFSET_UNITS = ("N", "N", "N", "N m", "N m", "N m")
 
 
 class Difference(BaseModel):
@@ -74,7 +73,7 @@ def compare_payloads(
         inertia_com=differences(
             PHI_NAMES[4:], first.inertia_com, first.inertia_com_std, second.inertia_com, second.inertia_com_std, PHI_UNITS[4:]
         ),
-        offset=differences(OFFSET_NAMES, *offset_first, *offset_second, OFFSET_UNITS),
+        offset=differences(CHANNELS, *offset_first, *offset_second, UNITS),
         chance=chance,
         differ=differ,
         verdict=_verdict(parameters, chance, differ=differ),

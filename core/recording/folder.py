@@ -21,6 +21,7 @@ from core.cell.urdf import check_urdf
 from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 from core.errors import BadInput, BadRecording
 from core.files.jail import find_inside, read_inside
+from core.payload.channels import CHANNELS
 from core.recording.cut_text import cut_text
 from core.recording.manifest import FILE as MANIFEST
 from core.recording.manifest import RobotPart, manifest_of, read_manifest
@@ -31,7 +32,6 @@ from core.words.message import Message
 
 QUATERNION = ("qx", "qy", "qz", "qw")
 POSITION = ("px", "py", "pz")
-WRENCH = ("fx", "fy", "fz", "tx", "ty", "tz")
 IN_MEMORY = Message.of("recording-itself")
 PHASE = re.compile(r"transfer|hold:[xyz][+-]|hold:free|rotate:[xyz]")
 
@@ -57,7 +57,7 @@ def read_recording(folder: Path) -> Recording:
     robot = _read_robot(folder, manifest.robot) if manifest.robot else None
     samples = Samples(folder)
     n = len(robot.joints) if robot else 0
-    wrench = samples.numbers(*WRENCH) * manifest.sensor.sign if samples.any_of(WRENCH) else None
+    wrench = samples.numbers(*CHANNELS) * manifest.sensor.sign if samples.any_of(CHANNELS) else None
     q = _joint_columns(samples, "q", n, optional=robot is None)
     tau = _joint_columns(samples, "tau", n)
     if wrench is None and tau is None:
@@ -219,7 +219,7 @@ def _columns_of(recording: Recording) -> dict[str, Array | NDArray[np.str_]]:
     if recording.position is not None:
         columns |= dict(zip(POSITION, recording.position.T, strict=True))
     if recording.wrench is not None:
-        columns |= dict(zip(WRENCH, recording.wrench.T, strict=True))
+        columns |= dict(zip(CHANNELS, recording.wrench.T, strict=True))
     if recording.temperature is not None:
         columns["temperature"] = recording.temperature
     for name, values in columns.items():

@@ -18,12 +18,11 @@ from matplotlib.figure import Figure
 from core.array import Array
 from core.estimation.segments import Segment
 from core.gap.limits import GAP
+from core.payload.channels import CHANNELS, UNITS
 from core.payload.inertia import Motion
 from core.words.ticks import mark_ticks
 from core.words.wording import Wording
 
-CHANNELS = ("fx", "fy", "fz", "tx", "ty", "tz")
-UNITS = ("N", "N", "N", "N m", "N m", "N m")
 POINTS = 2000  # of a line
 
 # stand-ins that become variables of the style sheet, so that a picture follows the page's light and dark

@@ -13,7 +13,8 @@ from core.array import Array
 from core.effects.sides import Side
 from core.gap.answer import Also, Diagnosis, GapPart, JointGap, Minor, Tied, Where
 from core.gap.limits import GAP
-from core.report.charts import CHANNELS, gap_chart, overlay_chart
+from core.payload.channels import CHANNELS
+from core.report.charts import gap_chart, overlay_chart
 from core.report.diagnosis_rows import (
     explanation_rows,
     find_leading_explanation,

@@ -11,7 +11,7 @@ from core.effects.effect import Effect, Symptom
 from core.effects.library import library, symptoms
 from core.gap.answer import Diagnosis, PatchPart, PayloadPart
 from core.gap.limits import BEYOND_STD, SHARES, sizes
-from core.report.charts import CHANNELS
+from core.payload.channels import CHANNELS
 from core.report.motions import name_motion
 from core.report.parameter_words import parameter_texts
 from core.report.rows import LABELS, round_to_uncertainty

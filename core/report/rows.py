@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.estimation.estimate import Estimate, Identification
+from core.payload.channels import CHANNELS, UNITS
 from core.payload.inertia import PHI_NAMES, PHI_UNITS, InertialParameters, symmetric
 from core.planning.start_configuration import StartConfiguration
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
-from core.report.charts import CHANNELS, UNITS
 from core.report.verification_words import HOLDS_UP_TO, verification_sentence
 from core.words.wording import ENGLISH, Wording
 

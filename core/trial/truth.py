@@ -15,7 +15,8 @@ import numpy as np
 
 from core.array import Array
 from core.cell.cell import Cell
-from core.effects.channels import CHANNELS, SUFFIXES
+from core.effects.channels import SUFFIXES
+from core.payload.channels import CHANNELS
 from core.payload.inertia import PHI_NAMES, PHI_UNITS, InertialParameters
 from core.plant.arm import arm_of_cell
 from core.plant.faults import Fault, Setting

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from server.http.schemas import Answer
 
-CHANNELS = {"fx": "N", "fy": "N", "fz": "N", "tx": "N m", "ty": "N m", "tz": "N m"}
-"""With their units."""
-
 
 class ChannelOverlay(Answer):
     """One channel in `unit`, offsets taken off.

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from core.payload.channels import CHANNELS, UNITS
 from core.report.diagnosis_page import Overlay
-from server.runner.overlay_schemas import CHANNELS, ChannelOverlay, OverlayAnswer
+from server.runner.overlay_schemas import ChannelOverlay, OverlayAnswer
 
 POINTS = 1000
 """At most; a screen has hardly more columns."""
@@ -27,7 +28,7 @@ def thin_overlay(overlay: Overlay, points: int = POINTS) -> OverlayAnswer:
                 after=_round(overlay.after[rows, c]),
                 std=float(overlay.noise_std[c]),
             )
-            for c, (name, unit) in enumerate(CHANNELS.items())
+            for c, (name, unit) in enumerate(zip(CHANNELS, UNITS, strict=True))
         ],
     )
 

@@ -10,7 +10,6 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import least_squares
 from scipy.signal import lsim
 
-from core.effects.channels import CHANNELS
 from core.effects.effect import Effect
 from core.effects.kinematic_lag import KinematicLag
 from core.effects.scene import Scene
@@ -24,6 +23,7 @@ from core.effects.sensor_nonlinearity import SensorNonlinearity
 from core.effects.sensor_offset_step import SensorOffsetStep
 from core.effects.sensor_saturation import SensorSaturation
 from core.effects.time_delay import TimeDelay
+from core.payload.channels import CHANNELS
 from core.payload.inertia import Motion
 from tests.core.effects.naive_play import naive_play
 from tests.core.effects.synthetic_scene import NOISE, scene
