@@ -94,7 +94,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
     async def running(_app: FastAPI) -> AsyncIterator[None]:
         start(service)
         make_room_for_waiting()
-        work = (service.conductor, service.diagnoses, service.additions, service.trials, service.deliverer, service.gallery)
+        work = (service.conductor, service.diagnoses, service.trials, service.deliverer, service.gallery)
         for each in work:
             await each.start()
         own = checker is None  # one that was handed in serves others too

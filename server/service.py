@@ -69,11 +69,6 @@ class Service:
         return Worker(self.store, self.now, job_kinds.diagnoses(self.settings, self.cells))
 
     @cached_property
-    def additions(self) -> Worker:
-        """What is added to the cells' twins."""
-        return Worker(self.store, self.now, job_kinds.additions(self.cells))
-
-    @cached_property
     def trials(self) -> Worker:
         """All blind trials."""
         return Worker(self.store, self.now, job_kinds.trials(self.settings))

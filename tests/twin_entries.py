@@ -7,12 +7,13 @@ from datetime import UTC, datetime
 import numpy as np
 
 from core.cell.cell import Cell
-from core.twin.twin import Entry, Fitted, effect_of, make_home_scene
+from core.twin.model import find_effect, make_home_scene
+from core.twin.twin import Entry, Fitted
 
 
 def entry(cell: Cell, effect: str, *, std: float = 1e-4, **values: float) -> Entry:
     """An effect of the cell; parameters that are not given have their absent values. All have the same uncertainty, independently."""
-    parameters = effect_of(effect).parameters(make_home_scene(cell))
+    parameters = find_effect(effect).parameters(make_home_scene(cell))
     fitted = {p.name: Fitted(value=values.pop(p.name, p.absent), std=std, unit=p.unit) for p in parameters}
     assert not values, f"{effect} has no {list(values)}"
     return Entry(

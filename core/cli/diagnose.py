@@ -49,9 +49,9 @@ def diagnose_command(
     loaded = read_recording(recording)
     loaded = loaded if made_in is None else with_cell_friction(loaded, made_in)
     with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
-        diagnosis, evidence = examine(loaded, twin=twin)
+        diagnosis, evidence = examine(loaded, twin=twin, folder=recording)
     if made_in is not None:
-        diagnosis = addable_to(diagnosis, made_in, loaded, recording)
+        diagnosis = addable_to(diagnosis, made_in)
         diagnosis = plan_next(diagnosis, evidence, loaded, recording, made_in, experiment, messages)
     if report is not None:
         report.mkdir(parents=True, exist_ok=True)

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import sys
 from contextlib import nullcontext
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Annotated
 
 import typer
+from pydantic import ValidationError
 from rich.table import Table
 
 from core.cell.folder import find_cell, load_cell
 from core.cli.options import CellArgument
 from core.cli.terminal import answers, find_wording, messages
-from core.errors import BadInput, BadTwin
+from core.errors import BadInput, BadTwin, together
+from core.files.schema_flaw import schema_flaw
 from core.files.whole_file import write_whole
+from core.gap.addition import add_found
+from core.gap.answer import Diagnosis
 from core.gap.twin_addition import find_effects, with_effect
 from core.twin.file import read_twin, write_twin
 from core.twin.twin import Entry, Twin
@@ -26,15 +31,20 @@ app = typer.Typer(help="What has been added to a cell's simulation.", no_args_is
 @app.command()
 def add(
     cell: CellArgument,
-    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
+    recording: Annotated[
+        Path, typer.Argument(metavar="RECORDING", help="Folder of a recording, or the file that `heft diagnose --json` wrote of one.")
+    ],
     effect: Annotated[str, typer.Argument(metavar="EFFECT", help="An effect's identifier, or two as in `time_delay+base_tilt`.")],
 ) -> None:
-    """Fit an effect to a recording and add it to the cell's twin: simulation, identification and diagnosis count with it from then on."""
+    """Add an effect to the cell's twin as a recording shows it: simulation, identification and diagnosis count with it from then on."""
     chosen = find_effects(effect)
     loaded = load_cell(find_cell(cell))
     before = read_twin(loaded)
-    with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
-        after = with_effect(before, loaded, recording, effect)
+    if recording.is_file():
+        after = add_found(before, loaded, _read_diagnosis(recording), effect, datetime.now(UTC))
+    else:
+        with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
+            after = with_effect(before, loaded, recording, effect)
     write_twin(loaded, after)
     for identifier in [one.id for one in chosen]:
         if identifier in before.ids:
@@ -97,6 +107,16 @@ def twin_table(name: str, twin: Twin) -> Table:
 def _parameters(entry: Entry) -> str:
     mark = find_wording().mark
     return "\n".join(mark(f"{name} {p.value:.4g} ± {p.std:.2g}") for name, p in entry.parameters.items())
+
+
+def _read_diagnosis(file: Path) -> Diagnosis:
+    try:
+        return Diagnosis.model_validate_json(file.read_bytes())
+    except OSError as error:
+        raise BadInput(str(file), "cli-result-unreadable", reason=str(error.strerror)) from error
+    except ValidationError as error:
+        flaw = schema_flaw(error.errors()[0]).refusal(BadInput, str(file))
+        raise together([flaw, BadInput(str(file), "cli-no-diagnosis")]) from error
 
 
 def _write(twin: Twin, file: Path) -> None:

@@ -19,7 +19,9 @@ from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import WeakForm
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
+from core.twin.model import compose_effects, explain_lacks
 from core.twin.twin import Twin
+from core.words.message import Message
 
 GRID_S = 0.005
 """Period of the scene that effects are applied to, as in the diagnosis that fits them."""
@@ -42,8 +44,9 @@ class TwinEffects:
 
     def __init__(self, twin: Twin, scene: Scene, t: Array, *, static: bool) -> None:
         self.twin, self._t = twin, t
-        self.lacking = twin.lacking(scene)
-        self.ids = tuple(entry.effect for entry in twin.in_scene(scene))
+        lacks = explain_lacks(twin, scene)
+        self.lacking = tuple(Message.of("twin-lacking", effect=name, reason=reason) for name, reason in lacks.items())
+        self.ids = tuple(name for name in twin.ids if name not in lacks)
         self._scene = scene
         self._blocks = [slice(k, k + 1) for k in range(len(scene))] if static else [slice(None)]
 
@@ -56,7 +59,7 @@ class TwinEffects:
         """
         scene = self._scene.with_phi(phi)
         twin = twin or self.twin
-        rows = np.concatenate([twin.compose_effects(scene).change(scene[block]) for block in self._blocks])
+        rows = np.concatenate([compose_effects(twin, scene).change(scene[block]) for block in self._blocks])
         return np.column_stack([np.interp(self._t, scene.t, channel) for channel in rows.T])
 
 

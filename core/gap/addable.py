@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from core.effects.effect import Effect
-from core.errors import BadTwin
+from core.gap.addition import Objection
 from core.gap.closure import closure_of, gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.evidence import Evidence
@@ -16,17 +15,6 @@ from core.words.message import Message
 
 SEEN_SIGMA = 2.0
 """An effect none of whose parameters is farther than this from its absent value, in its own uncertainty, is not determined."""
-
-
-class Objection(NamedTuple):
-    """What stands against adding effects to a twin, and what would not."""
-
-    against: Message
-    wanted: Message
-
-    def at(self, where: str) -> BadTwin:
-        """As an error; `where` is what was diagnosed."""
-        return BadTwin(where, "gap-not-addable", against=self.against, wanted=self.wanted)
 
 
 def why_not_addable(evidence: Evidence, fit: EffectFit) -> Message | None:

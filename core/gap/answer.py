@@ -30,6 +30,8 @@ Said = Annotated[Message, BeforeValidator(_read_earlier)]
 SaidIfAny = Annotated[Message | None, BeforeValidator(_read_earlier_if_any)]
 Seen = Annotated[Said, Field(validation_alias=AliasChoices("message", "sentence"))]
 
+Matrix = list[list[float]]
+
 SIDES: dict[Side, Message] = {
     "joints": Message.of("gap-at-joints"),
     "reading": Message.of("gap-in-readings"),
@@ -63,6 +65,7 @@ class Explanation(DiagnosisPart):
 
     Args:
         addable: whether the cell's twin would take it, as this recording shows it; `why_not` says what stands against it.
+        covariance: of the parameters, in their order; nothing where no twin would take it.
     """
 
     id: str
@@ -76,10 +79,11 @@ class Explanation(DiagnosisPart):
     advice: Said
     addable: bool = False
     why_not: SaidIfAny = None
+    covariance: Matrix = []
 
 
 class Pair(DiagnosisPart):
-    """Two effects at once; `addable` and `why_not` as of one."""
+    """Two effects at once; `addable` and `why_not` as of one, `covariance` of the parameters of each."""
 
     ids: tuple[str, str]
     probability: float
@@ -88,6 +92,7 @@ class Pair(DiagnosisPart):
     parameters: dict[str, dict[str, Value]] = {}
     addable: bool = False
     why_not: SaidIfAny = None
+    covariance: dict[str, Matrix] = {}
 
 
 class Also(DiagnosisPart):
@@ -218,6 +223,23 @@ class Experiment(DiagnosisPart):
     """The error's, see `core.errors`; null where it was not planned for want of a cell, or is no motion."""
 
 
+class Origin(DiagnosisPart):
+    """What was diagnosed, as far as the twin is concerned that takes something from it.
+
+    Args:
+        recording: name of its folder; `sha256`: of its files.
+        cell: that it names.
+        joints: how many it has; 0 where it has poses only.
+        twin: what the diagnosis began with, see `core.twin.twin.Twin.hashes`; also what could not be evaluated in this recording.
+    """
+
+    recording: str
+    sha256: str
+    cell: str | None
+    joints: int
+    twin: dict[str, str]
+
+
 class Diagnosis(DiagnosisPart):
     """The whole answer; all of it but `also` is about the wrench that the twin predicts."""
 
@@ -241,3 +263,5 @@ class Diagnosis(DiagnosisPart):
     seconds: float
     twin: list[str] = []
     """Effects of the cell's twin, which were on from the beginning."""
+    origin: Origin | None = None
+    """Null in the answers of earlier versions, and where the recording is in no folder."""

@@ -6,12 +6,13 @@ from functools import reduce
 
 from core.effects.effect import STAGE_NAMES
 from core.effects.parameter_title import find_title
-from core.gap.addable import why_not_addable
+from core.gap.addable import split_parameter_rows, why_not_addable
 from core.gap.answer import (
     Change,
     Diagnosis,
     Explanation,
     GapPart,
+    Matrix,
     Minor,
     Pair,
     PatchPart,
@@ -56,10 +57,10 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
     return Diagnosis(
         verdict=verdict,
         summary=_summarise(verdict, evidence),
-        effects=[_explanation(evidence, fit, p) for fit, p in explained if len(fit.effects) == 1],
+        effects=[explain(evidence, fit, p) for fit, p in explained if len(fit.effects) == 1],
         none_probability=attribution.none if material else 1.0 - LAPSE,
         unknown_probability=attribution.unknown if material else LAPSE,
-        pairs=[_pair(evidence, fit, p) for fit, p in explained if len(fit.effects) == 2],
+        pairs=[explain_both(evidence, fit, p) for fit, p in explained if len(fit.effects) == 2],
         minor=[] if material else _minor(evidence),
         indistinguishable=[_describe_tie(tie, evidence.proposals) for tie in attribution.ties] if material else [],
         where=_where(recording, Residual(windows, nominal), best),
@@ -122,7 +123,8 @@ def _values(fit: EffectFit) -> dict[str, Value]:
     }
 
 
-def _explanation(evidence: Evidence, fit: EffectFit, probability: float) -> Explanation:
+def explain(evidence: Evidence, fit: EffectFit, probability: float) -> Explanation:
+    """One effect with what it would do to the gap."""
     windows, nominal, effect = evidence.windows, evidence.nominal, fit.effects[0]
     against = why_not_addable(evidence, fit)
     closure, interval = closure_of(windows, nominal, fit)
@@ -138,10 +140,12 @@ def _explanation(evidence: Evidence, fit: EffectFit, probability: float) -> Expl
         advice=effect.advice(windows.basis.scene.with_phi(fit.phi), fit.theta),
         addable=against is None,
         why_not=against,
+        covariance=_covariances(evidence, fit)[effect.id] if against is None else [],
     )
 
 
-def _pair(evidence: Evidence, fit: EffectFit, probability: float) -> Pair:
+def explain_both(evidence: Evidence, fit: EffectFit, probability: float) -> Pair:
+    """The same of two effects at once."""
     windows, (a, b) = evidence.windows, fit.effects
     against = why_not_addable(evidence, fit)
     values = list(_values(fit).items())
@@ -154,7 +158,15 @@ def _pair(evidence: Evidence, fit: EffectFit, probability: float) -> Pair:
         parameters={a.id: dict(values[:count]), b.id: dict(values[count:])},
         addable=against is None,
         why_not=against,
+        covariance=_covariances(evidence, fit) if against is None else {},
     )
+
+
+def _covariances(evidence: Evidence, fit: EffectFit) -> dict[str, Matrix]:
+    """Of the parameters of each effect, with what the model gets wrong."""
+    whole = fit.uncertainty[len(fit.beta) :, len(fit.beta) :]
+    symmetric = 0.5 * (whole + whole.T)
+    return {effect.id: symmetric[rows, rows].tolist() for effect, rows in split_parameter_rows(evidence, fit)}
 
 
 def _minor(evidence: Evidence) -> list[Minor]:

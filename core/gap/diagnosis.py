@@ -5,17 +5,20 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 from core.effects.effect import Effect
 from core.effects.library import library
-from core.gap.answer import Diagnosis
+from core.gap.answer import Diagnosis, Origin
 from core.gap.answering import answer, not_enough
 from core.gap.basis import TooLittleError, basis_of
 from core.gap.evidence import Evidence, describe_limits, gather
 from core.gap.fit_all import FitAll, on_all_cores
 from core.gap.proposal import proposals
 from core.gap.windows import Windows
+from core.recording.folder import recording_sha256
 from core.recording.recording import Recording
+from core.twin.model import explain_lacks, find_effect, find_terms
 from core.twin.twin import NOMINAL, Twin
 
 
@@ -31,19 +34,40 @@ def diagnose(recording: Recording, effects: Sequence[Effect] | None = None, twin
 
 
 def examine(
-    recording: Recording, effects: Sequence[Effect] | None = None, twin: Twin = NOMINAL, *, fit_all: FitAll = on_all_cores
+    recording: Recording,
+    effects: Sequence[Effect] | None = None,
+    twin: Twin = NOMINAL,
+    *,
+    folder: Path | None = None,
+    fit_all: FitAll = on_all_cores,
 ) -> tuple[Diagnosis, Evidence | None]:
-    """The diagnosis together with everything that was fitted; None where the recording is not enough."""
+    """The diagnosis together with everything that was fitted; None where the recording is not enough.
+
+    Args:
+        folder: that the recording was read from; without it, nothing that is found can go into a twin.
+    """
     began = time.perf_counter()
     try:
         basis = basis_of(recording)
     except TooLittleError as reason:
         return not_enough(reason.message, time.perf_counter() - began), None
-    windows = Windows(basis, twin.terms(basis.scene))
+    windows = Windows(basis, find_terms(twin, basis.scene))
     evidence = gather(windows, library() if effects is None else effects, fit_all)
     if evidence.verdict == "ambiguous":
         evidence = replace(evidence, proposals=proposals(recording, windows, evidence.rivals))
     told = answer(recording, evidence)
-    lacking = describe_limits({entry.model: entry.model.explain_lack(basis.scene) for entry in twin.effects})
+    lacking = describe_limits({find_effect(name): reason for name, reason in explain_lacks(twin, basis.scene).items()})
     held = {"twin": [term.effect.id for term in windows.held], "limits": [*evidence.limits, *lacking]}
-    return told.model_copy(update={**held, "seconds": time.perf_counter() - began}), evidence
+    origin = None if folder is None else find_origin(recording, folder, twin)
+    return told.model_copy(update={**held, "origin": origin, "seconds": time.perf_counter() - began}), evidence
+
+
+def find_origin(recording: Recording, folder: Path, twin: Twin) -> Origin:
+    """What a diagnosis is of; the recording was read from the folder."""
+    return Origin(
+        recording=folder.resolve().name,
+        sha256=recording_sha256(folder),
+        cell=recording.cell,
+        joints=0 if recording.q is None else recording.q.shape[1],
+        twin=twin.hashes,
+    )

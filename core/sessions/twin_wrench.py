@@ -10,7 +10,8 @@ from core.effects.scene import Scene
 from core.payload.inertia import Motion
 from core.plant.virtual_robot import Truth
 from core.robot.model import RobotModel
-from core.twin.twin import Twin, make_home_scene
+from core.twin.model import compose_effects, make_home_scene
+from core.twin.twin import Twin
 
 
 class TwinWrench:
@@ -29,7 +30,7 @@ class TwinWrench:
         self._period = period
         known = make_home_scene(cell)
         self._gravity, self._range, self._resolution = known.gravity, known.range, known.resolution
-        self._effects = twin.compose_effects(known)
+        self._effects = compose_effects(twin, known)
 
     def change(self, robot: Truth) -> Array:
         """(6,), to be added to the sensor's reading of this period, N and N m."""

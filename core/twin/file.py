@@ -1,21 +1,26 @@
-"""`twin.json` in a cell's folder: read as the untrusted file it is, written whole or not at all."""
+"""`twin.json` in a cell's folder: read as the untrusted file it is, written whole or not at all.
+
+The effects, with all that they compute with, are loaded only where values are checked against them.
+"""
 
 from __future__ import annotations
 
 import difflib
+from typing import TYPE_CHECKING
 
 import numpy as np
 from pydantic import ValidationError
 
 from core.cell.cell import TWIN_FILE, Cell
-from core.effects.effect import Parameter
-from core.effects.library import library
 from core.errors import BadTwin
 from core.files.jail import read_inside
 from core.files.schema_flaw import schema_flaw
 from core.files.whole_file import write_whole
-from core.twin.twin import NOMINAL, Entry, Twin, make_home_scene
+from core.twin.twin import NOMINAL, Entry, Twin
 from core.words.message import Message
+
+if TYPE_CHECKING:
+    from core.effects.effect import Parameter
 
 MAX_BYTES = 1_000_000
 MINUS_ZERO = -1e-6
@@ -28,16 +33,25 @@ def read_twin(cell: Cell) -> Twin:
     Raises:
         BadTwin: the file is malformed, names an unknown effect or parameter, or a value is impossible.
     """
+    twin = parse_twin(cell)
+    check_twin(twin, cell)
+    return twin
+
+
+def parse_twin(cell: Cell) -> Twin:
+    """The same as data, by a process that does not know the effects.
+
+    Raises:
+        BadTwin: the file is malformed.
+    """
     file = cell.folder / TWIN_FILE
     if not file.exists() and not file.is_symlink():
         return NOMINAL
     text = read_inside(cell.folder, TWIN_FILE, BadTwin, max_bytes=MAX_BYTES)
     try:
-        twin = Twin.model_validate_json(text)
+        return Twin.model_validate_json(text)
     except ValidationError as error:
         raise schema_flaw(error.errors()[0]).refusal(BadTwin, str(file)) from error
-    _check(twin, cell, str(file))
-    return twin
 
 
 def write_twin(cell: Cell, twin: Twin) -> None:
@@ -46,23 +60,28 @@ def write_twin(cell: Cell, twin: Twin) -> None:
     Raises:
         BadTwin: an effect, parameter or value that could not be read again, or a folder that cannot be written.
     """
-    file, text = cell.folder / TWIN_FILE, serialise_twin(cell, twin)
+    check_twin(twin, cell)
+    put_twin(cell, twin)
+
+
+def put_twin(cell: Cell, twin: Twin) -> None:
+    """The same with a twin that was checked before.
+
+    Raises:
+        BadTwin: the folder cannot be written.
+    """
+    file = cell.folder / TWIN_FILE
     try:
         if twin.effects:
-            write_whole(file, text)
+            write_whole(file, serialise_twin(twin))
         else:
             file.unlink(missing_ok=True)
     except OSError as error:
         raise BadTwin(str(file), "twin-not-written", reason=error.strerror or str(error)) from error
 
 
-def serialise_twin(cell: Cell, twin: Twin) -> str:
-    """What is to stand in the cell's `twin.json`.
-
-    Raises:
-        BadTwin: an effect, parameter or value that could not be read again.
-    """
-    _check(twin, cell, str(cell.folder / TWIN_FILE))
+def serialise_twin(twin: Twin) -> str:
+    """What stands in a `twin.json`."""
     return twin.model_dump_json(indent=1) + "\n"
 
 
@@ -72,7 +91,16 @@ def close_name(identifier: str, known: list[str]) -> Message:
     return Message.of("twin-close-name", name=close[0]) if close else Message.of("twin-known-names", names=known)
 
 
-def _check(twin: Twin, cell: Cell, where: str) -> None:
+def check_twin(twin: Twin, cell: Cell) -> None:
+    """Every effect is known, its parameters have their units and plausible sizes, and their covariance is one.
+
+    Raises:
+        BadTwin: not so.
+    """
+    from core.effects.library import library  # noqa: PLC0415  seconds of compilers and numerics, see above
+    from core.twin.model import make_home_scene  # noqa: PLC0415
+
+    where = str(cell.folder / TWIN_FILE)
     known = {effect.id: effect for effect in library()}
     scene = make_home_scene(cell)
     for k, entry in enumerate(twin.effects):

@@ -1,30 +1,24 @@
 """A cell's twin: what has been added to its nominal simulation, each effect as it was fitted to a recording.
 
-The nominal twin has no entries. `twin_file` keeps it beside the cell.
+It is data alone, and quick to import: `core.twin.model` makes it act, `core.twin.file` keeps it beside the cell. The nominal twin has no
+entries.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
+from hashlib import sha256
 from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import AwareDatetime, BaseModel, ConfigDict, Field
 
-from core.array import Array
-from core.cell.cell import Cell
-from core.effects.composition import Composition, Term
-from core.effects.effect import Effect
-from core.effects.library import library
-from core.effects.scene import Scene
-from core.payload.inertia import Motion
-from core.words.message import Message
+from core.cell.cell import TWIN_FILE
+from core.errors import BadTwin
 
 Number = Annotated[float, Field(strict=True)]
 NotNegative = Annotated[float, Field(strict=True, ge=0)]
-
-LONGEST_RUN_S = 86_400.0
-"""What happens once happens within a day."""
 
 
 class TwinPart(BaseModel):
@@ -63,17 +57,9 @@ class Entry(TwinPart):
     gap_after: NotNegative
 
     @property
-    def model(self) -> Effect:
-        """The effect itself.
-
-        Raises:
-            KeyError: the library does not have it; a twin that was read from its file has none such.
-        """
-        return effect_of(self.effect)
-
-    def theta(self, scene: Scene) -> Array:
-        """(n,), values of the parameters that the effect has in this scene; absent where the fit had no such parameter."""
-        return np.array([self.parameters[p.name].value if p.name in self.parameters else p.absent for p in self.model.parameters(scene)])
+    def hash(self) -> str:
+        """SHA-256, hexadecimal, of what it is, wherever and whenever it was found."""
+        return sha256(self.model_dump_json(include={"effect", "parameters"}).encode()).hexdigest()
 
     @property
     def directions(self) -> list[dict[str, float]]:
@@ -99,57 +85,34 @@ class Twin(TwinPart):
         """Identifiers of the effects."""
         return tuple(entry.effect for entry in self.effects)
 
-    def without(self, identifier: str) -> Twin:
-        """The twin without one effect."""
-        return Twin(effects=tuple(entry for entry in self.effects if entry.effect != identifier))
+    @property
+    def hashes(self) -> dict[str, str]:
+        """What each effect is, by its identifier."""
+        return {entry.effect: entry.hash for entry in self.effects}
+
+    def without(self, *identifiers: str) -> Twin:
+        """The twin without some effects."""
+        return Twin(effects=tuple(entry for entry in self.effects if entry.effect not in identifiers))
 
     def with_entry(self, entry: Entry) -> Twin:
         """The twin with an effect, in the place of an older entry of the same identifier."""
         return Twin(effects=(*self.without(entry.effect).effects, entry))
 
-    def lacking(self, scene: Scene) -> tuple[Message, ...]:
-        """Effects that cannot be evaluated in this scene, with the reasons."""
-        reasons = {entry.effect: entry.model.explain_lack(scene) for entry in self.effects}
-        return tuple(Message.of("twin-lacking", effect=name, reason=reason) for name, reason in reasons.items() if reason is not None)
+    def with_found(self, entries: Sequence[Entry], made_with: Mapping[str, str]) -> Twin:
+        """The twin with what one diagnosis found; it counted with the other effects as they were then.
 
-    def in_scene(self, scene: Scene) -> tuple[Entry, ...]:
-        """The effects that can be evaluated in this scene."""
-        return tuple(entry for entry in self.effects if entry.model.explain_lack(scene) is None)
+        Args:
+            entries: each in the place of an older entry of the same identifier.
+            made_with: `hashes` of the twin that the diagnosis began with.
 
-    def compose_effects(self, scene: Scene) -> Composition:
-        """The effects that can be evaluated in this scene, ready to act."""
-        return Composition(self.terms(scene))
-
-    def terms(self, scene: Scene) -> tuple[Term, ...]:
-        """The effects that can be evaluated in this scene, with their parameters."""
-        return tuple(Term(entry.model, entry.theta(scene)) for entry in self.in_scene(scene))
+        Raises:
+            BadTwin: the twin has changed since, beyond what is replaced.
+        """
+        ids = [entry.effect for entry in entries]
+        left = self.without(*ids)
+        if changed := {name for name, _ in left.hashes.items() ^ made_with.items()} - set(ids):
+            raise BadTwin(TWIN_FILE, "twin-changed", effects=sorted(changed))
+        return Twin(effects=(*left.effects, *entries))
 
 
 NOMINAL = Twin()
-
-
-def effect_of(identifier: str) -> Effect:
-    """The library's effect of this identifier; KeyError where there is none."""
-    return {effect.id: effect for effect in library()}[identifier]
-
-
-def make_home_scene(cell: Cell) -> Scene:
-    """The cell's robot at home for a day, with all that a scene can know: the scene that is asked what an effect's parameters may be."""
-    n = len(cell.robot.home_rad)
-    gravity = cell.gravity_in_base
-    return Scene(
-        t=np.array([0.0, LONGEST_RUN_S]),
-        phase=np.array(["hold:free"] * 2),
-        motion=Motion.still(np.stack([gravity] * 2)),
-        rotation=np.stack([np.eye(3)] * 2),
-        position=np.zeros((2, 3)),
-        gravity=gravity,
-        phi=np.zeros(10),
-        q=np.stack([np.array(cell.robot.home_rad)] * 2),
-        dq=np.zeros((2, n)),
-        jacobian=np.zeros((2, 6, n)),
-        temperature=np.zeros(2),
-        range=np.array(cell.sensor.range),
-        resolution=np.array(cell.sensor.resolution),
-        step=1e-3,
-    )

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import shutil
 from pathlib import Path
 from threading import Lock
 from typing import Annotated, Any
 
-from core.cell.cell import CELL_FILE, TWIN_FILE, Cell
+from core.cell.cell import CELL_FILE, Cell
 from core.cell.folder import CellRead, list_cell_folders, read_cell_folder
 from core.errors import BadCell, BadInput, BadTwin, refuse, together
-from core.files.whole_file import write_whole
+from core.twin.file import parse_twin, put_twin
+from core.twin.twin import Twin
 from core.words.message import Message
 from server.http.dependencies import depend_on
 from server.http.errors import Conflict, NotFound
@@ -119,21 +119,27 @@ class CellFolder:
             whole.update(f"{file.relative_to(folder).as_posix()}\0{content}\n".encode())
         return whole.hexdigest()
 
-    def put_twin(self, name: str, text: str) -> None:
-        """Puts a checked `twin.json` into a cell's folder; one without effects is no file.
+    def read_twin(self, cell: Cell) -> Twin:
+        """The cell's twin as data: whether its effects exist is found by those who know them.
+
+        Raises:
+            BadTwin: its file is malformed.
+        """
+        try:
+            return parse_twin(cell)
+        except BadTwin as error:
+            raise self._shorten_paths(error) from error
+
+    def put_twin(self, cell: Cell, twin: Twin) -> None:
+        """Puts a twin into a cell's folder, whose effects a diagnosis has checked; one without effects is no file.
 
         Raises:
             BadTwin: it cannot be written; the older one stays.
         """
-        file = self.folder / name / TWIN_FILE
         try:
-            if json.loads(text)["effects"]:
-                write_whole(file, text)
-            else:
-                file.unlink(missing_ok=True)
-        except OSError as error:
-            where = f"{name}/{TWIN_FILE}"
-            raise BadTwin(where, "uploads-twin-not-writable", reason=error.strerror or "") from error
+            put_twin(cell, twin)
+        except BadTwin as error:
+            raise self._shorten_paths(error) from error
 
     def install(self, unpacked: Path, name: str, *, replace: bool) -> None:
         """Puts a checked folder into its place: all of it or nothing.

@@ -19,7 +19,6 @@ from server.cells import zones
 from server.cells.archive import UPLOAD
 from server.cells.folder import CellFolder, CellsDep
 from server.cells.now import read_now
-from server.cells.twin_answer import twin_of
 from server.cells.uploads import CheckerDep, take_in, upload_folder
 from server.cells.zones import ZonePosition
 from server.http.dependencies import MetricsDep, NamePath, NowDep, StoreDep
@@ -173,7 +172,7 @@ def _inspect(cells: CellFolder, db: Session, name: str) -> tuple[CellRead | None
         return None, [error, *error.others]
     flaws = cells.flaws(cell_read)
     try:
-        twin_of(cell_read.cell)
+        cells.read_twin(cell_read.cell)
     except BadTwin as error:
         flaws.append(error)
     return cell_read, flaws

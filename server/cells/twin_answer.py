@@ -4,15 +4,8 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from pydantic import ValidationError
-
-from core.cell.cell import TWIN_FILE, Cell
-from core.errors import BadTwin
-from core.files.jail import read_inside
-from core.files.schema_flaw import schema_flaw
+from core.twin.twin import Twin
 from server.http.schemas import Answer
-
-MAX_BYTES = 1_000_000
 
 
 class TwinParameter(Answer):
@@ -46,15 +39,6 @@ class TwinAnswer(Answer):
     effects: tuple[TwinEffect, ...] = ()
 
 
-def twin_of(cell: Cell) -> TwinAnswer:
-    """What stands in the cell's `twin.json`.
-
-    Raises:
-        BadTwin: it is not one that an addition has written.
-    """
-    if not (cell.folder / TWIN_FILE).exists():
-        return TwinAnswer()
-    try:
-        return TwinAnswer.model_validate_json(read_inside(cell.folder, TWIN_FILE, BadTwin, max_bytes=MAX_BYTES))
-    except ValidationError as error:
-        raise schema_flaw(error.errors()[0]).refusal(BadTwin, f"{cell.name}/{TWIN_FILE}") from error
+def answer_twin(twin: Twin) -> TwinAnswer:
+    """A twin as it is answered."""
+    return TwinAnswer.model_validate(twin, from_attributes=True)

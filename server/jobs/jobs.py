@@ -209,5 +209,4 @@ class Worker:
 
 
 DiagnosesDep = Annotated[Worker, depend_on("diagnoses")]
-AdditionsDep = Annotated[Worker, depend_on("additions")]
 TrialsDep = Annotated[Worker, depend_on("trials")]

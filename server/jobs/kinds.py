@@ -16,7 +16,7 @@ from server.people import audit
 from server.runs.tables import JobRow
 from server.settings import Settings
 
-DIAGNOSIS, ADDITION, TRIALS = "diagnosis", "addition", "trials"
+DIAGNOSIS, TRIALS = "diagnosis", "trials"
 
 
 class DiagnosisOrder(RequestBody):
@@ -25,15 +25,6 @@ class DiagnosisOrder(RequestBody):
     recording: Path
     run: str | None = None
     cell: str | None = None
-
-
-class AdditionOrder(RequestBody):
-    """An effect to be added to a cell's twin, as a diagnosis found it in a recording."""
-
-    cell: str
-    effect: str
-    diagnosis: str
-    recording: Path
 
 
 class TrialsOrder(RequestBody):
@@ -63,23 +54,6 @@ def diagnoses(settings: Settings, cells: CellFolder) -> JobKind:
         return order.recording, cell, reports, locate_overlay(settings, row.id).absolute()
 
     return JobKind(DIAGNOSIS, "server.runner.diagnosing", arguments)
-
-
-def additions(cells: CellFolder) -> JobKind:
-    """Effects for the twins of cells."""
-
-    def arguments(row: JobRow) -> tuple[object, ...]:
-        order = AdditionOrder.model_validate_json(row.order)
-        return cells.load(order.cell), order.recording, order.effect
-
-    def also(db: Session, row: JobRow) -> None:
-        if row.state == JobStatus.done and row.result is not None:
-            order = AdditionOrder.model_validate_json(row.order)
-            said: audit.Detail = {"cell": order.cell, "effect": order.effect, "diagnosis": order.diagnosis, "sha256": sha256_of(row.result)}
-            audit.record(db, row.requested_by, "twin.add", said)
-            cells.put_twin(order.cell, row.result)  # last in the transaction: a store that refuses it leaves the twin as it was
-
-    return JobKind(ADDITION, "server.runner.twin_adding", arguments, also)
 
 
 def trials(settings: Settings) -> JobKind:

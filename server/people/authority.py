@@ -46,8 +46,6 @@ AUTHORITY: dict[str, frozenset[Role] | None] = {
     "POST /api/cells/{cell}/zones/{zone}/undo": AT_THE_CELL,
     "GET /api/cells/{cell}/twin": SIGNED_IN,
     "POST /api/cells/{cell}/twin": frozenset({engineer}),
-    "GET /api/cells/{cell}/twin/additions/{addition}": SIGNED_IN,
-    "DELETE /api/cells/{cell}/twin/additions/{addition}": frozenset({engineer}),
     "DELETE /api/cells/{cell}/twin/{effect}": frozenset({engineer}),
     "POST /api/control": frozenset({operator}),
     "GET /api/control/{cell}": SIGNED_IN,

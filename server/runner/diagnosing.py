@@ -42,9 +42,9 @@ def main(folder: Path, cell: Cell | None, reports: Mapping[Language, Path], over
         try:
             recording = read_recording(folder) if cell is None else with_cell_friction(read_recording(folder), cell)
             twin = NOMINAL if cell is None else read_twin(cell)
-            diagnosis, evidence = examine(recording, twin=twin, fit_all=fit_with_progress(connection))
+            diagnosis, evidence = examine(recording, twin=twin, folder=folder, fit_all=fit_with_progress(connection))
             if cell is not None:
-                diagnosis = addable_to(diagnosis, cell, recording, folder)
+                diagnosis = addable_to(diagnosis, cell)
                 diagnosis = plan_next(diagnosis, evidence, recording, folder, cell, None, Console(quiet=True))
             compared = None if evidence is None else overlay_of(evidence)
             for language, report in reports.items():

@@ -8,10 +8,6 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, expect
 
-from server.jobs.kinds import DiagnosisOrder
-from server.service import utc_now
-from server.store.store import Store
-from tests.server.finished_diagnosis import explanation, finished_diagnosis
 from tests.server.real_service import RealService
 from tests.web.judgement import check_looks
 from tests.web.looks import look
@@ -43,23 +39,4 @@ def test_a_diagnosis_is_cancelled_and_another_one_can_be_begun(engineer: Tablet,
     check_looks(look(page, "diagnosis cancelled"))
     engineer.press("All diagnoses")
     expect(page.locator(".rows li", has_text="Cancelled").first).to_be_visible()
-    assert engineer.complaints == []
-
-
-def test_an_addition_to_the_twin_is_cancelled_and_the_twin_stays_without_it(
-    engineer: Tablet, service: RealService, recording: Path
-) -> None:
-    store = Store(service.store_url)
-    order = DiagnosisOrder(recording=recording.with_name("recording"), cell="lwr4_bench")
-    diagnosis = finished_diagnosis(store, utc_now(), order, effects=[explanation("base_tilt", 0.95)])
-    store.close()
-    page = show(engineer, "gap", diagnosis)
-    engineer.press("Add to the twin")
-    expect(page.locator(".actions")).to_contain_text("is being added to the twin")
-    check_looks(look(page, "addition under way"))
-    engineer.press("Cancel")
-    expect(page.locator(".actions")).to_contain_text("Base not level was not added")
-    expect(page.get_by_role("button", name="Add to the twin")).to_be_enabled()
-    twin = page.request.get(f"http://{service.address}/api/cells/lwr4_bench/twin").json()
-    assert twin == {"effects": []}
     assert engineer.complaints == []

@@ -151,7 +151,7 @@ def test_words_that_are_longer_have_their_place(engineer: Tablet, diagnosed: str
 def test_the_effect_goes_into_the_twin_and_out_again_in_two_taps(engineer: Tablet, person: Console, diagnosed: str):
     page = show(engineer, "gap", diagnosed)
     engineer.press("Add to the twin")
-    expect(page.locator(".actions")).to_contain_text("Base not level is in the twin.", timeout=120_000)
+    expect(page.locator(".actions")).to_contain_text("Base not level is in the twin.")
     expect(page.get_by_role("button", name="Add to the twin")).to_be_disabled()
     assert effects_of(person) == ["base_tilt"]
     engineer.press("All diagnoses")

@@ -51,6 +51,16 @@ gap-other-cell = eine Aufzeichnung der Zelle „{ $found }“
 gap-wanted-cell = „{ $cell }“, deren Zwilling geändert werden soll
 gap-other-joints = eine Aufzeichnung von { $joints } Gelenken
 gap-wanted-joints = { $joints }, wie in der Zelle „{ $cell }“
+gap-wanted-addable = ein Effekt, den ein Zwilling aufnehmen kann
+gap-earlier-version =
+    .found = eine Diagnose einer früheren Version
+    .expected = eine mit allem, was ein Zwilling braucht; untersuchen Sie die Aufzeichnung noch einmal
+gap-not-named =
+    .found = „{ $name }“
+    .expected = einer, den die Diagnose nennt: { $names }
+gap-names-none =
+    .found = „{ $name }“
+    .expected = einer, den die Diagnose nennt: sie nennt keinen
 
 # Which effects were asked for.
 gap-effect-asked = Effekt

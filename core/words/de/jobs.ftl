@@ -1,7 +1,6 @@
 # Die Wörter für Arten von Aufträgen und wie weit sie sind, für andere Meldungen.
 jobs-kind = { $kind ->
     [diagnosis] Diagnose
-    [addition] Ergänzung
     [trials] Versuche
    *[other] { $kind }
 }
@@ -37,9 +36,3 @@ jobs-gravity-changed = Diagnose { $job }: die Zelle „{ $cell }“ hat sich sei
 # Die Zwillinge.
 jobs-effect-not-in-twin = Effekt im Zwilling: keiner heißt „{ $effect }“. Sehen Sie nach, welche es gibt, und versuchen Sie es noch einmal.
 jobs-no-effect-yet = Diagnose { $job }: ist { jobs-state }; ein Effekt lässt sich aus einer fertigen übernehmen
-jobs-effect-not-named = Effekt: gefunden: „{ $effect }“, erwartet: einer, den die Diagnose nennt: { $effects }
-jobs-no-effect-named = Effekt: gefunden: „{ $effect }“, erwartet: einer, den die Diagnose nennt: sie nennt keinen
-jobs-effect-not-addable = Effekt: gefunden: { $why_not }, erwartet: ein Effekt, den ein Zwilling aufnehmen kann
-jobs-effect-not-judged = Effekt: gefunden: eine Diagnose, die nicht sagt, ob ein Zwilling ihn aufnehmen kann, erwartet: ein Effekt, den ein Zwilling aufnehmen kann
-jobs-twin-busy = Zwilling von { $cell }: die Ergänzung { $addition } läuft noch; warten Sie auf ihr Ende
-jobs-twin-unchanged = Zwilling von { $cell }: nichts wurde geändert; senden Sie es noch einmal

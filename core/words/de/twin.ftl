@@ -25,6 +25,9 @@ twin-covariance-size =
 twin-no-covariance =
     .found = eine Matrix, die nicht symmetrisch und positiv ist
     .expected = eine Kovarianz
+twin-changed =
+    .found = seit der Diagnose geändert: { $effects }
+    .expected = der Zwilling, mit dem sie rechnete, bis auf das, was hinzukommt; untersuchen Sie die Aufzeichnung noch einmal
 
 twin-close-name = „{ $name }“, falls das gemeint war
 twin-known-names = eines von { $names }

@@ -86,6 +86,3 @@ uploads-cell-exists = die Zelle „{ $cell }“ gibt es schon; PUT /api/cells/{ 
 uploads-cell-misnamed =
     .found = „{ $name }“
     .expected = der Name ihres Ordners, „{ $folder }“
-uploads-twin-not-writable =
-    .found = ein Ordner, in den nicht geschrieben werden kann ({ $reason })
-    .expected = einer, den der Dienst ändern darf

@@ -51,6 +51,16 @@ gap-other-cell = a recording of the cell '{ $found }'
 gap-wanted-cell = '{ $cell }', whose twin it is to change
 gap-other-joints = a recording of { $joints } joints
 gap-wanted-joints = { $joints }, as in the cell '{ $cell }'
+gap-wanted-addable = an effect that a twin can take
+gap-earlier-version =
+    .found = a diagnosis that an earlier version made
+    .expected = one with all that a twin needs; diagnose the recording again
+gap-not-named =
+    .found = '{ $name }'
+    .expected = one that the diagnosis names: { $names }
+gap-names-none =
+    .found = '{ $name }'
+    .expected = one that the diagnosis names: it names none
 
 # Which effects were asked for.
 gap-effect-asked = effect

@@ -25,9 +25,3 @@ jobs-gravity-changed = diagnosis { $job }: cell "{ $cell }" has changed since th
 # The twins.
 jobs-effect-not-in-twin = effect in the twin: there is none called "{ $effect }". List what there is and ask again.
 jobs-no-effect-yet = diagnosis { $job }: is { jobs-state }; an effect can be taken from one that is done
-jobs-effect-not-named = effect: found "{ $effect }", expected one that the diagnosis names: { $effects }
-jobs-no-effect-named = effect: found "{ $effect }", expected one that the diagnosis names: it names none
-jobs-effect-not-addable = effect: found { $why_not }, expected an effect that a twin can take
-jobs-effect-not-judged = effect: found a diagnosis that does not say whether a twin can take it, expected an effect that a twin can take
-jobs-twin-busy = twin of { $cell }: addition { $addition } is under way; wait for its end
-jobs-twin-unchanged = twin of { $cell }: nothing was changed; send it again

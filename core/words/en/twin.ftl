@@ -26,6 +26,9 @@ twin-covariance-size =
 twin-no-covariance =
     .found = a matrix that is not symmetric and positive
     .expected = a covariance
+twin-changed =
+    .found = a change of { $effects } since the diagnosis
+    .expected = the twin that it counted with, but for what is added; diagnose the recording again
 
 # What an unknown name is answered with.
 twin-close-name = '{ $name }', if that is what was meant

@@ -80,6 +80,3 @@ uploads-cell-exists = cell "{ $cell }" exists already; PUT /api/cells/{ $cell } 
 uploads-cell-misnamed =
     .found = "{ $name }"
     .expected = the name of its folder, "{ $folder }"
-uploads-twin-not-writable =
-    .found = a folder that cannot be written ({ $reason })
-    .expected = one that the service may change

@@ -12,7 +12,7 @@ from core.cell.folder import load_cell
 from core.effects.library import library
 from core.errors import BadTwin
 from core.events import drive
-from core.gap.diagnosis import diagnose
+from core.gap.diagnosis import diagnose, examine
 from core.gap.twin_addition import addable_to, with_effect
 from core.plant.imperfections import Imperfections
 from core.procedure.identify import carry_out
@@ -58,8 +58,22 @@ def test_what_is_offered_is_added_and_what_is_not_is_refused_for_the_reason_that
 
 
 def test_a_cell_is_offered_nothing_that_was_recorded_in_another(late: Recording, cell: Cell, tmp_path: Path) -> None:
-    elsewhere = addable_to(diagnose(late, FEW), plan_each_payload("ur5e_line")[0], late, tmp_path)
+    write_recording(late, tmp_path / "late")
+    own, _ = examine(late, FEW, folder=tmp_path / "late")
+    elsewhere = addable_to(own, plan_each_payload("ur5e_line")[0])
     assert not any(each.addable for each in (*elsewhere.effects, *elsewhere.pairs))
     assert str(elsewhere.effects[0].why_not) == "a recording of the cell 'lwr4_bench'"
-    own = diagnose(late, FEW)
-    assert addable_to(own, cell, late, tmp_path) == own
+    assert addable_to(own, cell) == own
+    assert own.origin is not None
+    other_arm = own.model_copy(update={"origin": own.origin.model_copy(update={"cell": None, "joints": 6})})
+    assert str(addable_to(other_arm, cell).effects[0].why_not) == "a recording of 6 joints"
+
+
+def test_what_the_twins_file_could_not_hold_is_not_offered(late: Recording, cell: Cell, tmp_path: Path) -> None:
+    write_recording(late, tmp_path / "late")
+    found, _ = examine(late, FEW, folder=tmp_path / "late")
+    delay = next(each for each in found.effects if each.id == "time_delay")
+    longest = {"delay_s": delay.parameters["delay_s"].model_copy(update={"value": 0.2})}
+    judged = addable_to(found.model_copy(update={"effects": [delay.model_copy(update={"parameters": longest})]}), cell).effects[0]
+    assert not judged.addable
+    assert "found 0.2 s, expected between 0 and 0.1" in str(judged.why_not)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,9 @@ from core.effects.library import library
 from core.errors import BadTwin
 from core.estimation.identification import identify_recording
 from core.events import drive
-from core.gap.diagnosis import diagnose
+from core.gap.addition import add_found
+from core.gap.answer import Diagnosis
+from core.gap.diagnosis import diagnose, examine
 from core.gap.twin_addition import find_effects, with_effect
 from core.plant.imperfections import Imperfections
 from core.plant.mechanics import Drives
@@ -31,6 +34,7 @@ from core.twin.twin import NOMINAL
 
 PAYLOAD = "gripper"
 TILT_RAD, DELAY_S = np.radians(0.5), 0.015
+NOW = datetime(2026, 3, 1, tzinfo=UTC)
 SMOOTH = Drives(damping_s=0.0, friction=0.0)
 """Friction in the joints would be found, rightly."""
 FEW = tuple(effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "sensor_lowpass"))
@@ -61,6 +65,12 @@ def faulty(place: Path) -> Recording:
 
 
 @pytest.fixture(scope="module")
+def diagnosed(faulty: Recording, place: Path) -> str:
+    """The diagnosis of that run as `heft diagnose --json` writes it."""
+    return examine(faulty, FEW, folder=place / "faulty")[0].model_dump_json(indent=2)
+
+
+@pytest.fixture(scope="module")
 def completed(place: Path) -> Cell:
     """The cell after `heft twin add`."""
     done = runner.invoke(app, ["twin", "add", str(place / "lwr4_bench"), str(place / "faulty"), "time_delay+base_tilt"])
@@ -82,6 +92,41 @@ def test_the_entries_have_the_planted_sizes_and_say_where_they_come_from(complet
     assert delay.recording == "faulty"
     assert delay.sha256 == recording_sha256(place / "faulty")
     assert delay.gap_after < 1.05 < delay.gap_before
+
+
+def test_what_a_diagnosis_keeps_is_what_a_fit_of_its_own_finds(completed: Cell, diagnosed: str) -> None:
+    kept = add_found(NOMINAL, completed, Diagnosis.model_validate_json(diagnosed), "base_tilt+time_delay", NOW)
+    for found in kept.effects:
+        [fitted] = [entry for entry in read_twin(completed).effects if entry.effect == found.effect]
+        assert list(found.parameters) == list(fitted.parameters)
+        for name, value in found.parameters.items():
+            assert value.value == pytest.approx(fitted.parameters[name].value, abs=0.05 * value.std)
+            assert value.std == pytest.approx(fitted.parameters[name].std, rel=0.01)
+            assert value.unit == fitted.parameters[name].unit
+        np.testing.assert_allclose(found.covariance, fitted.covariance, rtol=0.02, atol=0.02 * min(np.diag(fitted.covariance)))
+        np.testing.assert_allclose(np.sqrt(np.diag(found.covariance)), [value.std for value in found.parameters.values()])
+        assert (found.recording, found.sha256, found.added) == (fitted.recording, fitted.sha256, NOW)
+        assert (found.gap_before, found.gap_after) == pytest.approx((fitted.gap_before, fitted.gap_after), rel=1e-3)
+
+
+def test_a_written_diagnosis_is_added_without_fitting_and_only_to_the_twin_that_it_counted_with(
+    completed: Cell, diagnosed: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fit_nothing(*_: object, **__: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr("core.gap.twin_addition.examine", fit_nothing)
+    shutil.copytree(completed.folder, tmp_path / "lwr4_bench", ignore=shutil.ignore_patterns(TWIN_FILE))
+    (tmp_path / "found.json").write_text(diagnosed)
+    add = ["twin", "add", str(tmp_path / "lwr4_bench"), str(tmp_path / "found.json")]
+    assert runner.invoke(app, [*add, "time_delay+base_tilt"]).exit_code == 0
+    assert sorted(read_twin(load_cell(tmp_path / "lwr4_bench")).ids) == ["base_tilt", "time_delay"]
+    assert "replaced" in runner.invoke(app, [*add, "base_tilt+time_delay"]).output
+    refused = runner.invoke(app, [*add, "time_delay"]).exception
+    assert isinstance(refused, BadTwin)
+    assert "a change of base_tilt since the diagnosis" in str(refused)
+    (tmp_path / "found.json").write_text('{"verdict": "sunny"}')
+    assert "heft diagnose" in str(runner.invoke(app, [*add, "time_delay"]).exception)
 
 
 def test_the_gap_between_the_recording_and_the_completed_twin_is_gone(faulty: Recording, completed: Cell) -> None:

@@ -11,7 +11,8 @@ import pytest
 from core.cell.folder import load_cell
 from core.effects.library import library
 from core.sessions.simulated import SimulatedSession
-from core.twin.twin import NOMINAL, Twin, make_home_scene
+from core.twin.model import make_home_scene
+from core.twin.twin import NOMINAL, Twin
 from tests.twin_entries import entry
 
 CELLS = {name: load_cell(Path(__file__).parents[3] / "cells" / name) for name in ("lwr4_bench", "ur5e_line")}

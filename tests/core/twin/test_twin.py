@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -10,8 +10,8 @@ import pytest
 from pydantic import ValidationError
 
 from core.cell.folder import load_cell
-from core.effects.library import library
-from core.twin.twin import NOMINAL, Fitted, Twin, effect_of, make_home_scene
+from core.errors import BadTwin
+from core.twin.twin import NOMINAL, Fitted, Twin
 from tests.twin_entries import entry
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
@@ -25,33 +25,6 @@ def test_a_newer_entry_takes_the_place_of_the_older_one() -> None:
     assert twin.effects[-1].parameters["delay_s"].value == 0.02
     assert twin.without("time_delay").ids == ("base_tilt",)
     assert twin.without("sensor_gain") == twin
-
-
-@pytest.mark.parametrize("effect", library(), ids=lambda effect: effect.id)
-def test_every_effect_can_be_an_entry_and_its_values_come_back_in_order(effect) -> None:
-    scene = make_home_scene(CELL)
-    parameters = effect.parameters(scene)
-    made = entry(CELL, effect.id)
-    np.testing.assert_array_equal(made.theta(scene), [p.absent for p in parameters])
-    assert effect_of(effect.id).id == effect.id
-
-
-def test_a_parameter_that_the_fit_did_not_have_is_absent() -> None:
-    scene = make_home_scene(CELL)
-    drift = entry(CELL, "sensor_drift", fx_first_minute_n=2.0)
-    cold = drift.model_copy(update={"parameters": {k: v for k, v in drift.parameters.items() if not k.endswith("_per_k")}})
-    np.testing.assert_array_equal(cold.theta(scene), drift.theta(scene))
-    assert len(drift.theta(replace(scene, temperature=None))) == 7
-
-
-def test_what_a_scene_lacks_is_said_and_left_out() -> None:
-    poses = replace(make_home_scene(CELL), q=None, dq=None, jacobian=None)
-    twin = Twin(effects=(TILT, entry(CELL, "joint_offset", joint_2_rad=0.01)))
-    assert [one.effect for one in twin.in_scene(poses)] == ["base_tilt"]
-    [lacking] = twin.lacking(poses)
-    assert (lacking.code, lacking.parameters["effect"]) == ("twin-lacking", "joint_offset")
-    assert str(lacking) == "joint_offset: the recording has no joint positions"
-    assert twin.lacking(make_home_scene(CELL)) == ()
 
 
 def test_directions_carry_the_whole_covariance() -> None:
@@ -69,10 +42,27 @@ def test_numbers_that_are_none_are_refused(value: float) -> None:
         Fitted(value=value, std=0.1, unit="s")
 
 
-def test_effects_act_from_the_robot_to_the_reading_whatever_their_order() -> None:
-    gain = entry(CELL, "sensor_gain", fx_gain_error_share=0.1)
-    clip = entry(CELL, "cable_drag", pull_x_n=2.0, stiffness_n_per_m=0.0)
-    scene = make_home_scene(CELL).with_phi(np.array([2.0, 0, 0, 0.1, 0.02, 0, 0, 0.02, 0, 0.01]))
-    first = Twin(effects=(gain, clip)).compose_effects(scene).change(scene)
-    np.testing.assert_array_equal(first, Twin(effects=(clip, gain)).compose_effects(scene).change(scene))
-    np.testing.assert_allclose(first[:, 0], scene.nominal[:, 0] * 0.1 - 2.0 * 1.1, atol=1e-12)
+def test_what_is_found_takes_the_place_of_what_the_diagnosis_began_with() -> None:
+    newer = entry(CELL, "time_delay", delay_s=0.02)
+    began = Twin(effects=(TILT, DELAY))
+    assert began.with_found([newer], began.hashes) == Twin(effects=(TILT, newer))
+    replaced = began.with_entry(entry(CELL, "time_delay", delay_s=0.05))
+    assert replaced.with_found([newer], began.hashes) == Twin(effects=(TILT, newer))
+    assert NOMINAL.with_found([TILT, newer], {}) == Twin(effects=(TILT, newer))
+    assert began.without("time_delay").with_found([newer], began.hashes) == Twin(effects=(TILT, newer))
+
+
+def test_nothing_is_added_to_a_twin_that_the_diagnosis_did_not_count_with() -> None:
+    moved = entry(CELL, "base_tilt", about_x_rad=0.02)
+    for began, now in ((NOMINAL, TILT), (Twin(effects=(TILT,)), moved)):
+        with pytest.raises(BadTwin, match=r"twin\.json: found a change of base_tilt since .*diagnose the recording again"):
+            Twin(effects=(now, DELAY)).with_found([DELAY], began.hashes)
+    with pytest.raises(BadTwin, match="base_tilt"):
+        NOMINAL.with_found([DELAY], Twin(effects=(TILT,)).hashes)
+
+
+def test_an_effect_is_the_same_whenever_and_from_wherever_it_came() -> None:
+    later = DELAY.model_copy(update={"added": datetime(2027, 1, 1, tzinfo=UTC), "recording": "run-2", "sha256": "f" * 64})
+    assert later.hash == DELAY.hash
+    assert Twin.model_validate_json(Twin(effects=(DELAY,)).model_dump_json()).hashes == {"time_delay": DELAY.hash}
+    assert entry(CELL, "time_delay", delay_s=0.0120001).hash != DELAY.hash

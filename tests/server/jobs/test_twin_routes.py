@@ -1,11 +1,10 @@
-"""A cell's twin over the API: shown, added to by a job that may be refused, taken from; all of it written down."""
+"""A cell's twin over the API: shown, added to as a diagnosis found it, taken from; at once, and all of it written down."""
 
 from __future__ import annotations
 
-import time
 from datetime import UTC, datetime
-from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 
 import pytest
 from fastapi.testclient import TestClient
@@ -15,11 +14,9 @@ from core.cell.folder import load_cell
 from core.twin.file import read_twin, write_twin
 from core.twin.twin import NOMINAL, Entry, Fitted, Twin
 from server.jobs import jobs
-from server.jobs.jobs import JobStatus
-from server.jobs.kinds import ADDITION, AdditionOrder, DiagnosisOrder, additions
+from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder
 from server.people.roles import Role
-from server.runner import twin_adding
-from server.runner.messages import Answered, Failed
+from server.runner import work
 from server.service import Service
 from tests.server.finished_diagnosis import explanation, finished_diagnosis
 from tests.server.made_people import As
@@ -46,19 +43,32 @@ def late(service: Service) -> Path:
     return cell.folder
 
 
-def diagnosed(service: Service, recording: Path, *named: str) -> str:
-    """A diagnosis that is done and names effects."""
-    effects = [explanation(each, 0.9) for each in named]
-    return finished_diagnosis(service.store, service.now(), DiagnosisOrder(recording=recording), effects=effects)
+@pytest.fixture(autouse=True)
+def _no_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever is asked here is answered by the service itself."""
+
+    def start(*_: object, **__: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr(work, "start_process", start)
 
 
-def ended(client: TestClient, place: str) -> dict:
-    for _ in range(600):
-        found = client.get(place).json()
-        if found["state"] not in ("waiting", "running"):
-            return found
-        time.sleep(0.1)
-    raise AssertionError(found)
+def tilt(**changes: Any) -> dict[str, Any]:
+    """A tilted base as a diagnosis finds it."""
+    values = {f"about_{axis}_rad": {"value": 0.01, "std": 0.001, "unit": "rad"} for axis in "xy"}
+    return explanation("base_tilt", 0.9) | {"parameters": values, "covariance": [[1e-6, 0.0], [0.0, 1e-6]]} | changes
+
+
+def diagnosed(service: Service, *effects: dict[str, Any], began: Twin = NOMINAL, **changes: Any) -> str:
+    """A diagnosis that is done, of a recording that nobody needs any more."""
+    origin = {"recording": "faulty", "sha256": "0" * 64, "cell": CELL, "joints": 7, "twin": began.hashes}
+    gap = {"before": 2.4, "after": 1.0, "held_out": [], "by_channel": {}}
+    found = {"effects": effects, "origin": origin, "gap": gap} | changes
+    return finished_diagnosis(service.store, service.now(), DiagnosisOrder(recording=Path("gone"), cell=CELL), **found)
+
+
+def add(client: TestClient, diagnosis: str, effect: str = "base_tilt") -> Any:
+    return client.post(TWIN, json={"diagnosis": diagnosis, "effect": effect})
 
 
 def audited(signed_in: As) -> list[str]:
@@ -83,82 +93,54 @@ def test_a_twin_file_that_somebody_changed_is_refused_in_words(signed_in: As, la
     assert answer.json()["kind"] == "bad-twin"
 
 
-def test_what_a_recording_does_not_show_is_not_added_and_the_reason_stands_in_the_job(
-    service: Service, signed_in: As, tmp_path: Path
-) -> None:
+def test_what_a_diagnosis_found_is_in_the_twin_with_the_answer(service: Service, signed_in: As, late: Path) -> None:
     client = signed_in(Role.engineer)
-    diagnosis = diagnosed(service, tmp_path / "no recording", "time_delay")
-    answer = client.post(TWIN, json={"diagnosis": diagnosis, "effect": "time_delay"})
-    assert answer.status_code == 202, answer.text
-    found = ended(client, answer.headers["location"])
-    assert found["state"] == "failed"
-    assert "no recording" in found["reason"]["text"]
-    assert client.get(TWIN).json() == {"effects": []}
-    assert audited(signed_in)[0] == "twin.queue"
+    answer = add(client, diagnosed(service, tilt(), began=Twin(effects=(DELAY,))))
+    assert answer.status_code == 200, answer.text
+    assert [entry["effect"] for entry in answer.json()["effects"]] == ["time_delay", "base_tilt"]
+    assert client.get(TWIN).json() == answer.json()
+    added = read_twin(load_cell(late)).effects[1]
+    assert added.covariance == ((1e-6, 0.0), (0.0, 1e-6))
+    assert (added.recording, added.sha256, added.gap_before, added.gap_after) == ("faulty", "0" * 64, 2.4, 1.0)
+    assert added.added == service.now()
+    assert audited(signed_in)[0] == "twin.add"
 
 
-def test_an_effect_that_the_diagnosis_does_not_name_is_refused_at_once(service: Service, signed_in: As, tmp_path: Path) -> None:
-    client = signed_in(Role.engineer)
-    diagnosis = diagnosed(service, tmp_path, "time_delay")
-    refused = client.post(TWIN, json={"diagnosis": diagnosis, "effect": "base_tilt"})
-    assert refused.status_code == 422
-    assert "time_delay" in refused.json()["detail"]
-    assert client.post(TWIN, json={"diagnosis": "none", "effect": "base_tilt"}).status_code == 404
-
-
-def test_an_effect_that_no_twin_takes_is_refused_at_once_with_the_reason(service: Service, signed_in: As, tmp_path: Path) -> None:
-    client = signed_in(Role.engineer)
-    refused = explanation("time_delay", 0.9) | {"addable": False, "why_not": "time_delay closing 1 % of the gap"}
-    older = {key: value for key, value in explanation("base_tilt", 0.1).items() if key != "addable"}
-    order = DiagnosisOrder(recording=tmp_path)
-    diagnosis = finished_diagnosis(service.store, service.now(), order, effects=[refused, older])
-    for effect, why in (("time_delay", "time_delay closing 1 % of the gap"), ("base_tilt", "does not say")):
-        answer = client.post(TWIN, json={"diagnosis": diagnosis, "effect": effect})
-        assert answer.status_code == 422
-        assert why in answer.json()["detail"]
-
-
-def test_nothing_is_taken_out_while_something_is_being_added(service: Service, signed_in: As, late: Path, tmp_path: Path) -> None:
-    order = AdditionOrder(cell=CELL, effect="base_tilt", diagnosis="x", recording=tmp_path)
-    with service.store.write() as db:
-        jobs.add_job(db, ADDITION, order, CELL, "account:anna", service.now())  # nobody has woken the worker
-    assert signed_in(Role.engineer).delete(f"{TWIN}/time_delay").status_code == 409
-    assert (late / TWIN_FILE).exists()
-
-
-def test_an_addition_is_cancelled_in_its_own_cell_and_leaves_the_twin_as_it_was(
-    service: Service, signed_in: As, late: Path, tmp_path: Path
-) -> None:
-    order = AdditionOrder(cell=CELL, effect="base_tilt", diagnosis="x", recording=tmp_path)
-    with service.store.write() as db:
-        addition = jobs.add_job(db, ADDITION, order, CELL, "account:anna", service.now()).id  # nobody has woken the worker
+def test_nothing_is_added_to_a_twin_that_has_changed_since_the_diagnosis(service: Service, signed_in: As, late: Path) -> None:
     client, before = signed_in(Role.engineer), (late / TWIN_FILE).read_bytes()
-    assert client.delete(f"/api/cells/other/twin/additions/{addition}").status_code == 404
-    answer = client.delete(f"{TWIN}/additions/{addition}").json()
-    assert (answer["state"], answer["reason"]["text"], answer["twin"]) == ("cancelled", "cancelled by account:engineer.", None)
-    assert client.delete(f"{TWIN}/additions/{addition}").status_code == 409
-    assert audited(signed_in)[0] == "twin.cancel"
+    refused = add(client, diagnosed(service, tilt()))  # it began with the nominal twin
+    assert (refused.status_code, refused.json()["kind"]) == (422, "bad-twin")
+    assert "found a change of time_delay since the diagnosis" in refused.json()["detail"]
+    assert str(late.parent) not in refused.text
     assert (late / TWIN_FILE).read_bytes() == before
+    client.delete(f"{TWIN}/time_delay")
+    assert add(client, diagnosed(service, tilt())).status_code == 200
+    assert add(client, diagnosed(service, tilt())).status_code == 200  # it replaces what it found itself
 
 
-def test_what_was_fitted_is_said_and_in_the_cells_folder_once_the_job_is_done(
-    service: Service, late: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(twin_adding, "give_way", lambda: None)
-    monkeypatch.setattr(twin_adding, "with_effect", lambda twin, *_, **__: twin.with_entry(DELAY.move_parameters({"delay_s": 0.003})))
-    hearing, saying = get_context("spawn").Pipe(duplex=False)
-    twin_adding.main(load_cell(late), tmp_path, "time_delay", saying)
-    answer = hearing.recv()
-    assert isinstance(answer, Answered)
-    assert read_twin(load_cell(late)).effects[0].parameters["delay_s"].value == pytest.approx(0.012)
+def test_what_cannot_be_added_is_refused_with_the_reason(service: Service, signed_in: As) -> None:
+    client = signed_in(Role.engineer)
+    against = {"addable": False, "why_not": "base_tilt closing 1 % of the gap"}
+    elsewhere = {"recording": "faulty", "sha256": "0" * 64, "cell": "ur5e_line", "joints": 6, "twin": {}}
+    for diagnosis, why in (
+        (diagnosed(service, explanation("time_delay", 0.9)), "expected one that the diagnosis names: time_delay"),
+        (diagnosed(service), "it names none"),
+        (diagnosed(service, tilt(**against)), "base_tilt closing 1 % of the gap"),
+        (diagnosed(service, tilt(), origin=None), "an earlier version made, expected one with all that a twin needs; diagnose"),
+        (diagnosed(service, tilt(), origin=elsewhere), "a recording of the cell 'ur5e_line'"),
+    ):
+        refused = add(client, diagnosis)
+        assert refused.status_code == 422
+        assert why in refused.json()["detail"]
+    assert add(client, "none").status_code == 404
     with service.store.write() as db:
-        order = AdditionOrder(cell=CELL, effect="time_delay", diagnosis="x", recording=tmp_path)
-        row = jobs.add_job(db, ADDITION, order, CELL, "account:anna", service.now())
-        row.state, row.result = JobStatus.done, answer.text
-        additions(service.cells).also(db, row)
-    assert Twin.model_validate_json(answer.text) == read_twin(load_cell(late))
-    assert read_twin(load_cell(late)).effects[0].parameters["delay_s"].value == pytest.approx(0.015)
-    monkeypatch.setattr(twin_adding, "with_effect", lambda twin, *_, **__: twin.with_entry(DELAY.move_parameters({"delay_s": 99.0})))
-    twin_adding.main(load_cell(late), tmp_path, "time_delay", saying)
-    assert isinstance(hearing.recv(), Failed)
-    assert read_twin(load_cell(late)).effects[0].parameters["delay_s"].value == pytest.approx(0.015)
+        waiting = jobs.add_job(db, DIAGNOSIS, DiagnosisOrder(recording=Path("gone")), None, "account:anna", service.now()).id
+    assert add(client, waiting).status_code == 409
+    assert client.get(TWIN).json() == {"effects": []}
+    assert "twin.add" not in audited(signed_in)
+
+
+def test_an_effect_that_does_not_exist_any_more_can_still_be_taken_out(signed_in: As, late: Path) -> None:
+    write = (late / TWIN_FILE).write_text
+    write((late / TWIN_FILE).read_text().replace('"time_delay"', '"time_travel"'))
+    assert signed_in(Role.engineer).delete(f"{TWIN}/time_travel").json() == {"effects": []}

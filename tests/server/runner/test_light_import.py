@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[3]
 HEAVY = {"mujoco", "ompl", "pinocchio", "coal", "numba", "viser", "filterpy", "scipy", "alembic", "httpx2", "pyarrow"}
 
 
-@pytest.mark.parametrize("module", ["server.app", "server.serve", "server.command_line"])
+@pytest.mark.parametrize("module", ["server.app", "server.serve", "server.command_line", "core.gap.addition", "core.twin.file"])
 def test_nothing_heavy_is_imported(module: str) -> None:
     code = f"import sys, {module}; print(*sorted({{name.partition('.')[0] for name in sys.modules}}))"
     said = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True).stdout

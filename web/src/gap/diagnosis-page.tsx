@@ -18,8 +18,7 @@ import { HowFar } from './how-far';
 import { NextMotion } from './next-motion';
 import { OverlayPlots } from './overlay-plots';
 import { PayloadChange } from './payload-change';
-import { addEffect, addition } from './twin';
-import { TwinAddition } from './twin-addition';
+import { addEffect, isAdded } from './twin';
 import { Verdict } from './verdict';
 import { Where } from './where';
 import { Which } from './which';
@@ -82,7 +81,6 @@ function Actions() {
   const proposed = shown.cell !== null && (shown.result?.next_experiment?.planned ?? false);
   return (
     <>
-      <TwinAddition diagnosis={shown.diagnosis} />
       {isUnderWay(shown) && (
         <Reserved roles={['engineer', 'operator']} act={() => cancelDiagnosis(shown.diagnosis)}>
           {said.cancel}
@@ -110,19 +108,20 @@ function AddToTwin({ shown, kind }: { shown: DiagnosisAnswer; kind: 'plain' | 'p
   if (result === null || cell === null) return null;
   const best = addableOf(result);
   if (best === undefined) return null;
-  const asked = addition.value;
-  const settled = asked?.state === 'done' && asked.diagnosis === shown.diagnosis;
-  const busy = asked !== null && isUnderWay(asked);
+  const added = isAdded(shown, best.id);
   return (
-    <Reserved
-      kind={kind}
-      roles={['engineer']}
-      disabled={busy || settled}
-      act={() => addEffect(cell, shown.diagnosis, best.id)}
-    >
-      {said.add}
-      <small>{effectName(best.id)}</small>
-    </Reserved>
+    <>
+      {added && <p role="status">✓ {said.added(effectName(best.id))}</p>}
+      <Reserved
+        kind={kind}
+        roles={['engineer']}
+        disabled={added}
+        act={() => addEffect(cell, shown.diagnosis, best.id)}
+      >
+        {said.add}
+        <small>{effectName(best.id)}</small>
+      </Reserved>
+    </>
   );
 }
 
