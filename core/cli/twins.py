@@ -21,7 +21,7 @@ from core.files.whole_file import write_whole
 from core.gap.addition import add_found
 from core.gap.answer import Diagnosis
 from core.gap.twin_addition import find_effects, with_effect
-from core.twin.file import read_twin, write_twin
+from core.twin.file import close_name, read_twin, write_twin
 from core.twin.twin import Entry, Twin
 from core.words.message import Message
 
@@ -84,7 +84,7 @@ def remove(
         where = Message.of("cli-effect-of-twin", cell=loaded.name)
         if not twin.ids:
             raise BadTwin(where, "cli-twin-nominal", effect=effect)
-        raise BadTwin(where, "cli-twin-without-effect", effect=effect, effects=list(twin.ids))
+        raise BadTwin(where, "twin-unknown-effect", effect=effect, meant=close_name(effect, list(twin.ids)))
     write_twin(loaded, twin.without(effect))
     answers.print(find_wording().say("cli-twin-removed", effect=effect, cell=loaded.name), highlight=False)
 

@@ -126,7 +126,7 @@ def test_a_written_diagnosis_is_added_without_fitting_and_only_to_the_twin_that_
     assert isinstance(refused, BadTwin)
     assert "a change of base_tilt since the diagnosis" in str(refused)
     (tmp_path / "found.json").write_text('{"verdict": "sunny"}')
-    assert "heft diagnose" in str(runner.invoke(app, [*add, "time_delay"]).exception)
+    assert 'found.json: verdict: found "sunny"' in str(runner.invoke(app, [*add, "time_delay"]).exception)
 
 
 def test_the_gap_between_the_recording_and_the_completed_twin_is_gone(faulty: Recording, completed: Cell) -> None:
