@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from core.cell.cell import Cell
 from core.errors import BadTwin
 from core.files.schema_flaw import schema_flaw
-from core.gap.answer import Diagnosis, Explanation, Matrix, Origin, Pair, Value
+from core.gap.answer import Diagnosis, Explanation, Origin, Pair, Triangle, Value
 from core.twin.twin import Entry, Fitted, Twin
 from core.words.message import Message
 
@@ -74,7 +74,7 @@ def make_entries(found: Explanation | Pair, gap_before: float, origin: Origin, a
         yield Entry(
             effect=effect,
             parameters={name: Fitted(value=it.value, std=it.std or 0.0, unit=it.unit) for name, it in values.items()},
-            covariance=tuple(tuple(row) for row in covariance),
+            covariance=_fill(covariance),
             recording=origin.recording,
             sha256=origin.sha256,
             added=added,
@@ -83,7 +83,12 @@ def make_entries(found: Explanation | Pair, gap_before: float, origin: Origin, a
         )
 
 
-def _split_effects(found: Explanation | Pair) -> Iterator[tuple[str, dict[str, Value], Matrix]]:
+def _fill(triangle: Triangle) -> tuple[tuple[float, ...], ...]:
+    """The whole matrix."""
+    return tuple((*row, *(below[k] for below in triangle[k + 1 :] if k < len(below))) for k, row in enumerate(triangle))
+
+
+def _split_effects(found: Explanation | Pair) -> Iterator[tuple[str, dict[str, Value], Triangle]]:
     """Each effect with its parameters and their covariance."""
     if isinstance(found, Explanation):
         yield found.id, found.parameters, found.covariance

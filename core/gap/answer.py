@@ -30,7 +30,8 @@ Said = Annotated[Message, BeforeValidator(_read_earlier)]
 SaidIfAny = Annotated[Message | None, BeforeValidator(_read_earlier_if_any)]
 Seen = Annotated[Said, Field(validation_alias=AliasChoices("message", "sentence"))]
 
-Matrix = list[list[float]]
+Triangle = list[list[float]]
+"""A symmetric matrix up to its diagonal, row by row."""
 
 SIDES: dict[Side, Message] = {
     "joints": Message.of("gap-at-joints"),
@@ -65,7 +66,7 @@ class Explanation(DiagnosisPart):
 
     Args:
         addable: whether the cell's twin would take it, as this recording shows it; `why_not` says what stands against it.
-        covariance: of the parameters, in their order; nothing where no twin would take it.
+        covariance: of the parameters, in their order, each row up to the diagonal; nothing where no twin would take it.
     """
 
     id: str
@@ -79,7 +80,7 @@ class Explanation(DiagnosisPart):
     advice: Said
     addable: bool = False
     why_not: SaidIfAny = None
-    covariance: Matrix = []
+    covariance: Triangle = []
 
 
 class Pair(DiagnosisPart):
@@ -92,7 +93,7 @@ class Pair(DiagnosisPart):
     parameters: dict[str, dict[str, Value]] = {}
     addable: bool = False
     why_not: SaidIfAny = None
-    covariance: dict[str, Matrix] = {}
+    covariance: dict[str, Triangle] = {}
 
 
 class Also(DiagnosisPart):

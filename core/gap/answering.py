@@ -12,13 +12,13 @@ from core.gap.answer import (
     Diagnosis,
     Explanation,
     GapPart,
-    Matrix,
     Minor,
     Pair,
     PatchPart,
     PayloadPart,
     PhiPart,
     Tied,
+    Triangle,
     Value,
     Verdict,
     Where,
@@ -162,11 +162,12 @@ def explain_both(evidence: Evidence, fit: EffectFit, probability: float) -> Pair
     )
 
 
-def _covariances(evidence: Evidence, fit: EffectFit) -> dict[str, Matrix]:
+def _covariances(evidence: Evidence, fit: EffectFit) -> dict[str, Triangle]:
     """Of the parameters of each effect, with what the model gets wrong."""
     whole = fit.uncertainty[len(fit.beta) :, len(fit.beta) :]
     symmetric = 0.5 * (whole + whole.T)
-    return {effect.id: symmetric[rows, rows].tolist() for effect, rows in split_parameter_rows(evidence, fit)}
+    parts = {effect.id: symmetric[rows, rows].tolist() for effect, rows in split_parameter_rows(evidence, fit)}
+    return {name: [row[: k + 1] for k, row in enumerate(part)] for name, part in parts.items()}
 
 
 def _minor(evidence: Evidence) -> list[Minor]:

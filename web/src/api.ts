@@ -1730,7 +1730,7 @@ export interface components {
          *
          *     Args:
          *         addable: whether the cell's twin would take it, as this recording shows it; `why_not` says what stands against it.
-         *         covariance: of the parameters, in their order; nothing where no twin would take it.
+         *         covariance: of the parameters, in their order, each row up to the diagonal; nothing where no twin would take it.
          */
         Explanation: {
             /** Id */

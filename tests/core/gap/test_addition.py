@@ -18,10 +18,11 @@ from tests.core.report.made_up_diagnoses import explained
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "lwr4_bench")
 NOW = datetime(2026, 3, 1, tzinfo=UTC)
 ORIGIN = Origin(recording="run-1", sha256="0" * 64, cell="lwr4_bench", joints=7, twin={})
+TILT = ((1e-6, 2e-7, 0.0), (2e-7, 3e-6, -1e-7), (0.0, -1e-7, 4e-6))
 BOTH = Pair(
     ids=("time_delay", "base_tilt"), probability=0.5, gap_after=1.0, closure=0.99, addable=True,
     parameters={each.id: each.parameters for each in explained().effects},
-    covariance={"time_delay": [[1.6e-7]], "base_tilt": [[1e-6]]},
+    covariance={"time_delay": [[1.6e-7]], "base_tilt": [[1e-6], [2e-7, 3e-6], [0.0, -1e-7, 4e-6]]},
 )  # fmt: skip
 
 
@@ -52,7 +53,7 @@ def test_an_entry_has_all_that_the_diagnosis_found() -> None:
 @pytest.mark.parametrize("both", ["time_delay+base_tilt", "base_tilt+time_delay"])
 def test_two_effects_are_added_in_whatever_order_they_are_named(both: str) -> None:
     twin = add_found(NOMINAL, CELL, diagnosis(), both, NOW)
-    assert [(entry.effect, entry.covariance) for entry in twin.effects] == [("time_delay", ((1.6e-7,),)), ("base_tilt", ((1e-6,),))]
+    assert [(entry.effect, entry.covariance) for entry in twin.effects] == [("time_delay", ((1.6e-7,),)), ("base_tilt", TILT)]
 
 
 @pytest.mark.parametrize(

@@ -56,7 +56,7 @@ def _no_process(monkeypatch: pytest.MonkeyPatch) -> None:
 def tilt(**changes: Any) -> dict[str, Any]:
     """A tilted base as a diagnosis finds it."""
     values = {f"about_{axis}_rad": {"value": 0.01, "std": 0.001, "unit": "rad"} for axis in "xy"}
-    return explanation("base_tilt", 0.9) | {"parameters": values, "covariance": [[1e-6, 0.0], [0.0, 1e-6]]} | changes
+    return explanation("base_tilt", 0.9) | {"parameters": values, "covariance": [[1e-6], [0.0, 1e-6]]} | changes
 
 
 def diagnosed(service: Service, *effects: dict[str, Any], began: Twin = NOMINAL, **changes: Any) -> str:
