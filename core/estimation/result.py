@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from pydantic import BaseModel, BeforeValidator, ConfigDict
+from pydantic import BaseModel, ConfigDict
 
 from core.array import Array
 from core.recording.recording import Recording
@@ -18,17 +18,6 @@ if TYPE_CHECKING:  # who only reads answers waits for no estimator
     from core.estimation.estimate import Estimate, Identification, Verification
 
 Numbers = list[float | None]
-
-
-def _read_sentence(value: object) -> object:
-    """What an earlier version wrote as a sentence, or as one with its name, as a message."""
-    match value:
-        case str(sentence) | {"sentence": str(sentence)}:
-            return Message.of("text", text=sentence)
-    return value
-
-
-Said = Annotated[Message, BeforeValidator(_read_sentence)]
 
 
 class ResultPart(BaseModel):
@@ -58,7 +47,7 @@ class EstimatePart(ResultPart):
     std: Numbers
     covariance: list[Numbers]
     determined: list[bool]
-    reasons: dict[str, Said]
+    reasons: dict[str, Message]
     offset: Numbers
     offset_std: Numbers
     com_m: Numbers
@@ -146,7 +135,7 @@ class WorkpiecePart(ResultPart):
     consistent: bool
     reference: ReferencePart | None
     tools: list[ToolPart]
-    remarks: list[Said]
+    remarks: list[Message]
 
 
 class Result(ResultPart):
@@ -154,8 +143,8 @@ class Result(ResultPart):
 
     cell: str | None
     payload: str | None
-    verdict: Said
-    warnings: list[Said]
+    verdict: Message
+    warnings: list[Message]
     reference: ReferencePart | None
     paper: PaperPart
     estimate: EstimatePart | None

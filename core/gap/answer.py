@@ -14,21 +14,12 @@ Verdict = Literal["no_gap", "explained", "ambiguous", "unknown", "not_enough"]
 
 
 def _read_earlier(value: object) -> object:
-    """A sentence, as earlier versions stored it, as a message."""
-    match value:
-        case str(sentence) | {"sentence": str(sentence)}:
-            return Message.of("text", text=sentence)
-    return value
+    """Nothing was an empty sentence in earlier versions."""
+    return value if value != "" else None
 
 
-def _read_earlier_if_any(value: object) -> object:
-    """The same where nothing was an empty sentence."""
-    return _read_earlier(value) if value != "" else None
-
-
-Said = Annotated[Message, BeforeValidator(_read_earlier)]
-SaidIfAny = Annotated[Message | None, BeforeValidator(_read_earlier_if_any)]
-Seen = Annotated[Said, Field(validation_alias=AliasChoices("message", "sentence"))]
+MessageIfAny = Annotated[Message | None, BeforeValidator(_read_earlier)]
+Seen = Annotated[Message, Field(validation_alias=AliasChoices("message", "sentence"))]
 
 Triangle = list[list[float]]
 """A symmetric matrix up to its diagonal, row by row."""
@@ -70,16 +61,16 @@ class Explanation(DiagnosisPart):
     """
 
     id: str
-    title: Said
+    title: Message
     stage: str
     probability: float
     parameters: dict[str, Value]
     gap_after: float
     closure: float
     closure_interval: tuple[float, float]
-    advice: Said
+    advice: Message
     addable: bool = False
-    why_not: SaidIfAny = None
+    why_not: MessageIfAny = None
     covariance: Triangle = []
 
 
@@ -92,7 +83,7 @@ class Pair(DiagnosisPart):
     closure: float
     parameters: dict[str, dict[str, Value]] = {}
     addable: bool = False
-    why_not: SaidIfAny = None
+    why_not: MessageIfAny = None
     covariance: dict[str, Triangle] = {}
 
 
@@ -107,13 +98,13 @@ class Also(DiagnosisPart):
     """
 
     id: str
-    title: Said
+    title: Message
     side: Side
     parameters: dict[str, Value]
     times_expected: float | None
     material: bool
     message: Seen
-    advice: Said
+    advice: Message
 
 
 class Minor(DiagnosisPart):
@@ -129,8 +120,8 @@ class Tied(DiagnosisPart):
 
     ids: tuple[str, ...]
     distance_sigma: float
-    why: Said
-    splits: Said
+    why: Message
+    splits: Message
 
 
 class PatchPart(DiagnosisPart):
@@ -212,14 +203,14 @@ class Experiment(DiagnosisPart):
     """
 
     id: str
-    motion: Said
+    motion: Message
     stops: list[Stop]
     splits: list[tuple[str, str]]
     sigma_before: float
     sigma_after: float
     seconds: float
     planned: bool = False
-    refused: SaidIfAny = Message.of("gap-no-cell")
+    refused: MessageIfAny = Message.of("gap-no-cell")
     refused_kind: str | None = None
     """The error's, see `core.errors`; null where it was not planned for want of a cell, or is no motion."""
 
@@ -245,7 +236,7 @@ class Diagnosis(DiagnosisPart):
     """The whole answer; all of it but `also` is about the wrench that the twin predicts."""
 
     verdict: Verdict
-    summary: Said
+    summary: Message
     effects: list[Explanation]
     none_probability: float
     unknown_probability: float
@@ -256,10 +247,10 @@ class Diagnosis(DiagnosisPart):
     where: Where | None
     gap: GapPart | None
     payload: PayloadPart | None
-    consequence: SaidIfAny
+    consequence: MessageIfAny
     next_experiment: Experiment | None
-    limits: list[Said]
-    lacking: SaidIfAny = None
+    limits: list[Message]
+    lacking: MessageIfAny = None
     """Why nothing can be said, where the recording is not enough."""
     seconds: float
     twin: list[str] = []

@@ -12,12 +12,12 @@ from core.errors import BadInput
 from core.files.jail import read_inside
 from core.files.schema_flaw import schema_flaw
 from core.files.whole_file import write_whole
-from core.gap.answer import Said
 from core.gap.choice import Choice
 from core.payload.shapes import Model
 from core.planning.stop import Stop
 from core.recording.folder import read_recording, recording_sha256
 from core.recording.recording import Recording
+from core.words.message import Message
 
 FORMAT: Literal["experiment/1"] = "experiment/1"
 MAX_BYTES = 1_000_000
@@ -51,7 +51,7 @@ class ExperimentFile(Model):
 
     format: Literal["experiment/1"] = FORMAT
     id: Text
-    motion: Said
+    motion: Message
     stops: Annotated[tuple[Stop, ...], Field(max_length=12)]
     splits: list[tuple[Text, Text]]
     sigma_before: NotNegative

@@ -102,7 +102,7 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None, words: Wording) -> d
         "summary": sentence(diagnosis.summary, words),
         "facts": _facts(diagnosis, words),
         "to_do": _to_do(diagnosis, titles, words),
-        "consequence": sentence(diagnosis.consequence, words),
+        "consequence": "" if diagnosis.consequence is None else sentence(diagnosis.consequence, words),
         "where": None if diagnosis.where is None else _where(diagnosis.where, words),
         "has_closures": bool(diagnosis.effects or diagnosis.pairs),
         "explanations": [] if diagnosis.verdict == "not_enough" else explanation_rows(diagnosis, titles, words),
@@ -116,7 +116,7 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None, words: Wording) -> d
         "payload_moved": diagnosis.payload is not None and diagnosis.payload.before != diagnosis.payload.after,
         "experiment": _experiment(diagnosis, titles, words),
         "twin": [title_of(name, titles, words) for name in diagnosis.twin],
-        "limits": [_limit(limit, titles, words) for limit in diagnosis.limits if words.quote(limit) not in words.quote(diagnosis.summary)],
+        "limits": [sentence(limit, words) for limit in diagnosis.limits if words.quote(limit) not in words.quote(diagnosis.summary)],
         "seconds": diagnosis.seconds,
         "version": code_version(),
     }
@@ -227,15 +227,6 @@ def _tie(tie: Tied, titles: dict[str, str], words: Wording) -> dict[str, str]:
     }
 
 
-def _limit(limit: object, titles: dict[str, str], words: Wording) -> str:
-    """`effect: reason` with the effect in words; any other text, and a message, as it is."""
-    text = words.quote(limit)
-    name, colon, reason = text.partition(": ")
-    if colon and name.isidentifier():
-        return sentence(words.say("report-gap-limit-of-effect", effect=title_of(name, titles, words), reason=reason), words)
-    return sentence(text, words)
-
-
 def _minor(minor: Minor, titles: dict[str, str], words: Wording) -> dict[str, Any]:
     return {
         "title": sentence(title_of(minor.id, titles, words), words).rstrip("."),
@@ -296,7 +287,7 @@ def _experiment(diagnosis: Diagnosis, titles: dict[str, str], words: Wording) ->
     if experiment.planned:
         planned = words.say("report-gap-planned")
     else:
-        planned = sentence(words.say("report-gap-not-planned", reason=words.quote(experiment.refused)), words)
+        planned = sentence(words.say("report-gap-not-planned", reason=experiment.refused or ""), words)
     return {
         "motion": sentence(experiment.motion, words),
         "seconds": experiment.seconds,

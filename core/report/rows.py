@@ -13,6 +13,7 @@ from core.planning.start_configuration import StartConfiguration
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
 from core.report.verification_words import HOLDS_UP_TO, verification_sentence
+from core.words.message import Message
 from core.words.wording import ENGLISH, Wording
 
 INTERVAL = 1.96  # standard deviations on either side of a 95 % interval
@@ -72,7 +73,7 @@ def round_to_uncertainty(value: float, uncertainty: float | None = None) -> str:
     return f"{value:.{min(digits, 9)}f}"
 
 
-def sentence(said: object, words: Wording) -> str:
+def sentence(said: Message | str, words: Wording) -> str:
     """The words of another part of the program as a sentence of the page."""
     text = words.quote(said).strip().replace("+-", "±")
     return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) or not text else ".")
@@ -204,7 +205,7 @@ def _safety_facts(run: RunSummary, words: Wording) -> list[Fact]:
     limits = run.cell.limits
     found = []
     if run.min_distance_m is not None:
-        nearest, limit_m, beyond_m = words.quote(run.nearest), limits.clearance_m, run.beyond_first_m
+        nearest, limit_m, beyond_m = words.quote(run.nearest or ""), limits.clearance_m, run.beyond_first_m
         if beyond_m is not None and beyond_m > run.min_distance_m:
             note = words.say("report-nearest-beyond-first", name=nearest, limit_m=limit_m, beyond_m=beyond_m)
         else:

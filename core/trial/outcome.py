@@ -11,7 +11,6 @@ from core.trial.draw import Sealed
 from core.trial.truth import Parameters
 from core.version import code_version
 from core.words.message import Message
-from core.words.stored import Said
 
 
 class TrialPart(BaseModel):
@@ -65,7 +64,7 @@ class TrialOutcome(TrialPart):
     """
 
     sealed: Sealed
-    stopped: Said | None
+    stopped: Message | None
     verdict: str
     effects: tuple[Named, ...] = ()
     pairs: tuple[tuple[tuple[str, str], float], ...] = ()

@@ -50,8 +50,11 @@ class Message(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _take_sentence(cls, given: Any) -> Any:
-        """A sentence in the place of a message: files and databases of earlier versions have them."""
-        return {"code": "text", "parameters": {"text": given}} if isinstance(given, str) else given
+        """A sentence in the place of a message, or one with its name: files and databases of earlier versions have them."""
+        match given:
+            case str(sentence) | {"sentence": str(sentence)}:
+                return {"code": "text", "parameters": {"text": sentence}}
+        return given
 
     @field_validator("parameters")
     @classmethod

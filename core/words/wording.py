@@ -19,9 +19,9 @@ class Wording:
         """A message of the catalogue."""
         return Message.of(code, **parameters).say(self.language)
 
-    def quote(self, said: object) -> str:
-        """What another part of the engine says: a message in this language, a text as it is."""
-        return said.say(self.language) if isinstance(said, Message) else str(getattr(said, "sentence", said))
+    def quote(self, said: Message | str) -> str:
+        """What another part of the engine says: a message in this language, a name as it is."""
+        return said.say(self.language) if isinstance(said, Message) else said
 
     def mark(self, number: str) -> str:
         """A number that is written already, with the language's decimal mark."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pydantic import Field, TypeAdapter
 
 from core.words.catalogue import Language
-from core.words.stored import Said
+from core.words.message import Message
 from server.http.schemas import Answer
 
 
@@ -38,7 +38,7 @@ class OpenedTrial(Answer):
 
     seed: int
     sealed: str
-    planted: Said
+    planted: Message
     size: float
     verdict: str
     named: str | None
@@ -48,7 +48,7 @@ class OpenedTrial(Answer):
     unknown_probability: float
     gap_before: float | None
     gap_after: float | None
-    mark: Said
+    mark: Message
 
 
 class TrialsResult(Answer):

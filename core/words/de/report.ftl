@@ -281,7 +281,6 @@ report-gap-times-expected = { $side }; das { FIXED($times, digits: 1) }-fache de
 report-gap-does-not-matter = Ohne Belang.
 report-gap-minor = Gefunden, aber ohne Belang
 report-gap-limits = Was diese Aufzeichnung nicht sagen kann
-report-gap-limit-of-effect = { $effect }: { $reason }
 
 # Wovon die Parameter eines Effekts sind
 report-of-about = um

@@ -283,7 +283,6 @@ report-gap-times-expected = { $side }; { FIXED($times, digits: 1) } times what i
 report-gap-does-not-matter = It does not matter.
 report-gap-minor = Detected, but not material
 report-gap-limits = What this recording cannot say
-report-gap-limit-of-effect = { $effect }: { $reason }
 
 # What an effect's parameters are of
 report-of-about = about

@@ -15,7 +15,7 @@ from core.cli.main import app
 from core.cli.tables import diagnosis_table, torque_lines
 from core.gap.answering import not_enough
 from core.planning.summary import PlanTorques
-from core.remark import Remark
+from core.words.message import Message
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
 
@@ -80,7 +80,7 @@ def test_an_export_says_what_it_lacks_in_german(tmp_path: Path, monkeypatch: pyt
 
 def test_tables_and_lines_are_in_german_with_its_decimal_mark(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HEFT_LANGUAGE", "de")
-    assert str(diagnosis_table(not_enough(Remark("too_short", "too short"), 0.1)).title).startswith("zu wenig: ")
+    assert str(diagnosis_table(not_enough(Message.of("text", text="too short"), 0.1)).title).startswith("zu wenig: ")
     told = PlanTorques(load="a guessed mass", mass_kg=1.0, largest=None, not_judged=[])
     assert torque_lines(told)[0].startswith("Gelenkmomente mit 1,000 kg")
 

@@ -93,7 +93,7 @@ def explained() -> Diagnosis:
         payload=PayloadPart(before=PhiPart(phi=shifted, std=[1e-4] * 10), after=PhiPart(phi=PHI, std=[1e-4] * 10)),
         consequence=say("left out, it changes the inertia"),
         next_experiment=None,
-        limits=[say("sensor drift: no temperature was recorded")],
+        limits=[say("drift of the sensor's offset: no temperature was recorded")],
         seconds=6.1,
     )
 
