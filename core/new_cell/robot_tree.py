@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
+from copy import deepcopy
 from functools import cached_property
 
 import numpy as np
@@ -32,7 +33,7 @@ class RobotTree:
 
     def __init__(self, text: str, where: str) -> None:
         self.where = where
-        given = parse(text, where)
+        given = deepcopy(parse(text, where))  # what is parsed once is nobody's to change
         self.root = ET.Element("robot", name=given.get("name", ""))
         for element in given:
             if element.tag in ("link", "joint"):

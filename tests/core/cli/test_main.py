@@ -160,7 +160,8 @@ def test_a_plan_begins_where_it_is_told_to_and_leaves_its_set_points_in_a_file(t
 
 
 @pytest.mark.parametrize(
-    ("start", "words"), [("3.0,-2.0,0.5,1.5,0,0.8,0", "outside its limits"), ("0,2.0,0,0,0,0,0", "from 'wall_back' (limit 0.030 m)")]
+    ("start", "words"),
+    [("3.0,-2.0,0.5,1.5,0,0.8,0", "outside its limits"), ("0,2.0,0,0,0,0,0", 'from obstacle "wall_back" (limit 0.030 m)')],
 )
 def test_a_start_where_the_robot_cannot_stand_is_refused_in_words(start, words):
     done = heft("plan", "lwr4_bench", "--from", start)

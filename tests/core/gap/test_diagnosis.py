@@ -96,7 +96,7 @@ def test_the_whole_diagnosis_of_a_delay_names_it_and_leaves_the_recording_alone(
 def test_a_real_recording_without_motion_or_wrench_is_answered_with_what_is_missing(name):
     diagnosis = diagnose(read_recording(REAL / name))
     assert diagnosis.verdict == "not_enough"
-    assert diagnosis.lacking.id == {"kuka-med14-static": "poses_only", "kuka-lwr4-torques-1": "no_wrench"}[name]
+    assert diagnosis.lacking.code == {"kuka-med14-static": "gap-poses-only", "kuka-lwr4-torques-1": "gap-no-wrench"}[name]
 
 
 def test_too_short_a_recording_is_answered_not_refused():

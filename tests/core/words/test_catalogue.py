@@ -44,7 +44,19 @@ def read(language: str) -> dict[str, Entry]:
             if isinstance(item, ftl.Message):
                 assert item.id.name not in entries, f"{item.id.name} stands twice in {language}"
                 entries[item.id.name] = read_entry(file.stem, item)
+    for entry in entries.values():
+        for term in closure(entries, entry.terms):
+            entry.names |= entries[term].names
     return entries
+
+
+def closure(entries: dict[str, Entry], terms: set[str]) -> set[str]:
+    """Messages that these are made of, and those that they are made of."""
+    found, unseen = set(terms), set(terms)
+    while unseen:
+        unseen = {inner for term in unseen for inner in entries[term].terms} - found
+        found |= unseen
+    return found
 
 
 def read_entry(file: str, message: ftl.Message) -> Entry:
