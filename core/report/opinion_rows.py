@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from core.report.motions import name_motion
 from core.second_opinion.arm import PAYLOAD
+from core.second_opinion.left_out import describe_left_out
 from core.second_opinion.opinion import Opinion
-from core.second_opinion.pairs import FLOOR, AccountedPair, PairKind
+from core.second_opinion.pairs import FLOOR, PairKind
 from core.words.wording import ENGLISH, Wording
 
 KINDS = {
@@ -80,7 +80,7 @@ def opinion_table(opinion: Opinion, words: Wording = ENGLISH) -> OpinionTable:
                 _say_when(lost.part, lost.time_s, words),
             )
         )
-    return OpinionTable(opinion.samples, rows, _say_left_out(opinion.left_out, words))
+    return OpinionTable(opinion.samples, rows, [each.say(words.language) for each in describe_left_out(opinion.left_out)])
 
 
 def _name_body(name: str, words: Wording) -> str:
@@ -90,11 +90,3 @@ def _name_body(name: str, words: Wording) -> str:
 
 def _say_when(part: object, time_s: float, words: Wording) -> str:
     return words.say("report-opinion-when", part=name_motion(part, words), time_s=time_s)
-
-
-def _say_left_out(pairs: Sequence[AccountedPair], words: Wording) -> list[str]:
-    """A line for each reason, with all pairs that have it."""
-    by_reason: dict[str, list[str]] = {}
-    for pair in pairs:
-        by_reason.setdefault(words.quote(pair.why), []).append(f"{_name_body(pair.first, words)} - {_name_body(pair.second, words)}")
-    return [f"{', '.join(names)}: {why}" for why, names in by_reason.items()]
