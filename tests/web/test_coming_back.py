@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, expect
 
-from tests.server.real_service import Console, RealService
+from tests.server.real_service import Console, RealService, wait_for
 from tests.web.judgement import check_looks
 from tests.web.looks import look
 from tests.web.tablet import Tablet, tablet
@@ -48,6 +48,10 @@ def test_a_screen_without_a_line_says_so_and_shows_what_happened_meanwhile_once_
 
 def test_a_page_of_which_nothing_is_known_yet_says_why_and_fills_by_itself(watching: Tablet, person: Console):
     run = person.queue()
+    person.http.delete(f"/api/runs/{run}")
+    person.wait(run, "Stopped")
+    wait_for(lambda: person.http.get("/api/now").json() == [], "the cell to be free")
+    watching.page.wait_for_timeout(1000)  # what the page is told of it
     about_it = f"**/api/runs/{run}"
     watching.page.context.route(about_it, lambda route: route.abort())
     watching.page.goto(f"http://{watching.service.address}/#/runs/{run}")

@@ -86,7 +86,7 @@ def test_results_history_and_comparison_are_german(german: Tablet, service: Real
     assert person.http.post(f"/api/runs/{stopped}/commands", json={"command": "stop"}).status_code == 200
     person.wait(stopped, "Stopped")
     verdicts = {person.http.get(f"/api/runs/{run}/result").json()["verdict"]["text"] for run in runs}
-    differ = person.http.get(f"/api/runs/{runs[0]}/comparison/{runs[1]}").json()["comparison"]["verdict"]
+    differ = person.http.get(f"/api/runs/{runs[0]}/comparison/{runs[1]}").json()["comparison"]["verdict"]["text"]
     person.leave()
     page = show(german, "runs", runs[0])
     expect(page.locator(".verdict-words")).to_contain_text("Die Last hat 2,7")

@@ -363,34 +363,10 @@ export interface paths {
         put?: never;
         /**
          * Add Effect
-         * @description Fits an effect anew to the recording of a diagnosis that names it, and adds it to the cell's twin.
+         * @description Adds an effect to the cell's twin as a diagnosis found it; refused where the twin has changed otherwise since that diagnosis.
          */
         post: operations["add_effect"];
         delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/cells/{cell}/twin/additions/{addition}": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /**
-         * Read Addition
-         * @description How far an addition is, and why it was refused.
-         */
-        get: operations["read_addition"];
-        put?: never;
-        post?: never;
-        /**
-         * Cancel Addition
-         * @description Ends an addition that waits or runs; the twin stays as it is.
-         */
-        delete: operations["cancel_addition"];
         options?: never;
         head?: never;
         patch?: never;
@@ -1062,36 +1038,6 @@ export interface components {
             created_at: string;
         };
         /**
-         * AdditionAnswer
-         * @description An addition; `twin` is the cell's twin with the effect, null until it is done.
-         */
-        AdditionAnswer: {
-            state: components["schemas"]["JobStatus"];
-            /** Progress */
-            progress: number;
-            reason: components["schemas"]["Message"] | null;
-            /** Reason Kind */
-            reason_kind: string | null;
-            /** Requested By */
-            requested_by: string;
-            /**
-             * Requested At
-             * Format: date-time
-             */
-            requested_at: string;
-            /** Ended At */
-            ended_at: string | null;
-            /** Addition */
-            addition: string;
-            /** Cell */
-            cell: string;
-            /** Effect */
-            effect: string;
-            /** Diagnosis */
-            diagnosis: string;
-            twin: components["schemas"]["TwinAnswer"] | null;
-        };
-        /**
          * AdditionBody
          * @description An effect that a diagnosis names, or two joined by a plus sign.
          */
@@ -1643,6 +1589,7 @@ export interface components {
              * @default []
              */
             twin?: string[];
+            origin?: components["schemas"]["Origin"] | null;
         };
         /**
          * DiagnosisAnswer
@@ -1783,6 +1730,7 @@ export interface components {
          *
          *     Args:
          *         addable: whether the cell's twin would take it, as this recording shows it; `why_not` says what stands against it.
+         *         covariance: of the parameters, in their order, each row up to the diagonal; nothing where no twin would take it.
          */
         Explanation: {
             /** Id */
@@ -1812,6 +1760,11 @@ export interface components {
              */
             addable?: boolean;
             why_not?: components["schemas"]["Message"] | null;
+            /**
+             * Covariance
+             * @default []
+             */
+            covariance?: number[][];
         };
         /**
          * ExportListed
@@ -2360,6 +2313,30 @@ export interface components {
             mark: components["schemas"]["Message"];
         };
         /**
+         * Origin
+         * @description What was diagnosed, as far as the twin is concerned that takes something from it.
+         *
+         *     Args:
+         *         recording: name of its folder; `sha256`: of its files.
+         *         cell: that it names.
+         *         joints: how many it has; 0 where it has poses only.
+         *         twin: what the diagnosis began with, see `core.twin.twin.Twin.hashes`; also what could not be evaluated in this recording.
+         */
+        Origin: {
+            /** Recording */
+            recording: string;
+            /** Sha256 */
+            sha256: string;
+            /** Cell */
+            cell: string | null;
+            /** Joints */
+            joints: number;
+            /** Twin */
+            twin: {
+                [key: string]: string;
+            };
+        };
+        /**
          * OverlayAnswer
          * @description What a diagnosis compared, thinned out: of each stretch of time the moment in which measured and simulated lie furthest apart.
          *
@@ -2376,7 +2353,7 @@ export interface components {
         };
         /**
          * Pair
-         * @description Two effects at once; `addable` and `why_not` as of one.
+         * @description Two effects at once; `addable` and `why_not` as of one, `covariance` of the parameters of each.
          */
         Pair: {
             /** Ids */
@@ -2405,6 +2382,13 @@ export interface components {
              */
             addable?: boolean;
             why_not?: components["schemas"]["Message"] | null;
+            /**
+             * Covariance
+             * @default {}
+             */
+            covariance?: {
+                [key: string]: number[][];
+            };
         };
         /**
          * PaperPart
@@ -5053,23 +5037,6 @@ export interface components {
              */
             type: "/problems/jobs-no-effect-yet";
         });
-        /** @description jobs-twin-busy = twin of { $cell }: addition { $addition } is under way; wait for its end */
-        JobsTwinBusyProblem: {
-            /** @constant */
-            type: "/problems/jobs-twin-busy";
-            /** @enum {unknown} */
-            kind: "conflict";
-            parameters: {
-                cell: string;
-                addition: string;
-            };
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/jobs-twin-busy";
-        });
         /** @description zone-measured-before = zone "{ $zone }": measured at { $measured_at }, but its place at { $known_at } is known already; send measurements in order */
         ZoneMeasuredBeforeProblem: {
             /** @constant */
@@ -5187,84 +5154,6 @@ export interface components {
              * @enum {string}
              */
             type: "/problems/people-role-not-for-machines";
-        });
-        /** @description jobs-effect-not-named = effect: found "{ $effect }", expected one that the diagnosis names: { $effects } */
-        JobsEffectNotNamedProblem: {
-            /** @constant */
-            type: "/problems/jobs-effect-not-named";
-            /** @enum {unknown} */
-            kind: "unprocessable";
-            parameters: {
-                effect: string;
-                effects: (string | components["schemas"]["NestedMessage"])[];
-            };
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/jobs-effect-not-named";
-        });
-        /** @description jobs-no-effect-named = effect: found "{ $effect }", expected one that the diagnosis names: it names none */
-        JobsNoEffectNamedProblem: {
-            /** @constant */
-            type: "/problems/jobs-no-effect-named";
-            /** @enum {unknown} */
-            kind: "unprocessable";
-            parameters: {
-                effect: string;
-            };
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/jobs-no-effect-named";
-        });
-        /** @description jobs-effect-not-addable = effect: found { $why_not }, expected an effect that a twin can take */
-        JobsEffectNotAddableProblem: {
-            /** @constant */
-            type: "/problems/jobs-effect-not-addable";
-            /** @enum {unknown} */
-            kind: "unprocessable";
-            parameters: {
-                why_not: string | components["schemas"]["NestedMessage"];
-            };
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/jobs-effect-not-addable";
-        });
-        /** @description jobs-effect-not-judged = effect: found a diagnosis that does not say whether a twin can take it, expected an effect that a twin can take */
-        JobsEffectNotJudgedProblem: {
-            /** @constant */
-            type: "/problems/jobs-effect-not-judged";
-            /** @enum {unknown} */
-            kind: "unprocessable";
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/jobs-effect-not-judged";
-        });
-        /** @description jobs-twin-unchanged = twin of { $cell }: nothing was changed; send it again */
-        JobsTwinUnchangedProblem: {
-            /** @constant */
-            type: "/problems/jobs-twin-unchanged";
-            /** @enum {unknown} */
-            kind: "unprocessable";
-            parameters: {
-                cell: string;
-            };
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/jobs-twin-unchanged";
         });
         /** @description jobs-work-lost = the process that did it ended unexpectedly; ask for it again. The service's log may know more. */
         JobsWorkLostProblem: {
@@ -6003,27 +5892,6 @@ export interface components {
             type: "/problems/uploads-no-manifest";
         });
         /**
-         * @description uploads-twin-not-writable =
-         *         .found = a folder that cannot be written ({ $reason })
-         *         .expected = one that the service may change
-         */
-        UploadsTwinNotWritableProblem: {
-            /** @constant */
-            type: "/problems/uploads-twin-not-writable";
-            /** @enum {unknown} */
-            kind: "bad-twin";
-            parameters: {
-                where: string | components["schemas"]["NestedMessage"];
-                reason: string;
-            };
-        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
-            /**
-             * @description discriminator enum property added by openapi-typescript
-             * @enum {string}
-             */
-            type: "/problems/uploads-twin-not-writable";
-        });
-        /**
          * @description request-unfit =
          *         { $more ->
          *             [0] { $flaw }
@@ -6120,7 +5988,7 @@ export interface components {
              */
             type: "EngineProblem";
         });
-        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["JobsTwinBusyProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsEffectNotNamedProblem"] | components["schemas"]["JobsNoEffectNamedProblem"] | components["schemas"]["JobsEffectNotAddableProblem"] | components["schemas"]["JobsEffectNotJudgedProblem"] | components["schemas"]["JobsTwinUnchangedProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["UploadsTwinNotWritableProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
+        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
     };
     responses: never;
     parameters: never;
@@ -6130,7 +5998,6 @@ export interface components {
 }
 export type AccountChange = components['schemas']['AccountChange'];
 export type AccountShown = components['schemas']['AccountShown'];
-export type AdditionAnswer = components['schemas']['AdditionAnswer'];
 export type AdditionBody = components['schemas']['AdditionBody'];
 export type Also = components['schemas']['Also'];
 export type AuditEntryShown = components['schemas']['AuditEntryShown'];
@@ -6191,6 +6058,7 @@ export type NewAccount = components['schemas']['NewAccount'];
 export type NewKey = components['schemas']['NewKey'];
 export type Obstacle = components['schemas']['Obstacle'];
 export type OpenedTrial = components['schemas']['OpenedTrial'];
+export type Origin = components['schemas']['Origin'];
 export type OverlayAnswer = components['schemas']['OverlayAnswer'];
 export type Pair = components['schemas']['Pair'];
 export type PaperPart = components['schemas']['PaperPart'];
@@ -6329,7 +6197,6 @@ export type JobsMotionNotPlannedProblem = components['schemas']['JobsMotionNotPl
 export type JobsRobotChangedProblem = components['schemas']['JobsRobotChangedProblem'];
 export type JobsGravityChangedProblem = components['schemas']['JobsGravityChangedProblem'];
 export type JobsNoEffectYetProblem = components['schemas']['JobsNoEffectYetProblem'];
-export type JobsTwinBusyProblem = components['schemas']['JobsTwinBusyProblem'];
 export type ZoneMeasuredBeforeProblem = components['schemas']['ZoneMeasuredBeforeProblem'];
 export type ZoneClockAheadProblem = components['schemas']['ZoneClockAheadProblem'];
 export type ZoneNotMovedProblem = components['schemas']['ZoneNotMovedProblem'];
@@ -6337,11 +6204,6 @@ export type ZoneMovedOnProblem = components['schemas']['ZoneMovedOnProblem'];
 export type UploadsCellExistsProblem = components['schemas']['UploadsCellExistsProblem'];
 export type RequestKeyBusyProblem = components['schemas']['RequestKeyBusyProblem'];
 export type PeopleRoleNotForMachinesProblem = components['schemas']['PeopleRoleNotForMachinesProblem'];
-export type JobsEffectNotNamedProblem = components['schemas']['JobsEffectNotNamedProblem'];
-export type JobsNoEffectNamedProblem = components['schemas']['JobsNoEffectNamedProblem'];
-export type JobsEffectNotAddableProblem = components['schemas']['JobsEffectNotAddableProblem'];
-export type JobsEffectNotJudgedProblem = components['schemas']['JobsEffectNotJudgedProblem'];
-export type JobsTwinUnchangedProblem = components['schemas']['JobsTwinUnchangedProblem'];
 export type JobsWorkLostProblem = components['schemas']['JobsWorkLostProblem'];
 export type ZoneNotLookedAtProblem = components['schemas']['ZoneNotLookedAtProblem'];
 export type UploadsNoZipProblem = components['schemas']['UploadsNoZipProblem'];
@@ -6381,7 +6243,6 @@ export type UploadsModelNotBuildableProblem = components['schemas']['UploadsMode
 export type UploadsRecordingTooLargeProblem = components['schemas']['UploadsRecordingTooLargeProblem'];
 export type UploadsTwoRecordingsProblem = components['schemas']['UploadsTwoRecordingsProblem'];
 export type UploadsNoManifestProblem = components['schemas']['UploadsNoManifestProblem'];
-export type UploadsTwinNotWritableProblem = components['schemas']['UploadsTwinNotWritableProblem'];
 export type RequestUnfitProblem = components['schemas']['RequestUnfitProblem'];
 export type RequestNoJsonProblem = components['schemas']['RequestNoJsonProblem'];
 export type RequestMethodNotAllowedProblem = components['schemas']['RequestMethodNotAllowedProblem'];
@@ -7136,76 +6997,12 @@ export interface operations {
         };
         responses: {
             /** @description Successful Response */
-            202: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["AdditionAnswer"];
-                };
-            };
-            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
-            default: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    read_addition: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                cell: string;
-                addition: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
             200: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["AdditionAnswer"];
-                };
-            };
-            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
-            default: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    cancel_addition: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                cell: string;
-                addition: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description Successful Response */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["AdditionAnswer"];
+                    "application/json": components["schemas"]["TwinAnswer"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */

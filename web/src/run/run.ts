@@ -12,6 +12,7 @@ import { activeRun, isOver } from './runs';
 
 /** What happens to it is told; this is for what nobody told. */
 const ASK_MS = 30_000;
+const RETRY_MS = 1000;
 
 /** The run that the address names, as it stands now; null until it is known. */
 export const run = signal<RunAnswer | null>(null);
@@ -75,7 +76,7 @@ effect(() => {
   run.value = null;
   result.value = null;
   if (!session.value || id === null || absent.value) return undefined;
-  const ends = [every(ASK_MS, () => readRun(id)), follow(id, (message) => heard(id, message))];
+  const ends = [every(ASK_MS, () => readRun(id), RETRY_MS), follow(id, (message) => heard(id, message))];
   return () => {
     for (const end of ends) end();
   };

@@ -9,6 +9,7 @@ import { sent } from './lease';
 
 /** What happens to the run that has the cell is told; the list beside it changes seldom. */
 const ASK_MS = 30_000;
+const RETRY_MS = 1000;
 const FINAL = new Set<RunAnswer['state']>(['Complete', 'Stopped']);
 
 /** The newest runs of the chosen cell, newest first; null until they are known. */
@@ -69,7 +70,7 @@ effect(() => {
   untracked(() => {
     runs.value = null;
   });
-  return session.value && name ? every(ASK_MS, readRuns) : undefined;
+  return session.value && name ? every(ASK_MS, readRuns, RETRY_MS) : undefined;
 });
 effect(() => {
   if (activeState.value && runs.peek() !== null) void readRuns().catch(() => undefined);
