@@ -45,8 +45,8 @@ report-nearest-beyond-first = zu „{ $name }“; Grenze { FIXED($limit_m, digit
 report-largest-speed = Größte Geschwindigkeit
 report-largest-speed-note = irgendeines Punkts; Grenze { FIXED($limit_m_s, digits: 3) } m/s
 report-restarts = Neustarts
-report-restarts-none = der Wächter stoppte den Roboter nie
-report-restarts-some = der Wächter stoppte den Roboter
+report-restarts-none = die Überwachung stoppte den Roboter nie
+report-restarts-some = die Überwachung stoppte den Roboter
 
 # Lastparameter
 report-parameters = Trägheitsparameter

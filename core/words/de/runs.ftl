@@ -19,8 +19,8 @@ runs-state = { $state ->
     [Holding] „Hält an“
     [Held] „Angehalten“
     [Unholding] „Fährt fort“
-    [Suspending] „Wächter stoppt den Roboter“
-    [Suspended] „Vom Wächter gestoppt“
+    [Suspending] „Überwachung stoppt den Roboter“
+    [Suspended] „Von der Überwachung gestoppt“
     [Unsuspending] „Fährt fort“
     [Stopping] „Stoppt“
     [Stopped] „Gestoppt“
