@@ -16,10 +16,10 @@ from core.errors import NoPath, NoStartConfiguration
 from core.planning.certificate import is_clear
 from core.planning.pair_margins import PairMargins
 from core.planning.path import plan_path
-from core.planning.plan import POSES
 from core.planning.rotation_room import Obstruction, RotationCheck, Turn
 from core.planning.settings import Timing
-from core.planning.start_configuration import find_start_configuration
+from core.planning.start_configuration import Attitude, find_start_configuration
+from core.planning.stops import PROCEDURE
 from core.planning.throw import ThrowCheck, loads_of
 from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile
@@ -74,7 +74,7 @@ class BruteForce:
 
     def answers(self) -> Iterator[Answer]:
         """One for each pose of the procedure, until one has no solution."""
-        for axis in POSES:
+        for axis in PROCEDURE.labels:
             answer = self.answer(axis)
             yield answer
             if not answer.reachable:
@@ -82,7 +82,9 @@ class BruteForce:
 
     def _known(self, axis: str, profile: AngularProfile | None) -> bool:
         try:
-            found = find_start_configuration(self._cell, self._robot, self._collision, axis, profile, seed=17, near=self._home)
+            found = find_start_configuration(
+                self._cell, self._robot, self._collision, Attitude.of_axis(axis, profile), seed=17, near=self._home
+            )
         except NoStartConfiguration:
             return False
         return self._reaches(found.q)

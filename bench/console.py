@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import gzip
+import re
 import tempfile
 import time
 from pathlib import Path
@@ -16,6 +17,7 @@ from statistics import median
 
 from playwright.sync_api import Browser, Page
 
+from core.words.catalogue import LANGUAGES
 from tests.server.real_service import ROOT, Console, RealService, real_service
 from tests.web.screens import show, signed_in
 from tests.web.tablet import LANDSCAPE, Tablet, chromium
@@ -34,7 +36,11 @@ def main() -> None:
     parser.add_argument("--times", type=int, default=5, help="loads at each speed")
     times = parser.parse_args().times
     files = [file for file in (ROOT / "web" / "dist").rglob("*") if file.is_file()]
-    print(f"bundle: {sum(len(gzip.compress(file.read_bytes())) for file in files) / 1e3:.1f} kB gzip in {len(files)} files")
+    for language in LANGUAGES:
+        loaded = [file for file in files if not re.match(rf"all-(?!{language}-)|.*-page-", file.name)]
+        print(
+            f"bundle, {language}: {sum(len(gzip.compress(file.read_bytes())) for file in loaded) / 1e3:.1f} kB gzip in {len(loaded)} files"
+        )
     with tempfile.TemporaryDirectory() as folder, real_service(Path(folder)) as service, chromium() as browser:
         for slowdown in SLOWDOWNS:
             found = [interactive_s(browser, service, slowdown) for _ in range(times)]

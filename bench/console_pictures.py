@@ -81,7 +81,7 @@ def _run_with_pictures(service: RealService, browser: Browser, folder: Path) -> 
         picture(at, folder, "cell-and-tool")
         at.press("Take control and plan")
         at.wait(".preview table")
-        at.without_notice()
+        at.until_drawn()
         picture(at, folder, "plan", DRAWN_MS)
         again = at.page.get_by_role("button", name="Review the plan again")
         if again.is_visible():
@@ -101,10 +101,10 @@ def _running(service: RealService, browser: Browser, folder: Path) -> None:
     person.take_control()
     run = person.queue(seed=2, pace="real_time", hold_s=SEEN_S)
     person.wait(run, "Idle")
-    with signed_in(service, browser) as at:
+    with signed_in(service, browser, drawn=True) as at:
         person.release(run).raise_for_status()
         show(at, "runs", run)
-        at.without_notice()
+        at.until_drawn()
         at.wait(".running .estimate-so-far dl")
         picture(at, folder, "running", DRAWN_MS)
     person.command(run, "stop").raise_for_status()
@@ -113,7 +113,7 @@ def _running(service: RealService, browser: Browser, folder: Path) -> None:
 
 
 def _pages(service: RealService, browser: Browser, folder: Path, first: str, run: str) -> None:
-    with signed_in(service, browser) as at:
+    with signed_in(service, browser, drawn=True) as at:
         for name, shows, place in (
             ("history", ".run-list tbody tr", ["history"]),
             ("comparison", ".comparison-table", ["history", first, run]),
@@ -123,7 +123,7 @@ def _pages(service: RealService, browser: Browser, folder: Path, first: str, run
             show(at, *place)
             at.wait(shows)
             if name == "cells":
-                at.without_notice()
+                at.until_drawn()
             picture(at, folder, name, DRAWN_MS if name == "cells" else 600)
 
 
@@ -146,9 +146,9 @@ def _lost_link(service: RealService, browser: Browser, folder: Path) -> None:
         at.wait(".lost-layer")
         picture(at, folder, "no-connection")
         nobody.wait(".active-robots [data-state=Held]")
-        with signed_in(service, browser) as watching:
+        with signed_in(service, browser, drawn=True) as watching:
             show(watching, "runs", at.page.url.rsplit("/", 1)[1])
-            watching.without_notice()
+            watching.until_drawn()
             watching.wait(".held-notice")
             picture(watching, folder, "held", DRAWN_MS)
             watching.press("STOP")
@@ -157,7 +157,7 @@ def _lost_link(service: RealService, browser: Browser, folder: Path) -> None:
 
 def _gap(service: RealService, browser: Browser, folder: Path) -> str:
     """A base that is not level, from its recording into the twin; the diagnosis."""
-    with tempfile.TemporaryDirectory() as recordings, signed_in(service, browser) as at:
+    with tempfile.TemporaryDirectory() as recordings, signed_in(service, browser, drawn=True) as at:
         page = show(at, "gap")
         page.get_by_label("Recording (zip)").set_input_files(tilted_recording(Path(recordings)))
         at.tap(page.locator(".recording-upload button"))
@@ -183,7 +183,7 @@ def _gap(service: RealService, browser: Browser, folder: Path) -> str:
 
 def _open_questions(service: RealService, browser: Browser, folder: Path, diagnosis: str) -> None:
     """That diagnosis, were its effect tied with another one and the motion proposed that tells them apart."""
-    with signed_in(service, browser) as at:
+    with signed_in(service, browser, drawn=True) as at:
         found = at.page.request.get(f"http://{service.address}/api/diagnoses/{diagnosis}").json()["result"]
         tie = {"ids": ["base_tilt", "joint_offset"], "distance_sigma": 2.0, "why": "", "splits": SWINGS["motion"]}
         motion = SWINGS | {"splits": [tie["ids"]]}
@@ -198,17 +198,17 @@ def _open_questions(service: RealService, browser: Browser, folder: Path, diagno
 def _refused(service: RealService, browser: Browser, folder: Path) -> None:
     """A zone on the robot leaves no plan."""
     person = Console(service)
-    with signed_in(service, browser) as at, zone_at(person, AT_THE_ROBOT):
+    with signed_in(service, browser, drawn=True) as at, zone_at(person, AT_THE_ROBOT):
         at.press("plan")
         at.wait(".ended .in-the-way")
-        at.without_notice()
+        at.until_drawn()
         picture(at, folder, "refused", DRAWN_MS)
     person.leave()
 
 
 def _german(service: RealService, browser: Browser, folder: Path, run: str, diagnosis: str) -> None:
     """In German, dark, in grams and millimetres."""
-    with signed_in(service, browser) as at:
+    with signed_in(service, browser, drawn=True) as at:
         at.page.emulate_media(color_scheme="dark")
         at.page.evaluate("localStorage.setItem('heft.language', 'de'); localStorage.setItem('heft.units', 'mm_g')")
         at.page.reload()

@@ -13,8 +13,8 @@ import numpy as np
 
 from core.array import Array
 from core.cell.cell import Box, Cell, Payload
-from core.planning.plan import POSES
 from core.planning.settings import Timing
+from core.planning.stops import PROCEDURE
 from core.robot.decoupling import decoupling_profile
 from tests.independent_checker import IndependentChecker
 
@@ -56,7 +56,7 @@ class IndependentSearch:
 
     def answers(self) -> Iterator[Answer]:
         """One for each pose of the procedure, until one has no solution."""
-        for axis in POSES:
+        for axis in PROCEDURE.labels:
             answer = self.answer(axis)
             yield answer
             if not answer.reachable:

@@ -19,7 +19,8 @@ from core.cell.folder import find_cell, load_cell
 from core.events import drive
 from core.payload.inertia import PHI_NAMES
 from core.planning.plan import Plan
-from core.planning.search import plan_procedure
+from core.planning.search import plan_stops
+from core.planning.stops import PROCEDURE
 from core.plant.imperfections import ExponentialOffsetDrift, Imperfections, LinearOffsetDrift
 from core.procedure.identify import carry_out
 from core.robot.collision import CollisionModel
@@ -72,7 +73,7 @@ def planned(name: str, payload: str) -> tuple[Cell, Plan]:
     robot = RobotModel.of_cell(cell)
     box = cell.payloads[payload].box
     home = np.array(cell.robot.home_rad)
-    return cell, drive(plan_procedure(cell, robot, CollisionModel(cell, robot, box), box, start=home))
+    return cell, drive(plan_stops(cell, robot, CollisionModel(cell, robot, box), box, PROCEDURE.stops, start=home))
 
 
 def run(job: Job) -> Errors:

@@ -23,8 +23,9 @@ from core.cell.cell import Cell
 from core.errors import NoStartConfiguration, Refused
 from core.events import Event, RobotStopped, StartConfigurationFound, drive
 from core.payload.inertia import InertialParameters
-from core.planning.plan import POSES, Plan
-from core.planning.search import plan_procedure
+from core.planning.plan import Plan
+from core.planning.search import plan_stops
+from core.planning.stops import PROCEDURE
 from core.procedure.identify import carry_out
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
@@ -75,9 +76,9 @@ def judge(seed: int) -> Judgement:
     collision = CollisionModel(drawn.cell, robot, drawn.payload_box)
     home = np.array(drawn.cell.robot.home_rad)
     mass = drawn.cell.payloads["random"].mass_kg
-    planning = plan_procedure(drawn.cell, robot, collision, drawn.payload_box, start=home, mass_guess_kg=mass, seed=seed)
+    planning = plan_stops(drawn.cell, robot, collision, drawn.payload_box, PROCEDURE.stops, start=home, mass_guess_kg=mass, seed=seed)
     began = time.perf_counter()
-    axis = POSES[0]
+    axis = PROCEDURE.labels[0]
 
     def note_axis(event: Event) -> None:
         nonlocal axis

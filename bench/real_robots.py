@@ -29,7 +29,8 @@ from core.errors import BadInput, Refused
 from core.events import drive
 from core.planning.commanded_path import PlanPart, compute_joint_paths
 from core.planning.plan import Plan
-from core.planning.search import plan_procedure
+from core.planning.search import plan_stops
+from core.planning.stops import PROCEDURE
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from tests.independent_checker import IndependentChecker
@@ -96,7 +97,7 @@ def _planned(cell: Cell, seed: int) -> tuple[Plan, list[str], float]:
     model = RobotModel.of_cell(cell)
     collision = CollisionModel(cell, model, cell.payload_box)
     home, mass = np.array(cell.robot.home_rad), cell.payloads["random"].mass_kg
-    plan = drive(plan_procedure(cell, model, collision, cell.payload_box, start=home, mass_guess_kg=mass, seed=seed))
+    plan = drive(plan_stops(cell, model, collision, cell.payload_box, PROCEDURE.stops, start=home, mass_guess_kg=mass, seed=seed))
     checker = IndependentChecker(cell, cell.payload_box, cell.payloads["random"])
     violations, least = [], np.inf
     here = home

@@ -42,7 +42,7 @@ def main() -> None:
     seconds = parser.parse_args().seconds
     with (
         tempfile.TemporaryDirectory() as folder, real_service(Path(folder)) as service, chromium() as browser,
-        signed_in(service, browser) as at,
+        signed_in(service, browser, drawn=True) as at,
     ):  # fmt: skip
         at.without_viewer()
         painted, readers = watched(service, at.page, seconds)

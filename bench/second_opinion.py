@@ -10,7 +10,8 @@ import numpy as np
 from core.cell.folder import find_cell, load_cell
 from core.events import drive
 from core.planning.joint_torques import JointTorques, guess_load
-from core.planning.search import confirm_plan, plan_procedure
+from core.planning.search import confirm_plan, plan_stops
+from core.planning.stops import PROCEDURE
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 
@@ -26,7 +27,7 @@ def main() -> None:
         robot = RobotModel.of_cell(cell)
         collision = CollisionModel(cell, robot, cell.payload_box)
         torques = JointTorques(cell, robot, guess_load(cell, cell.payload_box, 1.0))
-        plan = drive(plan_procedure(cell, robot, collision, cell.payload_box, start=np.array(cell.robot.home_rad)))
+        plan = drive(plan_stops(cell, robot, collision, cell.payload_box, PROCEDURE.stops, start=np.array(cell.robot.home_rad)))
         seconds = []
         for _ in range(arguments.count):
             began = perf_counter()

@@ -10,6 +10,7 @@ HeftError                      exit code 1
 ├── Refused                    3   the cell leaves no safe way to do it; the robot has not moved
 │   ├── NoStartConfiguration       no start configuration for an axis (Algorithm 6)
 │   ├── NoPath                     no collision-free path, or none that can be timed
+│   ├── NoRoomAtHome               the payload box that was asked for is too close to something at home
 │   ├── TooHeavy                   a joint has not the torque to carry the load as planned
 │   └── PlanDisputed               a finished plan that an independent check does not confirm
 ├── Stopped                    4   the guard stopped the robot; carries the last samples
@@ -33,7 +34,7 @@ import re
 from enum import StrEnum
 from typing import TYPE_CHECKING, ClassVar
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, Field
 
 from core.words.message import Message, Parameter
 
@@ -63,9 +64,9 @@ class Lateness(BaseModel):
 
     model_config = ConfigDict(frozen=True)
 
-    cause: Cause
-    late_s: float
-    limit_s: float
+    cause: Cause = Field(description="What was late.")
+    late_s: float = Field(description="How late it was, s.", examples=[0.42])
+    limit_s: float = Field(description="How late it might have been, s.", examples=[0.22])
 
 
 class HeftError(Exception):
@@ -173,6 +174,9 @@ class BadRecording(BadInput):
 class Refused(HeftError):
     """The cell leaves no safe way to do what was asked. The robot has not moved.
 
+    Args:
+        in_the_way: name of the obstacle, zone or link that is in the way, where that is what it is about.
+
     Attributes:
         axis: sensor axis, with its sign, that has no room or cannot be reached; None where it is about something else.
         axes_with_room: sensor axes for which there is a plan without it; empty where none is known.
@@ -181,6 +185,10 @@ class Refused(HeftError):
     exit_code = 3
     axis: str | None = None
     axes_with_room: str = ""
+
+    def __init__(self, code: str, /, in_the_way: str | None = None, **parameters: Parameter) -> None:
+        super().__init__(code, **parameters)
+        self.in_the_way = in_the_way
 
     def offer_axes(self, axes_with_room: str) -> None:
         """Say too that there is a plan for these sensor axes."""
@@ -212,28 +220,27 @@ class NoStartConfiguration(Refused):
         rejected = sorted(reasons.items(), key=lambda item: -item[1])
         counts = [Message.of("planning-rejected", reason=reason, count=count) for reason, count in rejected]
         if best_clearance_m is None or nearest is None:
-            super().__init__("planning-no-start-configuration", axis=axis, rejected=counts, kinds=len(counts))
+            super().__init__("planning-no-start-configuration", in_the_way, axis=axis, rejected=counts, kinds=len(counts))
         else:
             super().__init__(
-                "planning-no-start-configuration-near",
+                "planning-no-start-configuration-near", in_the_way,
                 axis=axis, rejected=counts, kinds=len(counts), best_clearance_m=best_clearance_m, nearest=nearest,
             )  # fmt: skip
         self.axis = axis
         self.reasons = reasons
         self.best_clearance_m = best_clearance_m
-        self.in_the_way = in_the_way
 
 
 class NoPath(Refused):
-    """No collision-free path was found between two configurations, or none that keeps the limits.
+    """No collision-free path was found between two configurations, or none that keeps the limits; in the way is what was nearest, where
+    distances kept it from being found."""
 
-    Args:
-        in_the_way: name of the obstacle, zone or link that was nearest, where distances were what kept it from being found.
-    """
 
-    def __init__(self, code: str, /, in_the_way: str | None = None, **parameters: Parameter) -> None:
-        super().__init__(code, **parameters)
-        self.in_the_way = in_the_way
+class NoRoomAtHome(Refused):
+    """The payload box that was asked for, which is not the cell's own, is too close to something at home, which has to be named."""
+
+    def __init__(self, code: str, /, in_the_way: str, **parameters: Parameter) -> None:
+        super().__init__(code, in_the_way, **parameters)
 
 
 class TooHeavy(Refused):
@@ -241,15 +248,7 @@ class TooHeavy(Refused):
 
 
 class PlanDisputed(Refused):
-    """A finished plan was measured once more by other code with another collision library, and does not keep a limit there.
-
-    Args:
-        in_the_way: name of the obstacle, zone or link that is too close, where that is what it is about.
-    """
-
-    def __init__(self, code: str, /, in_the_way: str | None = None, **parameters: Parameter) -> None:
-        super().__init__(code, **parameters)
-        self.in_the_way = in_the_way
+    """A finished plan was measured once more by other code with another collision library, and does not keep a limit there."""
 
 
 class Stopped(HeftError):

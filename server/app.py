@@ -8,6 +8,7 @@ from collections.abc import AsyncIterator, Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from datetime import datetime
+from functools import cache
 
 from anyio import to_thread
 from fastapi import Depends, FastAPI
@@ -15,24 +16,28 @@ from fastapi.routing import APIRoute
 
 from core.version import release_version
 from core.words.catalogue import load_catalogue
+from server.alarms import routes as alarms_routes
 from server.cells import routes as cells_routes
 from server.cells.folder import CellFolder
 from server.cells.uploads import CellChecker
 from server.http import about_routes, console_routes
+from server.http.asyncapi import describe_sockets
 from server.http.middleware import BodyLimit, Requests
 from server.http.openapi import describe
 from server.http.problem_answers import answer_with_problems
 from server.jobs import diagnosis_routes, motion_routes, trial_routes, twin_routes
-from server.people import account_routes, audit_routes, key_routes, session_routes
+from server.people import account_routes, audit_routes, key_routes, own_session_routes, session_routes
 from server.people.authority import AUTHORITY
 from server.people.door import let_in
 from server.runs import (
     command_routes,
     export_routes,
     file_routes,
+    handover_routes,
     lease_routes,
     live_routes,
     now_routes,
+    order_routes,
     result_routes,
     watch_routes,
     webhook_routes,
@@ -42,8 +47,10 @@ from server.runs import routes as runs_routes
 from server.service import Service, utc_now
 from server.settings import Settings
 from server.store.store import Store
+from server.support import routes as support_routes
 from server.telemetry.metrics import Metrics
 from server.viewer import routes as viewer_routes
+from server.viewer import view_routes
 
 log = logging.getLogger("heft")
 
@@ -56,6 +63,7 @@ WAITING = 200
 ROUTES = (
     about_routes,
     session_routes,
+    own_session_routes,
     account_routes,
     key_routes,
     audit_routes,
@@ -63,8 +71,10 @@ ROUTES = (
     zone_routes,
     twin_routes,
     lease_routes,
+    handover_routes,
     now_routes,
     watch_routes,
+    order_routes,
     runs_routes,
     command_routes,
     result_routes,
@@ -75,10 +85,15 @@ ROUTES = (
     motion_routes,
     trial_routes,
     webhook_routes,
+    support_routes,
+    alarms_routes,
+    view_routes,
     viewer_routes,
     console_routes,
 )
 """In the order of the description, one module a noun; a path goes to the first that fits."""
+
+SOCKETS = (*watch_routes.SOCKETS, *live_routes.SOCKETS, *lease_routes.SOCKETS, *order_routes.SOCKETS, *alarms_routes.SOCKETS)
 
 DESCRIPTION = (
     "Identifies what a robot carries, safely, with people around. Not a safety function. SI units; the unit stands in each field's name. "
@@ -92,9 +107,10 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
 
     @asynccontextmanager
     async def running(_app: FastAPI) -> AsyncIterator[None]:
+        service.recent_log.start()
         start(service)
         make_room_for_waiting()
-        work = (service.conductor, service.diagnoses, service.trials, service.deliverer, service.gallery)
+        work = (service.conductor, service.diagnoses, service.trials, service.deliverer, service.alarms, service.gallery)
         for each in work:
             await each.start()
         own = checker is None  # one that was handed in serves others too
@@ -111,6 +127,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
             service.later.shutdown(cancel_futures=True)
             service.store.close()
             log.info("stopped")
+            service.recent_log.end()
 
     app = FastAPI(
         title="Heft",
@@ -124,6 +141,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
         generate_unique_id_function=operation_id,
     )
     app.openapi = lambda: describe(app, AUTHORITY)  # type: ignore[method-assign]  # how FastAPI documents it
+    app.state.asyncapi = cache(lambda: describe_sockets(app, AUTHORITY, SOCKETS))
     app.state.service = service
     answer_with_problems(app)
     for routes in ROUTES:
@@ -142,6 +160,7 @@ async def _begin_later(checker: CellChecker) -> None:
 
 def start(service: Service) -> None:
     """Makes the folders, migrates the store, makes the cells ready."""
+    log.info("starting", extra={"version": release_version(), "started_at": service.started_at.isoformat()})
     service.settings.data.mkdir(parents=True, exist_ok=True)
     for folder in (service.settings.recordings_folder, service.settings.reports_folder, service.settings.trials_folder):
         folder.mkdir(exist_ok=True)

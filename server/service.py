@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import cached_property
 
+from server.alarms.watch import AlarmWatch
 from server.cells.folder import CellFolder
 from server.cells.uploads import CellChecker
 from server.http.console import Console
@@ -23,6 +24,7 @@ from server.runs.webhooks import Deliverer
 from server.settings import Settings
 from server.store.store import Store
 from server.telemetry.metrics import Metrics
+from server.telemetry.recent_log import RecentLog
 from server.viewer.gallery import Gallery
 
 
@@ -45,8 +47,14 @@ class Service:
     offers: Offers = field(default_factory=Offers)
     console: Console = field(default_factory=Console)
     recent_callers: RecentCallers = field(default_factory=RecentCallers)
+    recent_log: RecentLog = field(default_factory=RecentLog)
     later: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "later"))
     """Small writes that nobody waits for."""
+
+    @cached_property
+    def started_at(self) -> datetime:
+        """When the service started: it asks for this then."""
+        return self.now()
 
     @cached_property
     def door(self) -> Door:
@@ -77,6 +85,11 @@ class Service:
     def deliverer(self) -> Deliverer:
         """What tells the webhooks."""
         return Deliverer(self.store, self.now)
+
+    @cached_property
+    def alarms(self) -> AlarmWatch:
+        """What needs a person."""
+        return AlarmWatch(self.settings, self.store, self.cells, self.conductor, self.now)
 
     @cached_property
     def gallery(self) -> Gallery:

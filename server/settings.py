@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import timedelta
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -49,6 +50,16 @@ class Settings(BaseSettings):
     shutdown_seconds: int = Field(10, gt=0, description="How long open requests may take to end when the service stops.")
     log_level: Literal["debug", "info", "warning", "error"] = Field("info", description="Least level that is logged.")
     log_format: LogForm = Field("auto", description="`text` for people, `json` for programs; `auto` is text on a terminal, else JSON.")
+
+    @property
+    def session_lasts(self) -> timedelta:
+        """How long a browser stays signed in at most."""
+        return timedelta(hours=self.session_hours)
+
+    @property
+    def idle_lasts(self) -> timedelta:
+        """How long a browser stays signed in that asks for nothing."""
+        return timedelta(minutes=self.idle_minutes)
 
     @property
     def cells_folder(self) -> Path:

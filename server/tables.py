@@ -1,5 +1,6 @@
 """Every table of the store, known to its metadata once this is imported."""
 
+from server.alarms.tables import AlarmRow
 from server.cells.zones import ZonePosition
 from server.people.accounts import Account, ApiKey, SignIn
 from server.people.audit import AuditEntry
@@ -9,6 +10,7 @@ from server.store.store import Table
 
 __all__ = [
     "Account",
+    "AlarmRow",
     "ApiKey",
     "AuditEntry",
     "ControlFence",

@@ -123,17 +123,17 @@ def _support(bodies, k, T, d):  # type: ignore[no-untyped-def]  # numba infers t
 
 
 @njit(cache=True)
-def _dot(a, b):  # type: ignore[no-untyped-def]
+def _dot(a, b):  # type: ignore[no-untyped-def]  # numba infers them
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @njit(cache=True)
-def _cross(a, b):  # type: ignore[no-untyped-def]
+def _cross(a, b):  # type: ignore[no-untyped-def]  # numba infers them
     return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
 @njit(cache=True)
-def _try_triangle(a, b, c, weights):  # type: ignore[no-untyped-def]
+def _try_triangle(a, b, c, weights):  # type: ignore[no-untyped-def]  # numba infers them
     """Weights of the foot of the origin on the plane of a triangle; False where it is outside."""
     normal = _cross(b - a, c - a)
     square = _dot(normal, normal)
@@ -184,7 +184,7 @@ def _nearest_of(simplex, count):  # type: ignore[no-untyped-def]  # noqa: PLR091
 
 
 @njit(cache=True)
-def bounds(bodies, i, k, first, second):  # type: ignore[no-untyped-def]
+def bounds(bodies, i, k, first, second):  # type: ignore[no-untyped-def]  # numba infers them
     """Bounds of the distance of bodies i and k placed by (4, 4) each, m; both minus an estimate of the depth where they meet."""
     radius = bodies[2][i, 0] + bodies[2][k, 0]
     simplex = np.empty((4, 3))
@@ -220,7 +220,7 @@ def bounds(bodies, i, k, first, second):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def _depth(bodies, i, k, first, second):  # type: ignore[no-untyped-def]
+def _depth(bodies, i, k, first, second):  # type: ignore[no-untyped-def]  # numba infers them
     """At least how far one body must be pushed to leave the other, estimated from above by many directions, m."""
     least = np.inf
     for s in range(_DIRECTIONS):

@@ -56,7 +56,7 @@ def _turn(rate, t):  # type: ignore[no-untyped-def]  # numba infers them
 
 
 @njit(cache=True)
-def _deepest(bodies, boxes, com, velocity, rate, corners, radius, middle, half, gravity, floor_z):  # type: ignore[no-untyped-def]
+def _deepest(bodies, boxes, com, velocity, rate, corners, radius, middle, half, gravity, floor_z):  # type: ignore[no-untyped-def]  # numba infers them
     """See `deepest_flight`: a ball round the load against a box round the zone first, then the bodies themselves.
 
     From a distance d the load needs some time to come nearer than the least distance so far: no flight is looked at before.

@@ -374,7 +374,7 @@ def _sweep(bodies, i, k, first, second, corners, required, start, margin):  # ty
 
 
 @njit(cache=True)
-def _too_close(bodies, groups, table, required, frames):  # type: ignore[no-untyped-def]
+def _too_close(bodies, groups, table, required, frames):  # type: ignore[no-untyped-def]  # numba infers them
     """Pairs of which the hulls are closer than required at one configuration."""
     found = []
     for p in range(len(table)):
@@ -421,9 +421,9 @@ def _hull_triangles(body: Convex) -> Array:
 def _convex(shape: Shape) -> Convex:
     """An obstacle, a zone or a payload box where it is given."""
     made = {
-        "box": lambda: box(np.array(shape.size_m)),  # type: ignore[union-attr]
-        "sphere": lambda: ball(shape.radius_m),  # type: ignore[union-attr]
-        "capsule": lambda: capsule(shape.radius_m, shape.length_m),  # type: ignore[union-attr]
+        "box": lambda: box(np.array(shape.size_m)),  # type: ignore[union-attr]  # of the shape whose kind is asked for
+        "sphere": lambda: ball(shape.radius_m),  # type: ignore[union-attr]  # of the shape whose kind is asked for
+        "capsule": lambda: capsule(shape.radius_m, shape.length_m),  # type: ignore[union-attr]  # of the shape whose kind is asked for
     }[shape.kind]()
     return made.moved(pose(shape.pose.xyz_m, shape.pose.rpy_rad))
 

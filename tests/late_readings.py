@@ -15,8 +15,9 @@ from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.events import drive
 from core.planning.plan import Plan
-from core.planning.search import plan_procedure
+from core.planning.search import plan_stops
 from core.planning.settings import Timing
+from core.planning.stops import PROCEDURE
 from core.plant.faults.timing import Delay
 from core.plant.mechanics import Drives
 from core.procedure.identify import carry_out
@@ -54,7 +55,7 @@ def short_plan() -> Plan:
     cell = noisy_cell()
     robot, box = RobotModel.of_cell(cell), cell.payloads[CARRIED].box
     collision = CollisionModel(cell, robot, box)
-    return drive(plan_procedure(cell, robot, collision, box, start=np.array(cell.robot.home_rad), timing=SHORT))
+    return drive(plan_stops(cell, robot, collision, box, PROCEDURE.stops, start=np.array(cell.robot.home_rad), timing=SHORT))
 
 
 @cache

@@ -93,14 +93,14 @@ def robot_folder(name: str, folder: Path) -> Path:
     root = ET.parse(SHARE / "example-robot-data" / "robots" / description.urdf).getroot()
     for element in [*root.findall("gazebo"), *root.findall("transmission"), *root.findall("material")]:
         root.remove(element)
-    joints = {joint.find("child").get("link"): joint for joint in root.findall("joint")}  # type: ignore[union-attr]
+    joints = {joint.find("child").get("link"): joint for joint in root.findall("joint")}  # type: ignore[union-attr]  # each of these joints has one
     chain = set(_upwards(joints, description.flange))
     for link, joint in joints.items():
         if link not in chain or joint.get("type") == "prismatic":
             _fix(joint)
         elif joint.get("type") == "continuous":
             joint.set("type", "revolute")
-            joint.find("limit").attrib.update(lower=str(-2 * np.pi), upper=str(2 * np.pi))  # type: ignore[union-attr]
+            joint.find("limit").attrib.update(lower=str(-2 * np.pi), upper=str(2 * np.pi))  # type: ignore[union-attr]  # each of these joints has one
     behind = _below(joints, description.flange) - {description.flange}
     for link in root.findall("link"):
         if link.get("name") in behind:
@@ -220,11 +220,11 @@ def _zones(shoulder: Array, reach: float, floor: float) -> Iterator[Zone]:
 def _upwards(joints: dict[Any, ET.Element], link: str) -> Iterator[str]:
     while link in joints:
         yield link
-        link = joints[link].find("parent").get("link", "")  # type: ignore[union-attr]
+        link = joints[link].find("parent").get("link", "")  # type: ignore[union-attr]  # each of these joints has one
 
 
 def _below(joints: dict[Any, ET.Element], link: str) -> set[str]:
-    children = [child for child, joint in joints.items() if joint.find("parent").get("link") == link]  # type: ignore[union-attr]
+    children = [child for child, joint in joints.items() if joint.find("parent").get("link") == link]  # type: ignore[union-attr]  # each of these joints has one
     return {link}.union(*(_below(joints, child) for child in children))
 
 
@@ -301,7 +301,7 @@ def _payload(rng: np.random.Generator) -> Payload:
         centre = np.array([beside * np.cos(side), beside * np.sin(side), rng.uniform(-0.1, 0.05)])
     com = centre + 0.2 * size * rng.uniform(-1.0, 1.0, 3)
     about_com = mass / 12.0 * np.diag(size @ size - size**2) * rng.uniform(0.6, 0.9)
-    I = about_com + mass * (com @ com * np.eye(3) - np.outer(com, com))  # noqa: E741
+    I = about_com + mass * (com @ com * np.eye(3) - np.outer(com, com))  # noqa: E741  the name in the formula
     return Payload(
         title="random",
         mass_kg=mass,

@@ -17,14 +17,14 @@ const LANGUAGES = ['en', 'de'];
 /** Where the sources name a code: compared with one, or given to a message. */
 const NAMED = /(?<!typeof [\w.]*)\bcode\s*(?:===|!==|:)\s*'([a-z][a-z0-9-]*)'/g;
 
-/** The console's own module, built as for a browser. */
-async function readModule() {
+/** A module of the console, built as for a browser. */
+async function readModule(file) {
   const { output } = await build({
     root: ROOT,
     configFile: false,
     logLevel: 'silent',
     ssr: { noExternal: true },
-    build: { ssr: 'src/words/catalogue.ts', write: false },
+    build: { ssr: `src/words/${file}`, write: false },
   });
   return import(`data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`);
 }
@@ -59,8 +59,9 @@ function flawsOf(catalogues) {
   ];
 }
 
-const { readCatalogue, formatMessage, formatPart } = await readModule();
-const catalogues = LANGUAGES.map((language) => readCatalogue(language));
+const { readCatalogue, formatMessage, formatPart } = await readModule('catalogue.ts');
+const vocabularies = await Promise.all(LANGUAGES.map((language) => readModule(`all-${language}.ts`)));
+const catalogues = LANGUAGES.map((language, k) => readCatalogue(language, vocabularies[k].messages));
 if (process.argv[2] === 'say') {
   const { questions, more } = JSON.parse(await text(process.stdin));
   for (const catalogue of catalogues) catalogue.addResource(new FluentResource(more));

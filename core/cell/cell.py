@@ -52,98 +52,132 @@ MAX_CELL_BYTES = 1_000_000
 class Obstacle(Model):
     """Something solid that stands in the cell."""
 
-    name: Name
-    shape: Shape
+    name: Name = Field(description="Name of the obstacle.", examples=["bench"])
+    shape: Shape = Field(description="Its shape and place, world frame.")
 
 
 class Zone(Model):
     """A protected zone: people may be anywhere in it; neither the robot nor a load that comes off may get into it."""
 
-    name: Name
-    shape: Shape
+    name: Name = Field(description="Name of the zone.", examples=["operator"])
+    shape: Shape = Field(description="Its shape and place, world frame.")
 
 
 class Friction(Model):
     """Friction that the drives are known to have, one value for each joint: no news where a diagnosis finds it."""
 
-    coulomb_n_m: tuple[NotNegative, ...]
-    viscous_n_m_s: tuple[NotNegative, ...]
-    """N m per rad/s."""
+    coulomb_n_m: tuple[NotNegative, ...] = Field(
+        description="Coulomb friction of each joint, N m.", examples=[[5.0, 5.0, 3.0, 3.0, 2.0, 2.0, 1.0]]
+    )
+    viscous_n_m_s: tuple[NotNegative, ...] = Field(
+        description="Viscous friction of each joint, N m per rad/s.", examples=[[8.0, 8.0, 5.0, 5.0, 3.0, 3.0, 2.0]]
+    )
 
 
 class Robot(Model):
     """The arm. Joints are those between `base_frame` and `sensor_frame`, in that order."""
 
-    urdf: str = "robot.urdf"
-    base_frame: str
-    sensor_frame: str
-    home_rad: tuple[Angle, ...]
-    acceleration_rad_s2: tuple[Annotated[float, Field(strict=True, ge=0.1, le=200.0)], ...]
-    """Joints of arms have 5 to 50 rad/s2; with less than 0.1 a plan takes hours."""
-    velocity_rad_s: tuple[Annotated[float, Field(strict=True, ge=0.01, le=50.0)], ...] | None = None
-    """The URDF's limits where absent. Joints of arms have 1 to 10 rad/s."""
-    friction: Friction | None = None
-    """None where nobody has said."""
-    payload_limit_kg: Positive | None = None
-    """What the arm may carry by its maker's word; None where nobody has said."""
-    base: Pose = Pose()
-    adjacent: tuple[tuple[str, str], ...] = ()
-    """Pairs of links that are close to each other by construction: no distance between them is watched."""
-    visual_shapes: tuple[str, ...] = ()
-    """Links whose <visual> counts as their shape, since the URDF gives them no <collision>."""
+    urdf: str = Field(default="robot.urdf", description="The robot's URDF, a file in the cell's folder.", examples=["robot.urdf"])
+    base_frame: str = Field(description="Link that the arm begins with.", examples=["base"])
+    sensor_frame: str = Field(description="Link in whose frame the sensor measures.", examples=["ft_sensor"])
+    home_rad: tuple[Angle, ...] = Field(
+        description="Joint positions at home, rad, in the order from base to sensor.", examples=[[0.0, 0.5, 0.0, -1.2, 0.0, 0.8, 0.0]]
+    )
+    acceleration_rad_s2: tuple[Annotated[float, Field(strict=True, ge=0.1, le=200.0)], ...] = Field(
+        description="Largest acceleration of each joint, rad/s2. Joints of arms have 5 to 50; with less than 0.1 a plan takes hours.",
+        examples=[[10.0, 10.0, 10.0, 10.0, 10.0, 10.0, 10.0]],
+    )
+    velocity_rad_s: tuple[Annotated[float, Field(strict=True, ge=0.01, le=50.0)], ...] | None = Field(
+        default=None,
+        description="Largest speed of each joint, rad/s; the URDF's limits where null. Joints of arms have 1 to 10.",
+        examples=[[1.9, 1.9, 2.2, 2.2, 3.5, 3.2, 3.2]],
+    )
+    friction: Friction | None = Field(default=None, description="Friction of the joints; null where nobody has said.")
+    payload_limit_kg: Positive | None = Field(
+        default=None, description="What the arm may carry by its maker's word, kg; null where nobody has said.", examples=[7.0]
+    )
+    base: Pose = Field(default=Pose(), description="Where the base stands, world frame.")
+    adjacent: tuple[tuple[str, str], ...] = Field(
+        default=(),
+        description="Pairs of links that are close to each other by construction: no distance between them is watched.",
+        examples=[[["link_1", "link_3"]]],
+    )
+    visual_shapes: tuple[str, ...] = Field(
+        default=(),
+        description="Links whose <visual> counts as their shape, since the URDF gives them no <collision>.",
+        examples=[["link_5"]],
+    )
 
 
 class Sensor(Model):
     """The wrist force/torque sensor; six values each, force (N), then torque (N m)."""
 
-    name: Text
-    noise_std: SixPositive
-    range: SixPositive
-    resolution: SixPositive
-    mount: Pose | None = None
-    """The sensor frame in the flange from which the robot's controller counts; None where nobody has said."""
+    name: Text = Field(description="Make and model.", examples=["ATI Gamma SI-130-10"])
+    noise_std: SixPositive = Field(
+        description="Standard deviation of one sample, force (N), then torque (N m).",
+        examples=[[0.055, 0.048, 0.073, 0.0028, 0.003, 0.003]],
+    )
+    range: SixPositive = Field(
+        description="Measuring range, force (N), then torque (N m).", examples=[[130.0, 130.0, 400.0, 10.0, 10.0, 10.0]]
+    )
+    resolution: SixPositive = Field(
+        description="Smallest step, force (N), then torque (N m).", examples=[[0.05, 0.05, 0.05, 0.0013, 0.0013, 0.0013]]
+    )
+    mount: Pose | None = Field(
+        default=None, description="The sensor frame in the flange from which the robot's controller counts; null where nobody has said."
+    )
 
 
 class Limits(Model):
     """What no point of the robot may exceed.
 
-    Args:
-        cartesian_speed_m_s: of every point of every link and every corner of the boxes of payload and tools. At most four times what
-            ISO 10218-1 calls reduced speed, 0.25 m/s: room for cells whose own safety functions allow more, none for 25 or 250 by a slip
-            of the unit. Below 5 mm/s a plan takes hours.
-        clearance_m: smallest distance to obstacles, protected zones and the floor. At most 0.5 m, all round: no arm has room for more.
-        self_clearance_m: smallest distance between links. At most 0.2 m: links of one arm are no farther apart.
+    The speed is at most four times what ISO 10218-1 calls reduced speed, 0.25 m/s: room for cells whose own safety functions allow more,
+    none for 25 or 250 by a slip of the unit; below 5 mm/s a plan takes hours. No arm has room for a clearance of more than 0.5 m all
+    round, nor are links of one arm more than 0.2 m apart.
     """
 
-    cartesian_speed_m_s: Annotated[float, Field(strict=True, ge=0.005, le=1.0)] = 0.25
-    clearance_m: Annotated[float, Field(strict=True, gt=0, le=0.5)] = 0.03
-    self_clearance_m: Annotated[float, Field(strict=True, gt=0, le=0.2)] = 0.01
+    cartesian_speed_m_s: Annotated[float, Field(strict=True, ge=0.005, le=1.0)] = Field(
+        default=0.25,
+        description="No point of links, payload or tools moves faster, m/s; 0.25 is ISO 10218-1's reduced speed.",
+        examples=[0.25],
+    )
+    clearance_m: Annotated[float, Field(strict=True, gt=0, le=0.5)] = Field(
+        default=0.03, description="Smallest distance to obstacles, protected zones and the floor, m.", examples=[0.03]
+    )
+    self_clearance_m: Annotated[float, Field(strict=True, gt=0, le=0.2)] = Field(
+        default=0.01, description="Smallest distance between links, m.", examples=[0.01]
+    )
 
 
 class Control(Model):
     """How the robot depends on whoever is in control of it.
 
-    Args:
-        lease_s: how long the robot moves on without an answer from the console; then it brakes and keeps its place. Shorter than 0.3 s no
-            Wi-Fi lasts; longer than 5 s nobody would take it for supervision. It is no emergency stop.
-        hold_limit_s: how long a robot on hold waits for somebody to be in control again before its run ends.
+    Shorter than 0.3 s no Wi-Fi lasts; longer than 5 s nobody would take it for supervision. It is no emergency stop.
     """
 
-    lease_s: Annotated[float, Field(strict=True, ge=0.3, le=5.0)] = 1.0
-    hold_limit_s: Annotated[float, Field(strict=True, ge=10.0, le=3600.0)] = 120.0
+    lease_s: Annotated[float, Field(strict=True, ge=0.3, le=5.0)] = Field(
+        default=1.0,
+        description="How long the robot moves on without an answer from the console, s; then it holds. No emergency stop.",
+        examples=[1.0],
+    )
+    hold_limit_s: Annotated[float, Field(strict=True, ge=10.0, le=3600.0)] = Field(
+        default=120.0,
+        description="How long a robot on hold waits for somebody to be in control again before its run ends, s.",
+        examples=[120.0],
+    )
 
 
 class Payload(Model):
     """A payload that the cell knows: what the simulated robot carries, and the reference to compare with."""
 
-    title: Text
-    mass_kg: Positive
-    first_moment_kg_m: Vector3
-    inertia_kg_m2: Six
-    """Ixx Ixy Ixz Iyy Iyz Izz about the sensor origin."""
-    box: Box
-    """Bounding box in the sensor frame."""
-    source: Text = "unknown"
+    title: Text = Field(description="What people call it.", examples=["Steel block"])
+    mass_kg: Positive = Field(description="Mass, kg.", examples=[2.783])
+    first_moment_kg_m: Vector3 = Field(description="Mass times centre of mass, kg m, sensor frame.", examples=[[0.0, -0.0468, 0.1015]])
+    inertia_kg_m2: Six = Field(
+        description="Ixx Ixy Ixz Iyy Iyz Izz about the sensor's origin, kg m2.", examples=[[0.0069, 0.0, 0.0, 0.0066, 0.0017, 0.0033]]
+    )
+    box: Box = Field(description="What certainly contains it, sensor frame.")
+    source: Text = Field(default="unknown", description="Where the numbers are from.", examples=["CAD"])
 
     @property
     def parameters(self) -> InertialParameters:
@@ -157,23 +191,21 @@ class Cell(Model):
     Every value is right by itself; whether they go together says `contradictions_of`.
     """
 
-    name: Name
-    title: Text
-    robot: Robot
-    sensor: Sensor
-    limits: Limits = Limits()
-    control: Control = Control()
-    gravity_m_s2: Vector3 = (0.0, 0.0, -9.81)
-    """In the world frame."""
-    floor_z_m: Number = 0.0
-    """Height at which a load that comes off stops falling, in the world frame."""
-    payload_box: Box
-    """Used where a payload is not known by name; in the sensor frame, without the boxes of tools."""
-    obstacles: tuple[Obstacle, ...] = ()
-    zones: tuple[Zone, ...] = ()
-    payloads: dict[Name, Payload] = Field(default_factory=dict)
-    tools: dict[Name, Tool] = Field(default_factory=dict)
-    """What is bolted between the sensor and the payload."""
+    name: Name = Field(description="Name of the cell and of its folder.", examples=["lwr4_bench"])
+    title: Text = Field(description="What people call it.", examples=["LWR 4 on the bench"])
+    robot: Robot = Field(description="The arm.")
+    sensor: Sensor = Field(description="The wrist force/torque sensor.")
+    limits: Limits = Field(default=Limits(), description="Largest speed and smallest distances.")
+    control: Control = Field(default=Control(), description="How the robot depends on whoever is in control.")
+    gravity_m_s2: Vector3 = Field(default=(0.0, 0.0, -9.81), description="Gravity in the world frame, m/s2.", examples=[[0.0, 0.0, -9.81]])
+    floor_z_m: Number = Field(
+        default=0.0, description="Height at which a load that comes off stops falling, m, world frame.", examples=[0.0]
+    )
+    payload_box: Box = Field(description="Used where a payload is not known by name; sensor frame, without the boxes of tools.")
+    obstacles: tuple[Obstacle, ...] = Field(default=(), description="What stands in the cell.")
+    zones: tuple[Zone, ...] = Field(default=(), description="Protected zones: people may be anywhere in them.")
+    payloads: dict[Name, Payload] = Field(default_factory=dict, description="Payloads that the cell knows, by name.")
+    tools: dict[Name, Tool] = Field(default_factory=dict, description="What is bolted between the sensor and the payload, by name.")
     folder: Path = Field(default=Path(), exclude=True)
     """Where cell.toml and the URDF are."""
 

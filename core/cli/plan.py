@@ -18,11 +18,10 @@ from core.cli.terminal import answers, find_wording, messages
 from core.planning.joint_torques import find_known_load
 from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
 from core.planning.plan import plan_summary
-from core.planning.sequence import PlanRequest, Procedure
 from core.planning.set_points import check_set_points, set_points_of, write_set_points
-from core.planning.settings import Timing
 from core.planning.slow_run import limit_speed
 from core.planning.starting_point import starting_point
+from core.planning.stops import PlanRequest, Stops
 from core.plant.mechanics import PERIOD
 from core.procedure.progress import watch
 from core.robot.collision import CollisionModel
@@ -60,7 +59,7 @@ def plan(
     collision = CollisionModel(loaded, robot, box)
     load = find_known_load(loaded, payload)
     asked = PlanRequest(loaded, box, starting_point(start, loaded, robot), 0, PERIOD, planner.value, seed, load, effort)
-    found = watch(Procedure(Timing(), scope=scope).plan_legs(asked, robot, collision), messages)
+    found = watch(Stops.of_procedure(scope).plan(asked, robot, collision), messages)
     if trajectory is not None:
         write_set_points(trajectory, set_points_of(loaded, robot, collision, found, period_s=period))
     if json is not None:

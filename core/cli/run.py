@@ -26,7 +26,7 @@ from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnl
 from core.planning.settings import WHOLE
 from core.planning.slow_run import limit_speed
 from core.planning.starting_point import starting_point
-from core.procedure.experiment import measure_more
+from core.planning.stops import Stops
 from core.procedure.identify import identify
 from core.procedure.progress import watch
 from core.report.page import write_report
@@ -74,30 +74,33 @@ def run(
     twin = read_twin(loaded)
     stands = starting_point(start, loaded, RobotModel.of_cell(loaded))
     session = SimulatedSession(loaded, carried.parameters, seed=seed + (before is not None), pace=pace, twin=twin, start=stands)
-    if asked is None or before is None:
-        steps = identify(
-            loaded,
-            session,
-            carried.box,
-            payload=name,
-            reference=carried,
-            scope=scope,
-            start=stands,
-            planner=planner.value,
-            seed=seed,
-            effort=effort,
-            out=folder,
-            twin=twin,
-        )
-    else:
-        steps = measure_more(
-            before, asked.stops, loaded, session, carried.box, planner=planner.value, seed=seed, effort=effort, out=folder, twin=twin
-        )
+    steps = identify(
+        loaded,
+        session,
+        carried.box,
+        stops=Stops.of_procedure(scope) if asked is None else Stops(asked.stops),
+        before=before,
+        payload=name if asked is None else None,
+        reference=carried if asked is None else None,
+        start=stands,
+        planner=planner.value,
+        seed=seed,
+        effort=effort,
+        out=folder,
+        twin=twin,
+    )
     outcome = watch(steps, messages)
     result = outcome.result(folder)
     write_json(result.model_dump_json(indent=2), str(folder / "result.json"))
     print_answer(result, json)
     page = folder / "report.html"
-    write_report(page, recording=outcome.recording, identification=outcome.identification, run=outcome.summary, language=language)
+    write_report(
+        page,
+        recording=outcome.recording,
+        identification=outcome.identification,
+        run=outcome.summary,
+        at=datetime.now(UTC),
+        language=language,
+    )
     if json != "-":
         answers.print(find_wording().say("cli-report", file=str(page)), soft_wrap=True, highlight=False)

@@ -10,6 +10,7 @@ from rich.table import Table
 from core.cli.terminal import find_wording
 from core.estimation.result import Result
 from core.gap.answer import SIDES, Also, Diagnosis, Experiment
+from core.gap.instruction import Instruction
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.planning.plan import Plan
 from core.planning.settings import Scope
@@ -243,7 +244,8 @@ def diagnosis_table(diagnosis: Diagnosis) -> Table:
 def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
     """Everything else that a person should read."""
     words = find_wording()
-    lines = [words.quote(diagnosis.where.message)] if diagnosis.where and diagnosis.verdict != "no_gap" else []
+    lines = _instruction_lines(diagnosis.instruction, words)
+    lines += [words.quote(diagnosis.where.message)] if diagnosis.where and diagnosis.verdict != "no_gap" else []
     lines += [
         words.say("result-tie", effects=_either(tie.ids, words), reason=tie.why, splits=tie.splits) for tie in diagnosis.indistinguishable
     ]
@@ -254,6 +256,12 @@ def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
     if diagnosis.effects and diagnosis.verdict in ("explained", "ambiguous"):
         lines.append(words.say("result-to-do", advice=diagnosis.effects[0].advice))
     return lines + [words.say("result-not-looked-at", limit=limit) for limit in diagnosis.limits]
+
+
+def _instruction_lines(instruction: Instruction, words: Wording) -> list[str]:
+    """What the person at the robot has to do, before anything else."""
+    first = words.say("result-instruction", sentence=instruction.sentence, next=instruction.next)
+    return [first, *(words.say("result-instruction-further", sentence=each) for each in instruction.further)]
 
 
 def _either(names: tuple[str, ...], words: Wording) -> str:

@@ -34,9 +34,9 @@ class BaseTilt(Effect):
         return np.asarray(w - np.hstack([scene.phi[0] * dg, cross(scene.phi[1:4], dg)]))
 
     def advice(self, scene: Scene, theta: Array) -> Message:
-        """Advises levelling the base, with its two angles in deg, or correcting the direction of gravity in the cell."""
+        """Advises levelling the base by the very angles that are fitted: turning it so takes true gravity to where it is believed to be."""
         i, j = _axes(scene)
-        a, b = -theta
+        a, b = theta
         return Message.of("advice-base-tilt", first_rad=a, first_axis="xyz"[i], second_rad=b, second_axis="xyz"[j])
 
 

@@ -142,6 +142,22 @@ class Verification:
 
 
 @dataclass(frozen=True)
+class TwinShare:
+    """What one entry of a cell's twin does to an estimate.
+
+    Args:
+        effect: its identifier; `title`: what it is called.
+        recording: that the entry was fitted to.
+        change: (10,), the estimate less what it would be without this entry, the others as they are.
+    """
+
+    effect: str
+    title: Message
+    recording: str
+    change: Array
+
+
+@dataclass(frozen=True)
 class Identification:
     """The answer to one recording.
 
@@ -153,7 +169,7 @@ class Identification:
         segments: the motionless, rotating and other parts.
         series: for the report; None where the recording has no motion to show.
         bounds: what can be said all the same, for recordings without a wrench.
-        accounted: identifiers of the twin's effects that were taken off the wrench.
+        accounted: identifiers of the twin's effects that were taken off the wrench; `shares`: what each of them changes.
         verified: finds the verification, which takes as long as a fit for each; nothing where there is no motion to leave out.
     """
 
@@ -165,6 +181,7 @@ class Identification:
     series: TimeSeries | None = None
     bounds: tuple[Message, ...] = ()
     accounted: tuple[str, ...] = ()
+    shares: tuple[TwinShare, ...] = ()
     verified: Callable[[], tuple[Verification, ...]] = tuple
 
     @cached_property

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from core.array import Array
 from core.estimation.consistency import nearest_consistent
 from core.estimation.determination import find_determined, reasons
-from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
+from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries, TwinShare
 from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT, Fit, fit
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
 from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
@@ -61,7 +61,7 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     if len(form) < FEWEST_ROWS:
         return _nothing(segments, Message.of("estimation-too-short", lasts_s=float(recording.t[-1] - recording.t[0])))
     effects = effects_on(recording, poses, segments, twin, static=static)
-    found, change = _fit_wrench(form, wrench, noise or unknown_noise(), effects)
+    found, change, shares = _fit_wrench(form, wrench, noise or unknown_noise(), effects)
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
     estimate = _estimate(found, motion, static=rows_only, turned=turned)
     paper = _paper(wrench - change, motion, speed, still, found.noise)
@@ -70,15 +70,15 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     warnings = (*said, *on_transfers_alone(estimate, turned), *_warn_of_effects_left_out(effects))
     verdict = verdict_of(estimate, static=rows_only)
     verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found.noise, segments).verifications
-    return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, verified=verified)
+    return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, shares=shares, verified=verified)
 
 
-def _fit_wrench(form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects) -> tuple[Fit, Array]:
-    """The fit, and what the twin's effects add to the wrench (N, 6)."""
+def _fit_wrench(form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects) -> tuple[Fit, Array, tuple[TwinShare, ...]]:
+    """The fit, what the twin's effects add to the wrench (N, 6), and what each of them does to the payload."""
     if not effects.ids:
-        return fit(form, wrench, noise), np.zeros_like(wrench)
+        return fit(form, wrench, noise), np.zeros_like(wrench), ()
     corrected = fit_with_effects(form, wrench, noise, effects)
-    return corrected.found, corrected.change
+    return corrected.found, corrected.change, corrected.shares
 
 
 def _warn_of_effects_left_out(effects: TwinEffects) -> list[Message]:

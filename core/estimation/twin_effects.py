@@ -5,12 +5,14 @@ The effects depend on the payload, and the payload is what is sought: both are f
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from core.array import Array
 from core.effects.scene import Scene
+from core.estimation.estimate import TwinShare
 from core.estimation.generalised_least_squares import Fit, fit, refit
 from core.estimation.kinematics import Poses, smooth_motion
 from core.estimation.noise import WrenchNoise
@@ -19,7 +21,7 @@ from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import WeakForm
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
-from core.twin.model import compose_effects, explain_lacks
+from core.twin.model import compose_effects, explain_lacks, find_effect
 from core.twin.twin import Twin
 from core.words.message import Message
 
@@ -88,10 +90,12 @@ class Corrected:
     Args:
         found: the fit; its covariance includes the uncertainty of the effects' parameters.
         change: (N, 6), what the effects add to the wrench.
+        shares: what each of them does to the payload.
     """
 
     found: Fit
     change: Array
+    shares: tuple[TwinShare, ...]
 
 
 def fit_with_effects(form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects) -> Corrected:
@@ -110,7 +114,17 @@ def fit_with_effects(form: WeakForm, wrench: Array, noise: WrenchNoise, effects:
         if (moved < STANDS_STILL).all():
             break
     found = fit(form, wrench - change, noise)
-    return Corrected(replace(found, covariance=found.covariance + _of_parameters(form, wrench, found, effects)), change)
+    covariance = found.covariance + _of_parameters(form, wrench, found, effects)
+    return Corrected(replace(found, covariance=covariance), change, tuple(_find_shares(form, wrench, found, effects)))
+
+
+def _find_shares(form: WeakForm, wrench: Array, found: Fit, effects: TwinEffects) -> Iterator[TwinShare]:
+    """By refits without one entry at a time."""
+    here = refit(form, wrench - effects.change(found.phi), found)
+    for entry in effects.twin.effects:
+        if entry.effect in effects.ids:
+            without = refit(form, wrench - effects.change(found.phi, effects.twin.without(entry.effect)), found)
+            yield TwinShare(entry.effect, find_effect(entry.effect).title, entry.recording, (here - without)[:10])
 
 
 def _of_parameters(form: WeakForm, wrench: Array, found: Fit, effects: TwinEffects) -> Array:

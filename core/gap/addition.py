@@ -9,6 +9,8 @@ from typing import NamedTuple
 from pydantic import ValidationError
 
 from core.cell.cell import Cell
+from core.cell.kinematics import Axes, is_same_robot, joint_axes
+from core.cell.urdf import check_urdf
 from core.errors import BadTwin
 from core.files.schema_flaw import schema_flaw
 from core.gap.answer import Diagnosis, Explanation, Origin, Pair, Triangle, Value
@@ -65,7 +67,16 @@ def object_to_cell(origin: Origin, cell: Cell) -> Objection | None:
     if origin.joints not in (0, expected):
         against = Message.of("gap-other-joints", joints=origin.joints)
         return Objection(against, Message.of("gap-wanted-joints", joints=expected, cell=cell.name))
+    if origin.robot is not None and not is_same_robot(origin.robot, find_axes(cell)):
+        return Objection(Message.of("gap-of-other-robot"), Message.of("gap-wanted-robot", cell=cell.name))
     return None
+
+
+def find_axes(cell: Cell) -> Axes:
+    """The axes of the joints between a cell's base and its sensor."""
+    robot, where = cell.robot, cell.locate("robot.urdf")
+    joints = check_urdf(cell.urdf, str(where)).chain(robot.base_frame, robot.sensor_frame)
+    return joint_axes(cell.urdf, joints, robot.base_frame, str(where))
 
 
 def make_entries(found: Explanation | Pair, gap_before: float, origin: Origin, added: datetime) -> Iterator[Entry]:

@@ -197,6 +197,7 @@ def _where(recording: Recording, residual: Residual, best: EffectFit) -> Where:
         phase=top.phase,
         stage=best.effects[0].stage if best.effects else "sensor",
         by_time=residual.by_time(),
+        worst_s=residual.worst_stretch(),
         by_direction=residual.by_direction(),
         by_pose=residual.by_pose(),
         joints=joint_side(recording, best.beta[OFFSET]),

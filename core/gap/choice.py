@@ -12,10 +12,10 @@ from core.cell.cell import Box, Cell
 from core.errors import BadInput, Refused
 from core.events import Event
 from core.gap.evidence import Evidence
+from core.gap.planned_path import path_of
 from core.gap.proposal import CLEAR_SIGMA, Proposal, predict_along_path
-from core.planning.experiment import plan_experiment
-from core.planning.experiment_path import path_of
 from core.planning.plan import Plan
+from core.planning.search import plan_stops
 from core.planning.settings import Planner
 from core.recording.recording import Recording
 from core.robot.collision import CollisionModel
@@ -52,9 +52,7 @@ def choose_experiment(
         if not proposal.motion.stops:
             return Choice(proposal, None)
         try:
-            plan = yield from plan_experiment(
-                cell, robot, collision, payload_box, proposal.motion.stops, start=home, planner=planner, seed=seed
-            )
+            plan = yield from plan_stops(cell, robot, collision, payload_box, proposal.motion.stops, start=home, planner=planner, seed=seed)
         except Refused as reason:
             refused = reason
             continue

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from core.cell.kinematics import joint_axes
 from core.effects.effect import Effect
 from core.effects.library import library
 from core.gap.answer import Diagnosis, Origin
@@ -64,10 +65,13 @@ def examine(
 
 def find_origin(recording: Recording, folder: Path, twin: Twin) -> Origin:
     """What a diagnosis is of; the recording was read from the folder."""
+    robot = recording.robot
     return Origin(
         recording=folder.resolve().name,
         sha256=recording_sha256(folder),
         cell=recording.cell,
         joints=0 if recording.q is None else recording.q.shape[1],
+        robot=None if robot is None else joint_axes(robot.urdf, robot.joints, robot.base_frame, str(folder)),
+        begins_s=float(recording.t[0]),
         twin=twin.hashes,
     )

@@ -14,7 +14,8 @@ from scipy.spatial.transform import Rotation, RotationSpline
 
 from core.array import Array
 from core.estimation.kinematics import Poses, axial
-from core.planning.stop import HOLD_S, Stop, Swings, Wave, wave_shape
+from core.planning.settings import Timing
+from core.planning.stop import Stop, Swings, Wave, wave_shape
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
 
@@ -28,7 +29,7 @@ ACCELERATION = 4.8
 """Of a swing, rad/s2, as in the paper."""
 JOINT_ACCELERATION = 10.0
 """In a wave, rad/s2."""
-SETTLE_S = 1.0
+TIMING = Timing()
 RESTARTS = 60
 
 
@@ -43,14 +44,17 @@ class Piece:
 def rehearse(recording: Recording, poses: Poses, stops: tuple[Stop, ...]) -> Recording:
     """The recording's robot going through the stops, without a wrench (zeros), at the recording's period."""
     actor = _Poses(poses) if recording.q is None or recording.robot is None else _Joints(recording, poses)
-    pieces = [Piece(actor.still(HOLD_S), "hold:free")]
+    pieces = [Piece(actor.still(TIMING.hold_s), "hold:free")]
     for stop in stops:
         hold = Piece(np.empty(0), f"hold:{stop.label}")
-        pieces += [Piece(actor.towards(stop), "transfer"), replace(hold, path=actor.still(HOLD_S))]
+        pieces += [Piece(actor.towards(stop), "transfer"), replace(hold, path=actor.still(TIMING.hold_s))]
         if stop.swings is not None:
-            pieces += [Piece(actor.make_swings(stop.swings), f"rotate:{stop.swings.about}"), replace(hold, path=actor.still(SETTLE_S))]
+            pieces += [
+                Piece(actor.make_swings(stop.swings), f"rotate:{stop.swings.about}"),
+                replace(hold, path=actor.still(TIMING.settle_s)),
+            ]
         if stop.wave is not None:
-            pieces += [Piece(actor.make_wave(stop.wave), "transfer"), replace(hold, path=actor.still(SETTLE_S))]
+            pieces += [Piece(actor.make_wave(stop.wave), "transfer"), replace(hold, path=actor.still(TIMING.settle_s))]
     path = np.concatenate([piece.path for piece in pieces])
     coarse = np.arange(len(path), dtype=np.float64) * STEP_S
     t = np.arange(0.0, coarse[-1], poses.period)
@@ -160,7 +164,13 @@ class _Joints(_Poses):
 
 
 def trapezoids(swings: Swings) -> Array:
-    """(K,), angle every `STEP_S`, out and back."""
+    """(K,), angle every `STEP_S`, out and back.
+
+    Raises:
+        ValueError: how often is for a plan to settle.
+    """
+    if swings.repetitions is None:
+        raise ValueError("a rotation without a number of repetitions has no length before it is planned")
     ramp = max(1, round(np.sqrt(swings.excursion_rad / ACCELERATION) / STEP_S))
     out = np.repeat([1.0, -1.0], ramp)
     rate = ACCELERATION * STEP_S * np.cumsum(np.tile(np.concatenate((out, -out)), swings.repetitions))

@@ -73,6 +73,12 @@ class Residual:
         total = float(excess.sum()) or 1.0
         return [float(part.sum()) / total for part in np.array_split(excess, parts)]
 
+    def worst_stretch(self, parts: int = 10) -> tuple[float, float]:
+        """Begin and end of the largest of these stretches, s."""
+        shares = self.by_time(parts)
+        worst = np.array_split(self._windows.centres, parts)[int(np.argmax(shares))]
+        return float(worst[0]), float(worst[-1])
+
     def by_direction(self) -> dict[str, float]:
         """Mean square (noise is 1) while turning positively, negatively, and standing still; axis of the largest rate."""
         scene = self._windows.basis.scene

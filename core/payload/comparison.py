@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, Field
 
 from core.array import Array
 from core.payload.channels import CHANNELS, UNITS
@@ -18,41 +18,32 @@ SIGNIFICANT = 0.01
 
 
 class Difference(BaseModel):
-    """The second minus the first, in `unit`.
-
-    Args:
-        std: standard uncertainty of the difference; `times_std` is the difference in multiples of it, with its sign.
-    """
+    """The second minus the first, in `unit`."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
-    name: str
-    value: float
-    std: float
-    times_std: float
-    unit: str
+    name: str = Field(description="Name of the parameter or the channel.", examples=["m"])
+    value: float = Field(description="The second minus the first, in `unit`.", examples=[0.012])
+    std: float = Field(description="Standard uncertainty of the difference, in `unit`.", examples=[0.004])
+    times_std: float = Field(description="The difference in multiples of its standard uncertainty, with its sign.", examples=[3.0])
+    unit: str = Field(description="Unit of `value` and `std`.", examples=["kg"])
 
 
 class Comparison(BaseModel):
-    """Two runs side by side; what one of them does not determine is not compared.
-
-    Args:
-        parameters: in the frame in which both were given, in the paper's order.
-        com: centre of mass; `inertia_com` about it.
-        offset: of the sensor, N and N m: how it drifted from one run to the other.
-        chance: of a difference at least as large in all parameters together, were the payload the same; null without any in common.
-        differ: whether that is too small to believe.
-    """
+    """Two runs side by side; what one of them does not determine is not compared."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
-    parameters: list[Difference]
-    com: list[Difference]
-    inertia_com: list[Difference]
-    offset: list[Difference]
-    chance: float | None
-    differ: bool
-    verdict: Message
+    parameters: list[Difference] = Field(description="The ten parameters in the paper's order, in the frame in which both were given.")
+    com: list[Difference] = Field(description="Centre of mass, m.")
+    inertia_com: list[Difference] = Field(description="Inertia about the centre of mass, kg m2.")
+    offset: list[Difference] = Field(description="Offsets of the sensor, N and N m: how they drifted from one run to the other.")
+    chance: float | None = Field(
+        description="Chance, 0 to 1, of a difference at least as large, were the payload the same; null without common parameters.",
+        examples=[0.37],
+    )
+    differ: bool = Field(description="Whether that is too small to believe (below 0.01).")
+    verdict: Message = Field(description="The same as a message.")
 
 
 def compare_payloads(

@@ -29,8 +29,12 @@ class Model(BaseModel):
 class Pose(Model):
     """Placement of a frame: translation, then roll, pitch, yaw about the fixed axes."""
 
-    xyz_m: Vector3 = (0.0, 0.0, 0.0)
-    rpy_rad: tuple[Angle, Angle, Angle] = (0.0, 0.0, 0.0)
+    xyz_m: Vector3 = Field(default=(0.0, 0.0, 0.0), description="Translation x y z, m.", examples=[[1.2, 0.0, 0.6]])
+    rpy_rad: tuple[Angle, Angle, Angle] = Field(
+        default=(0.0, 0.0, 0.0),
+        description="Roll, pitch, yaw about the fixed axes, rad: yaw after pitch after roll.",
+        examples=[[0.0, 0.0, 1.5708]],
+    )
 
     @property
     def translation(self) -> Array:
@@ -50,9 +54,9 @@ class Pose(Model):
 class Box(Model):
     """A cuboid with its centre at `pose`."""
 
-    kind: Literal["box"] = "box"
-    size_m: tuple[Positive, Positive, Positive]
-    pose: Pose = Pose()
+    kind: Literal["box"] = Field(default="box", description="Tells which shape it is.")
+    size_m: tuple[Positive, Positive, Positive] = Field(description="Lengths along x, y and z of `pose`, m.", examples=[[0.1, 0.08, 0.2]])
+    pose: Pose = Field(default=Pose(), description="Where its centre is.")
 
     @cached_property
     def corners(self) -> Array:
@@ -68,9 +72,9 @@ class Box(Model):
 class Sphere(Model):
     """A ball with its centre at `pose`."""
 
-    kind: Literal["sphere"]
-    radius_m: Positive
-    pose: Pose = Pose()
+    kind: Literal["sphere"] = Field(description="Tells which shape it is.")
+    radius_m: Positive = Field(description="Radius, m.", examples=[0.25])
+    pose: Pose = Field(default=Pose(), description="Where its centre is.")
 
     def depth(self, point: Array) -> float:
         """How far a point (3,) is below the surface, m; negative outside."""
@@ -80,10 +84,10 @@ class Sphere(Model):
 class Capsule(Model):
     """A cylinder along the z axis of `pose` with round ends; `length_m` without the ends."""
 
-    kind: Literal["capsule"]
-    radius_m: Positive
-    length_m: Positive
-    pose: Pose = Pose()
+    kind: Literal["capsule"] = Field(description="Tells which shape it is.")
+    radius_m: Positive = Field(description="Radius, m.", examples=[0.3])
+    length_m: Positive = Field(description="Length along z of `pose` without the round ends, m.", examples=[1.2])
+    pose: Pose = Field(default=Pose(), description="Where its centre is.")
 
     def depth(self, point: Array) -> float:
         """How far a point (3,) is below the surface, m; negative outside."""
@@ -95,10 +99,10 @@ class Capsule(Model):
 class Cylinder(Model):
     """A cylinder along the z axis of `pose`, with its centre there."""
 
-    kind: Literal["cylinder"]
-    radius_m: Positive
-    length_m: Positive
-    pose: Pose = Pose()
+    kind: Literal["cylinder"] = Field(description="Tells which shape it is.")
+    radius_m: Positive = Field(description="Radius, m.", examples=[0.3])
+    length_m: Positive = Field(description="Length along z of `pose`, m.", examples=[1.8])
+    pose: Pose = Field(default=Pose(), description="Where its centre is.")
 
     def depth(self, point: Array) -> float:
         """How far a point (3,) is below the surface, m; negative outside."""

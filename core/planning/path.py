@@ -167,6 +167,8 @@ def check_end(end: Message, q: Array, robot: RobotModel, collision: CollisionMod
     nearest = collision.nearest(q)
     if nearest.margin_m < 0.0:
         first, second = name_body(collision.cell, nearest.first), name_body(collision.cell, nearest.second)
+        if nearest.distance_m < 0.0:
+            raise NoPath("planning-end-inside", end=end, first=first, second=second, depth_m=-nearest.distance_m, in_the_way=nearest.second)
         raise NoPath(
             "planning-end-too-close",
             end=end, first=first, second=second, distance_m=nearest.distance_m, required_m=nearest.required_m, in_the_way=nearest.second,

@@ -1,4 +1,4 @@
-"""The plan of a whole run: for each sensor axis the pose against and along gravity, the transfers between them, the rotations.
+"""The plan of a whole run: its stops, the transfers between them, and what is done at each.
 
 Planning moves nothing. The plan is data: it can be shown, checked and released before the robot does anything.
 """
@@ -8,11 +8,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from hashlib import sha256
 
 from core.cell.cell import Cell
 from core.planning.commanded_path import PlanPart
-from core.planning.settings import WHOLE, Timing
+from core.planning.settings import Timing
 from core.planning.start_configuration import StartConfiguration
+from core.planning.stop import Stop
 from core.planning.summary import (
     ClosestPair,
     FastestCorner,
@@ -25,28 +27,33 @@ from core.planning.summary import (
 )
 from core.planning.transfer import Transfer
 from core.robot.trajectory import AngularProfile, JointTrajectory
-from core.second_opinion.opinion import Opinion
-
-POSES = WHOLE.poses
+from core.second_opinion.opinion import JointPath, Opinion
 
 
 @dataclass(frozen=True)
 class Leg:
-    """One transfer and what is done at its end: a hold, and one movement between two holds at most.
+    """The way to one stop and what is done there: a hold, and one movement between two holds at most.
 
     Args:
-        axis: `x+`, or `free`: what points down in the hold.
-        profile: of a rotation, None where there is none.
-        about: sensor axis of that rotation.
-        wave: joint trajectory from standstill to standstill, checked at every tick.
+        profile: of the stop's rotation, None where there is none.
+        wave: the stop's wave as a joint trajectory from standstill to standstill, checked at every tick; None where there is none.
     """
 
-    axis: str
+    stop: Stop
     start: StartConfiguration
     transfer: Transfer
     profile: AngularProfile | None = None
-    about: str = ""
     wave: JointTrajectory | None = None
+
+    @property
+    def axis(self) -> str:
+        """What points down in the hold: `x+`, or `free`."""
+        return self.stop.label
+
+    @property
+    def about(self) -> str:
+        """Sensor axis of the rotation; empty where there is none."""
+        return "" if self.stop.swings is None else self.stop.swings.about
 
     @property
     def moving_s(self) -> float:
@@ -61,6 +68,7 @@ class Plan:
     Args:
         opinion: of the check that shares no code with the planner, which the plan has passed.
         torques: what it asks of the joints, which they have.
+        commanded: every motion as joint positions, period by period, holds left out.
     """
 
     legs: tuple[Leg, ...]
@@ -69,6 +77,7 @@ class Plan:
     plan_s: float
     opinion: Opinion
     torques: PlanTorques
+    commanded: tuple[JointPath, ...]
 
     @property
     def robot_s(self) -> float:
@@ -96,6 +105,20 @@ def motions_of(legs: Sequence[Leg], home: Transfer) -> list[PlanPart]:
         motions += [] if leg.profile is None else [PlanPart(f"rotation {leg.about}", leg.profile, leg.about)]
         motions += [] if leg.wave is None else [PlanPart(f"wave {leg.axis}", leg.wave)]
     return [*motions, PlanPart("home", home.trajectory)]
+
+
+def plan_digest(plan: Plan) -> str:
+    """SHA-256 of every set point and of all times of a plan, hexadecimal."""
+    digest = sha256(repr((plan.timing, [(leg.axis, leg.about) for leg in plan.legs])).encode())
+    for leg in plan.legs:
+        digest.update(leg.transfer.trajectory.q.tobytes())
+        if leg.profile is not None:
+            digest.update(leg.profile.angle.tobytes())
+            digest.update(leg.profile.rate.tobytes())
+        if leg.wave is not None:
+            digest.update(leg.wave.q.tobytes())
+    digest.update(plan.home.trajectory.q.tobytes())
+    return digest.hexdigest()
 
 
 def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:

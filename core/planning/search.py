@@ -1,11 +1,11 @@
-"""Finds the plan of the procedure: start configurations, the transfers between them, the way home; each confirmed by a second opinion."""
+"""Finds the plan through a list of stops: start configurations, the transfers between them, what is done at each, the way home; all of it
+confirmed by a second opinion."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Generator, Sequence
-from dataclasses import replace
-from itertools import groupby
+from collections.abc import Generator, Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -19,14 +19,14 @@ from core.planning.commanded_path import compute_joint_paths
 from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
 from core.planning.joint_torques import JointTorques, Load, guess_load, refuse_too_heavy
 from core.planning.path import START, check_end, one_turn_away
-from core.planning.plan import POSES, Leg, Plan, motions_of
+from core.planning.plan import Leg, Plan, motions_of
 from core.planning.settings import Planner, Timing
-from core.planning.start_configuration import Grid, StartConfiguration, find_start_configuration
-from core.planning.summary import (
-    PlanTorques,
-)
+from core.planning.start_configuration import Attitude, Grid, StartConfiguration, find_start_configuration
+from core.planning.stop import Stop, Swings, wave_shape
+from core.planning.summary import PlanTorques
 from core.planning.throw import ThrowCheck
 from core.planning.transfer import Transfer, plan_transfer
+from core.planning.wave import fit_wave
 from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile, predict_inertia, repetitions_for
 from core.robot.model import RobotModel
@@ -34,66 +34,76 @@ from core.robot.trajectory import AngularProfile
 from core.second_opinion.opinion import JointPath, Opinion, second_opinion
 from core.second_opinion.refusal import refuse_disputed
 
+POSTURES = 4
+"""Searches among which the posture farthest from another one is taken."""
 
-def plan_procedure(
+
+def plan_stops(
     cell: Cell,
     robot: RobotModel,
     collision: CollisionModel,
     payload_box: Box,
+    stops: Sequence[Stop],
     *,
     start: Array,
-    poses: Sequence[str] = POSES,
-    rotations: bool = True,
-    period: float = 0.001,
     timing: Timing | None = None,
     mass_guess_kg: float = 1.0,
+    period: float = 0.001,
     planner: Planner = "rrt_connect",
     seed: int = 0,
     load: Load | None = None,
     effort: int = 1,
 ) -> Generator[Event, None, Plan]:
-    """Plans from joint positions `start` through all `poses` back to home.
+    """Plans from joint positions `start` (n,) through all stops back to home.
 
     Args:
-        rotations: whether there are any at the poses along gravity.
-        load: what the joints' torques are judged with; `guessed_load` where nothing is known of it.
+        timing: how long the robot stands still, and what rotations without a number of repetitions are to tell in the time there is.
+        mass_guess_kg: what those repetitions are planned for.
+        load: what the joints' torques are judged with; `guess_load` where nothing is known of it.
         effort: how much is searched before a plan is refused, see `core.planning.effort`.
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
-        TooHeavy: the joints have not the torque.
+        TooHeavy: the joints have not the torque, with the load or else with a guessed one.
         PlanDisputed: the second opinion does not confirm the plan, or a motion of it cannot be carried out.
     """
     began = time.perf_counter()
     timing = timing or Timing()
-    speed = cell.limits.cartesian_speed_m_s
-    once = decoupling_profile(widest_box(cell, payload_box), cartesian_speed=speed, period=period, excursion=timing.swing_rad)
     torques = check_standing(cell, robot, collision, start, load or guess_load(cell, payload_box, mass_guess_kg), period)
-    search = _Search(cell, robot, collision, once, rotations, planner, seed, torques, effort)
-    reached: list[Reached] = []
-    for _, group in groupby(poses, key=lambda pose: pose[0]):
-        here = reached[-1].start.q if reached else start
-        reached += yield from search.reach(tuple(group), here)
-    last = reached[-1].start.q if reached else start
-    back = way_home(cell, robot, collision, last, period=period, planner=planner, seed=seed, effort=effort)
+    search = _Search(cell, robot, collision, payload_box, period, planner, seed, torques, effort)
+    legs: list[Leg] = []
+    here = start
+    for group in _group_opposites(stops):
+        legs += yield from search.reach(group, here)
+        here = legs[-1].transfer.goal
+    back = way_home(cell, robot, collision, here, period=period, planner=planner, seed=seed, effort=effort)
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
-    moving = back.trajectory.duration + sum(pose.transfer.trajectory.duration for pose in reached)
-    turns = sum(axis.endswith("+") for axis in poses)
-    budget = (timing.robot_s - moving - timing.hold_s * len(poses)) / max(turns, 1) - timing.settle_s
-    legs = tuple(
-        Leg(
-            axis,
-            start,
-            transfer,
-            _repeat_rotation(cell, payload_box, axis, once, budget, mass_guess_kg, timing) if rotations else None,
-            axis[0],
-        )
-        for axis, start, transfer in reached
-    )
+    legs = _repeat_rotations(legs, back, timing, search, mass_guess_kg)
     found = confirm_plan(cell, robot, collision, payload_box, legs, back, torques)
-    plan = Plan(legs, back, timing, time.perf_counter() - began, found.opinion, found.torques)
+    plan = Plan(tuple(legs), back, timing, time.perf_counter() - began, found.opinion, found.torques, found.commanded)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
+
+
+def _group_opposites(stops: Sequence[Stop]) -> Iterator[tuple[Stop, ...]]:
+    """Neighbours that point opposite sides down in one group: the way between them is short where they are sought together."""
+    rest = tuple(stops)
+    while rest:
+        opposite = len(rest) > 1 and np.array_equal(rest[0].down, np.negative(rest[1].down))
+        size = 2 if opposite else 1
+        yield rest[:size]
+        rest = rest[size:]
+
+
+def _repeat_rotations(legs: list[Leg], home: Transfer, timing: Timing, search: _Search, mass_guess_kg: float) -> list[Leg]:
+    """The legs with their rotations as often as the wanted uncertainty needs, in the robot time, where the stops leave that open."""
+    count = sum(leg.stop.repeats_as_needed for leg in legs)
+    if not count:
+        return legs
+    moving = home.trajectory.duration + sum(leg.transfer.trajectory.duration for leg in legs)
+    settled = sum(leg.moving_s + timing.settle_s for leg in legs if leg.moving_s > 0.0 and not leg.stop.repeats_as_needed)
+    budget = (timing.robot_s - moving - settled - timing.hold_s * len(legs)) / count - timing.settle_s
+    return [search.repeat_as_needed(leg, budget, mass_guess_kg, timing.inertia_std) for leg in legs]
 
 
 def check_standing(cell: Cell, robot: RobotModel, collision: CollisionModel, start: Array, load: Load, period: float) -> JointTorques:
@@ -115,6 +125,7 @@ class Confirmation(NamedTuple):
 
     opinion: Opinion
     torques: PlanTorques
+    commanded: tuple[JointPath, ...]
 
 
 def confirm_plan(
@@ -138,7 +149,7 @@ def confirm_plan(
     refuse_too_heavy(asked)
     opinion = second_opinion(cell, payload_box, paths, home.trajectory.period)
     refuse_disputed(cell, opinion)
-    return Confirmation(opinion, asked)
+    return Confirmation(opinion, asked, tuple(paths))
 
 
 def way_home(
@@ -160,99 +171,119 @@ def way_home(
     raise failure
 
 
-class Reached(NamedTuple):
-    """A pose with the way to it."""
-
-    axis: str
-    start: StartConfiguration
-    transfer: Transfer
-
-
-class _Search(NamedTuple):
-    """Finds the poses of one axis together with the ways to them."""
+@dataclass(frozen=True)
+class _Search:
+    """Finds stops together with the ways to them."""
 
     cell: Cell
     robot: RobotModel
     collision: CollisionModel
-    rotation: AngularProfile
-    rotations: bool
+    payload_box: Box
+    period: float
     planner: Planner
     seed: int
     torques: JointTorques
     effort: int
 
-    def reach(self, poses: tuple[str, ...], here: Array) -> Generator[Event, None, list[Reached]]:
-        """Start configurations that can be reached from joint positions `here`, other ones where there is no way to the first."""
+    def reach(self, group: tuple[Stop, ...], here: Array) -> Generator[Event, None, list[Leg]]:
+        """Stops that can be reached from joint positions `here`, and leave room for what is done there; others where these cannot.
+
+        A rotation that the stop does not say how often to repeat is made once.
+        """
         for attempt, iterations in enumerate(path_iterations(self.effort)):
-            starts = yield from self._find(poses, here, self.seed + 101 * attempt)
+            starts = yield from self._find(group, here, self.seed + 101 * attempt)
             try:
-                return (yield from self._connect(poses, starts, here, iterations))
+                return (yield from self._connect(group, starts, here, iterations))
             except NoPath as error:
                 failure = error
-        failure.axis = poses[0]
+        failure.axis = group[0].label
         raise failure
 
-    def _find(self, poses: tuple[str, ...], here: Array, seed: int) -> Generator[Event, None, dict[str, StartConfiguration]]:
-        """The axis along gravity first, which is the harder one; its opposite then near it."""
-        starts: dict[str, StartConfiguration] = {}
-        for axis in sorted(poses):
-            rotation = self.rotation if self.rotations and axis.endswith("+") else None
-            grid = Grid(rounds=grid_rounds(self.effort))
-            found = find_start_configuration(
-                self.cell, self.robot, self.collision, axis, rotation, seed=seed, near=here, grid=grid, torques=self.torques
-            )
+    def repeat_as_needed(self, leg: Leg, budget: float, mass_guess_kg: float, inertia_std: float) -> Leg:
+        """A leg with its rotation as often as the wanted relative uncertainty needs in `budget` s, if its stop leaves that open."""
+        swings = leg.stop.swings
+        if swings is None or not leg.stop.repeats_as_needed:
+            return leg
+        k = "xyz".index(swings.about)
+        once = self._profile(swings)
+        repetitions = repetitions_for(
+            once,
+            torque_std=self.cell.sensor.noise_std[3 + k],
+            inertia_std=inertia_std * predict_inertia(self.payload_box, mass_guess_kg, k),
+            budget=max(budget, once.duration),
+        )
+        return replace(leg, profile=self._profile(swings, repetitions))
+
+    def _find(self, group: tuple[Stop, ...], here: Array, seed: int) -> Generator[Event, None, list[StartConfiguration]]:
+        """The harder one of two opposite stops first, which is the one with a rotation; the other then near it."""
+        starts: dict[Stop, StartConfiguration] = {}
+        for stop in sorted(group, key=lambda stop: (stop.swings is None, stop.label)):
+            found = self._choose(stop, here, seed)
             yield StartConfigurationFound(
-                axis=axis,
+                axis=stop.label,
                 clearance_m=found.clearance_m,
                 nearest=found.nearest,
                 manipulability=found.manipulability,
                 candidates=found.candidates,
             )
-            starts[axis] = found
+            starts[stop] = found
             here = found.q
-        return starts
+        return [starts[stop] for stop in group]
+
+    def _choose(self, stop: Stop, here: Array, seed: int) -> StartConfiguration:
+        """Where to stop, near joint positions `here`; where the posture is to be another one, the farthest of several."""
+        if stop.away_from_rad is None:
+            return self._start(stop, here, seed)
+        avoided = np.array(stop.away_from_rad)
+        found = [self._start(stop, None, seed + k) for k in range(POSTURES)]
+        return max(found, key=lambda start: float(np.abs(start.q - avoided).max()))
+
+    def _start(self, stop: Stop, near: Array | None, seed: int) -> StartConfiguration:
+        about = "x" if stop.swings is None else stop.swings.about
+        rotation = None if stop.swings is None else self._profile(stop.swings)
+        attitude = Attitude(stop.label, np.array(stop.down), np.eye(3)["xyz".index(about)], rotation)
+        grid = Grid(rounds=grid_rounds(self.effort))
+        found = find_start_configuration(
+            self.cell, self.robot, self.collision, attitude, seed=seed, near=near, grid=grid, torques=self.torques
+        )
+        return replace(found, about="" if stop.swings is None else about)
 
     def _connect(
-        self, poses: tuple[str, ...], starts: dict[str, StartConfiguration], here: Array, iterations: int
-    ) -> Generator[Event, None, list[Reached]]:
-        """Transfers from one pose to the next."""
-        reached: list[Reached] = []
-        for axis in poses:
-            goals = one_turn_away(self.robot, starts[axis].q, here)
+        self, group: tuple[Stop, ...], starts: list[StartConfiguration], here: Array, iterations: int
+    ) -> Generator[Event, None, list[Leg]]:
+        """Transfers from one stop to the next, and what is done at their ends."""
+        legs: list[Leg] = []
+        for stop, start in zip(group, starts, strict=True):
+            goals = one_turn_away(self.robot, start.q, here)
             transfer = plan_transfer(
                 self.cell,
                 self.robot,
                 self.collision,
                 here,
                 goals,
-                period=self.rotation.period,
+                period=self.period,
                 planner=self.planner,
                 seed=self.seed,
                 iterations=iterations,
             )
-            yield TransferPlanned(axis=axis, robot_s=transfer.trajectory.duration, least_margin_m=transfer.least_margin_m)
-            reached.append(Reached(axis, replace(starts[axis], q=transfer.goal), transfer))
+            legs.append(self._make_leg(stop, replace(start, q=transfer.goal), transfer))
+            yield TransferPlanned(axis=stop.label, robot_s=transfer.trajectory.duration, least_margin_m=transfer.least_margin_m)
             here = transfer.goal
-        return reached
+        return legs
 
+    def _make_leg(self, stop: Stop, start: StartConfiguration, transfer: Transfer) -> Leg:
+        if stop.swings is not None:
+            return Leg(stop, start, transfer, profile=self._profile(stop.swings, stop.swings.repetitions or 1))
+        if stop.wave is not None:
+            shape = wave_shape(stop.wave, self.robot.n, self.period)
+            return Leg(stop, start, transfer, wave=fit_wave(self.cell, self.robot, self.collision, start.q, shape, self.period))
+        return Leg(stop, start, transfer)
 
-def _repeat_rotation(
-    cell: Cell, payload_box: Box, axis: str, once: AngularProfile, budget: float, mass_guess_kg: float, timing: Timing
-) -> AngularProfile | None:
-    """The rotation as often as the wanted uncertainty needs; None for a pose that is only held."""
-    if axis.endswith("-"):
-        return None
-    k = "xyz".index(axis[0])
-    repetitions = repetitions_for(
-        once,
-        torque_std=cell.sensor.noise_std[3 + k],
-        inertia_std=timing.inertia_std * predict_inertia(payload_box, mass_guess_kg, k),
-        budget=max(budget, once.duration),
-    )
-    return decoupling_profile(
-        widest_box(cell, payload_box),
-        cartesian_speed=cell.limits.cartesian_speed_m_s,
-        period=once.period,
-        repetitions=repetitions,
-        excursion=timing.swing_rad,
-    )
+    def _profile(self, swings: Swings, repetitions: int = 1) -> AngularProfile:
+        return decoupling_profile(
+            widest_box(self.cell, self.payload_box),
+            cartesian_speed=self.cell.limits.cartesian_speed_m_s,
+            period=self.period,
+            repetitions=repetitions,
+            excursion=swings.excursion_rad,
+        )

@@ -47,11 +47,6 @@ class Scope:
     rotations: bool = True
 
     @property
-    def poses(self) -> tuple[str, ...]:
-        """Against gravity first: the rotation then starts where the hold along gravity has just been measured."""
-        return tuple(f"{axis}{sign}" for axis in self.axes for sign in "-+")
-
-    @property
     def not_excited(self) -> dict[str, Message]:
         """Name of each inertial parameter that no rotation of this part shows -> why. Transfers may show it all the same."""
         return explain_not_excited(self.axes if self.rotations else "")

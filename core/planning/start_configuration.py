@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 
@@ -189,36 +190,6 @@ class Checks:
         return name_body(self._cell, nearest.first), name_body(self._cell, nearest.second)
 
 
-def find_start_configuration(
-    cell: Cell,
-    robot: RobotModel,
-    collision: CollisionModel,
-    axis: str,
-    rotation: AngularProfile | None,
-    *,
-    seed: int,
-    near: Array | None = None,
-    grid: Grid | None = None,
-    weights: Weights | None = None,
-    torques: JointTorques | None = None,
-) -> StartConfiguration:
-    """The best configuration with a sensor axis along ("x+") or against ("x-") gravity from which the whole rotation can be done safely.
-
-    Args:
-        rotation: about the sensor axis through the sensor origin, positive about the sensor's own axis; None for a pose that is only held.
-        seed: the same seed gives the same configuration.
-        near: (n,), where the robot comes from: every second of the way there costs `weights.travel_per_s`.
-        torques: with the load; a configuration that the joints cannot hold is none. None where they are not to be judged.
-
-    Raises:
-        NoStartConfiguration: there is none, with what rejected how many candidates.
-        TooHeavy: there is none because the joints cannot hold the load.
-    """
-    unit = np.eye(3)["xyz".index(axis[0])]
-    attitude = Attitude(axis, unit if axis[1] == "+" else -unit, unit, rotation)
-    return find_attitude(cell, robot, collision, attitude, seed=seed, near=near, grid=grid, weights=weights, torques=torques)
-
-
 @dataclass(frozen=True)
 class Attitude:
     """What is sought: a direction of the sensor along gravity, and what is done there.
@@ -226,16 +197,23 @@ class Attitude:
     Args:
         name: for messages.
         down: (3,), unit vector in the sensor frame that is to lie along gravity.
-        about: (3,), unit vector in the sensor frame that `rotation` turns about; None for a pose that is only held.
+        about: (3,), unit vector in the sensor frame that `rotation` turns about, through the sensor origin.
+        rotation: positive about the sensor's own axis; None for a pose that is only held.
     """
 
     name: str
     down: Array
     about: Array
-    rotation: AngularProfile | None
+    rotation: AngularProfile | None = None
+
+    @classmethod
+    def of_axis(cls, axis: str, rotation: AngularProfile | None = None) -> Self:
+        """A sensor axis along ("x+") or against ("x-") gravity, and turned about."""
+        unit = np.eye(3)["xyz".index(axis[0])]
+        return cls(axis, unit if axis[1] == "+" else -unit, unit, rotation)
 
 
-def find_attitude(
+def find_start_configuration(
     cell: Cell,
     robot: RobotModel,
     collision: CollisionModel,
@@ -247,7 +225,17 @@ def find_attitude(
     weights: Weights | None = None,
     torques: JointTorques | None = None,
 ) -> StartConfiguration:
-    """The same for any direction of the sensor along gravity, and a rotation about any other. Arguments and errors as there."""
+    """The best configuration with an attitude from which the whole rotation can be done safely.
+
+    Args:
+        seed: the same seed gives the same configuration.
+        near: (n,), where the robot comes from: every second of the way there costs `weights.travel_per_s`.
+        torques: with the load; a configuration that the joints cannot hold is none. None where they are not to be judged.
+
+    Raises:
+        NoStartConfiguration: there is none, with what rejected how many candidates.
+        TooHeavy: there is none because the joints cannot hold the load.
+    """
     grid, weights = grid or Grid(), weights or Weights()
     rng = np.random.default_rng(seed)
     axis, direction = attitude.name, attitude.down

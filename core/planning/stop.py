@@ -1,21 +1,14 @@
-"""What to measure next: motions that may tell two explanations apart, as small data. Which one does is predicted, not listed."""
+"""One stop of a run, as small data: an attitude, and what is done there."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import Field
 
 from core.array import Array
 from core.payload.shapes import Model
-from core.recording.recording import Recording
-from core.words.message import Message
-
-if TYPE_CHECKING:  # who only reads a proposal waits for no estimator
-    from core.estimation.segments import Segment
-
 
 Axis = Literal["x", "y", "z"]
 AXES: tuple[Axis, Axis, Axis] = ("x", "y", "z")
@@ -23,43 +16,43 @@ Rad = Annotated[float, Field(ge=-100.0, le=100.0)]
 Component = Annotated[float, Field(ge=-1.0, le=1.0)]
 Direction = tuple[Component, Component, Component]
 
-HOLD_S = 1.5
-"""Motionless phase on arrival at every stop."""
-TILT_RAD = 0.6
-"""Between an attitude and the ones from whose sides it is approached."""
-SECOND_PAYLOAD = "second_payload"
-
 
 class Swings(Model):
-    """Rotation about a sensor axis through the sensor origin, out and back, trapezoids of angular velocity."""
+    """Rotation about a sensor axis through the sensor origin, out and back, trapezoids of angular velocity.
 
-    about: Axis
-    excursion_rad: Annotated[float, Field(gt=0.0, le=3.0)] = 0.25
-    repetitions: Annotated[int, Field(ge=1, le=100)] = 10
+    Args:
+        repetitions: None for as often as the wanted accuracy needs, within the robot time of the plan.
+    """
+
+    about: Axis = Field(description="Sensor axis that is turned about.")
+    excursion_rad: Annotated[float, Field(gt=0.0, le=3.0)] = Field(default=0.25, description="How far, rad.", examples=[0.25])
+    repetitions: Annotated[int, Field(ge=1, le=100)] | None = Field(
+        default=10, description="How often out and back; null for as often as the wanted accuracy needs.", examples=[10]
+    )
 
 
 class Wave(Model):
     """All joints at once, sines between two frequencies whose speeds are alike; how large, planning decides."""
 
-    seconds: Annotated[float, Field(ge=2.0, le=120.0)] = 10.0
-    lowest_hz: Annotated[float, Field(gt=0.0, le=50.0)] = 0.3
-    highest_hz: Annotated[float, Field(gt=0.0, le=50.0)] = 6.0
-    seed: Annotated[int, Field(ge=0)] = 0
+    seconds: Annotated[float, Field(ge=2.0, le=120.0)] = Field(default=10.0, description="How long, s.", examples=[10.0])
+    lowest_hz: Annotated[float, Field(gt=0.0, le=50.0)] = Field(default=0.3, description="Lowest frequency, Hz.", examples=[0.3])
+    highest_hz: Annotated[float, Field(gt=0.0, le=50.0)] = Field(default=6.0, description="Highest frequency, Hz.", examples=[6.0])
+    seed: Annotated[int, Field(ge=0)] = Field(default=0, description="Of the sines' phases.", examples=[0])
 
 
 class Stop(Model):
-    """One attitude: the way there, a hold, and what is done from it before the next hold.
+    """One attitude: the way there, a hold, and what is done from it before the next hold."""
 
-    Args:
-        down: direction of gravity in the sensor frame, unit length.
-        swings, wave: at most one of them; only the hold where both are absent.
-        away_from_rad: joint positions of another posture of the arm with the same attitude, to keep far from.
-    """
-
-    down: Direction
-    swings: Swings | None = None
-    wave: Wave | None = None
-    away_from_rad: Annotated[tuple[Rad, ...], Field(max_length=32)] | None = None
+    down: Direction = Field(description="Direction of gravity in the sensor frame, unit length.", examples=[[1.0, 0.0, 0.0]])
+    swings: Swings | None = Field(
+        default=None, description="Rotation from there; at most one of `swings` and `wave`, only the hold where both are null."
+    )
+    wave: Wave | None = Field(default=None, description="Motion of all joints from there.")
+    away_from_rad: Annotated[tuple[Rad, ...], Field(max_length=32)] | None = Field(
+        default=None,
+        description="Joint positions, rad, of another posture of the arm with the same attitude, to keep far from.",
+        examples=[[0.1, 0.9, 0.0, -1.4, 0.2, 1.1, 0.0]],
+    )
 
     @property
     def label(self) -> str:
@@ -69,75 +62,10 @@ class Stop(Model):
             return "free"
         return f"{'xyz'[axis]}{'+' if self.down[axis] > 0 else '-'}"
 
-
-class CandidateMotion(Model):
-    """A candidate: its identifier, what it is, and its stops; no stops for what is no motion."""
-
-    id: Annotated[str, Field(max_length=64)]
-    sentence: Message
-    stops: Annotated[tuple[Stop, ...], Field(max_length=12)]
-
-
-def candidates(recording: Recording, segments: tuple[Segment, ...], g: Array) -> Iterator[CandidateMotion]:
-    """Motions that may be worth their time after a recording.
-
-    Args:
-        segments: of the recording.
-        g: (N, 3), gravity in the sensor frame.
-    """
-    first = next((part for part in segments if part.is_hold), None)
-    down = _unit(g[0] if first is None else g[first.rows].mean(axis=0))
-    for about in (0, 1, 2):
-        yield _swings(about, (about + 1) % 3)
-    yield CandidateMotion(id="tilted_holds", sentence=Message.of("experiment-tilted-holds"), stops=_diagonals())
-    yield CandidateMotion(id="revisit", sentence=Message.of("experiment-revisit"), stops=(Stop(down=down),))
-    yield CandidateMotion(id="both_sides", sentence=Message.of("experiment-both-sides"), stops=_both_sides(down))
-    for name, low, high, seconds in (("slow", 0.3, 5.0, 10.0), ("fast", 5.0, 15.0, 20.0)):
-        wave = Wave(lowest_hz=low, highest_hz=high, seconds=seconds)
-        sentence = Message.of("experiment-wide-band", lowest_hz=low, highest_hz=high)
-        yield CandidateMotion(id=f"wide_band_{name}", sentence=sentence, stops=(Stop(down=_diagonal(1, 1), wave=wave),))
-    if recording.q is not None:
-        q = recording.q[0 if first is None else first.stop - 1]
-        elsewhere = Stop(down=down, away_from_rad=tuple(q.tolist()))
-        yield CandidateMotion(id="other_posture", sentence=Message.of("experiment-other-posture"), stops=(elsewhere,))
-
-
-def second_payload(best_sigma: float) -> CandidateMotion:
-    """What is left where no motion tells two explanations apart: the best one reaches `best_sigma`."""
-    return CandidateMotion(id=SECOND_PAYLOAD, sentence=Message.of("experiment-second-payload", best_sigma=best_sigma), stops=())
-
-
-def _swings(about: int, vertical: int) -> CandidateMotion:
-    """Rotation about a horizontal axis: gravity sweeps through the sensor."""
-    axis, down = AXES[about], AXES[vertical]
-    return CandidateMotion(
-        id=f"swings_about_horizontal_{axis}",
-        sentence=Message.of("experiment-swings", axis=axis, down=down),
-        stops=(Stop(down=_unit(np.eye(3)[vertical]), swings=Swings(about=axis)),),
-    )
-
-
-def _diagonals() -> tuple[Stop, ...]:
-    return tuple(Stop(down=_diagonal(x, y)) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1)))
-
-
-def _diagonal(x: int, y: int) -> Direction:
-    return _unit(np.array([x, y, 1.0]))
-
-
-def _both_sides(down: Direction) -> tuple[Stop, ...]:
-    """Tilted one way, upright, tilted the other way, upright."""
-    across = np.cross(down, np.eye(3)[int(np.argmin(np.abs(down)))])
-    sides = [_unit(np.cos(TILT_RAD) * np.array(down) + sign * np.sin(TILT_RAD) * across / np.linalg.norm(across)) for sign in (1, -1)]
-    return tuple(Stop(down=direction) for direction in (sides[0], down, sides[1], down))
-
-
-def _unit(x: Array) -> Direction:
-    unit = x / np.linalg.norm(x)
-    nearest = int(np.argmax(np.abs(unit)))
-    if abs(unit[nearest]) > np.cos(np.radians(1.0)):  # an axis that is held along gravity is meant to be exactly there
-        unit = np.sign(unit[nearest]) * np.eye(3)[nearest]
-    return float(unit[0]), float(unit[1]), float(unit[2])
+    @property
+    def repeats_as_needed(self) -> bool:
+        """Whether how often it rotates is for the plan to settle."""
+        return self.swings is not None and self.swings.repetitions is None
 
 
 def wave_shape(wave: Wave, joints: int, period: float) -> Array:

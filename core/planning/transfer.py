@@ -141,6 +141,8 @@ def _stand_still(collision: CollisionModel, q: Array, period: float) -> Transfer
     nearest = collision.nearest(q)
     if nearest.margin_m < 0.0:
         first, second = name_body(collision.cell, nearest.first), name_body(collision.cell, nearest.second)
+        if nearest.distance_m < 0.0:
+            raise NoPath("planning-stands-inside", first=first, second=second, depth_m=-nearest.distance_m, in_the_way=nearest.second)
         raise NoPath(
             "planning-stands-too-close",
             first=first, second=second, distance_m=nearest.distance_m, required_m=nearest.required_m, in_the_way=nearest.second,

@@ -1,4 +1,4 @@
-"""The whole procedure of the paper (Fig. 2-3) from top to bottom: plan, move, hold, rotate, estimate.
+"""A run from top to bottom: plan, move, hold, rotate, estimate. It stops where the paper's procedure (Fig. 2-3) does, or elsewhere.
 
 `identify` is a generator of events that returns the outcome: no threads, no callbacks. The command line prints the events, a test drains
 them (`core.events.drive`). `carry_out` is the same for a plan that has been shown and released already.
@@ -19,12 +19,13 @@ from core.estimation.identification import identify_recording
 from core.events import Event, Finished, RecordingWritten
 from core.planning.joint_torques import find_known_load
 from core.planning.plan import Plan
-from core.planning.sequence import Procedure
-from core.planning.settings import WHOLE, Planner, Scope, Timing
+from core.planning.settings import Planner
+from core.planning.stops import PROCEDURE, Stops
 from core.procedure.outcome import Outcome
 from core.procedure.recorder import Recorder, build_estimator
 from core.procedure.run import Planning, Run
 from core.recording.folder import write_recording
+from core.recording.recording import Recording, check_same_robot
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotSession
@@ -36,11 +37,10 @@ def identify(
     session: RobotSession,
     payload_box: Box,
     *,
+    stops: Stops | None = None,
+    before: Recording | None = None,
     payload: str | None = None,
     reference: Payload | None = None,
-    timing: Timing | None = None,
-    mass_guess_kg: float = 1.0,
-    scope: Scope = WHOLE,
     start: Array | None = None,
     planner: Planner = "rrt_connect",
     seed: int = 0,
@@ -54,11 +54,10 @@ def identify(
         cell: where the robot stands, with its limits.
         session: the robot; entered and left here.
         payload_box: what certainly contains the payload, sensor frame. Nothing else need be known of it.
-        payload, reference: name and reference values, written into the recording; the joints' torques are judged with the payload of that
-            name where the cell knows it.
-        timing: holds, accuracy and robot time.
-        mass_guess_kg: what repetitions are planned for until the mass is known.
-        scope: what of the procedure is wanted.
+        stops: what the robot goes through; the whole procedure where absent.
+        before: a recording that is continued; only read. The outcome's recording holds its samples and, after a gap in time, the new ones.
+        payload, reference: name and reference values, written into the recording; the name is that of a recording that is continued where
+            absent. The joints' torques are judged with the payload of that name where the cell knows it.
         start: (n,), where the robot stands, rad; at home where absent.
         planner: of the paths.
         seed: of planning.
@@ -67,15 +66,18 @@ def identify(
         twin: of the cell; the estimate accounts for its effects.
 
     Raises:
+        BadInput: the recording that is continued is not of this cell's robot as it stands.
         Refused: the cell leaves no safe way; the robot has not moved.
         Stopped: the guard stopped the robot more often than may be; the recording is written.
         Interrupted: Ctrl-C; the robot is stopped and the recording written.
     """
     robot = RobotModel.of_cell(cell)
-    sequence = Procedure(timing or Timing(), mass_guess_kg, scope)
-    log = SampleLog(cell, robot, payload=payload, reference=reference)
+    if before is not None:
+        check_same_robot(before, robot.description, cell.gravity_in_base)
+        payload = payload or before.payload
+    log = SampleLog(cell, robot, payload=payload, reference=reference, before=before)
     recorder = Recorder(log, build_estimator(log, session.period))
-    planning = Planning(sequence, planner, seed, effort, find_known_load(cell, payload))
+    planning = Planning(stops or PROCEDURE, planner, seed, effort, find_known_load(cell, payload))
     run = Run(cell, robot, session, payload_box, planning, recorder)
     plan = yield from run.make_plan(np.array(cell.robot.home_rad) if start is None else start)
     return (yield from move_and_estimate(run, plan, twin, out))
@@ -98,7 +100,8 @@ def carry_out(
     robot = RobotModel.of_cell(cell)
     log = SampleLog(cell, robot, payload=payload, reference=reference)
     recorder = Recorder(log, build_estimator(log, session.period))
-    planning = Planning(Procedure(plan.timing, mass_guess_kg), seed=seed, load=find_known_load(cell, payload))
+    stops = Stops(tuple(leg.stop for leg in plan.legs), plan.timing, mass_guess_kg)
+    planning = Planning(stops, seed=seed, load=find_known_load(cell, payload))
     run = Run(cell, robot, session, payload_box, planning, recorder, plan_s=plan.plan_s)
     return (yield from move_and_estimate(run, plan, twin, out))
 

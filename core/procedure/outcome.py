@@ -12,7 +12,7 @@ from core.cell.cell import Box, Cell
 from core.control.guard import SafetyRecord
 from core.estimation.estimate import Identification
 from core.estimation.result import Result, SafetyPart, SecondsPart, result_of
-from core.planning.plan import Plan
+from core.planning.plan import Plan, plan_digest
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
 from core.robot.pair_group import Nearest
@@ -88,4 +88,5 @@ class Outcome:
             seed=self.seed,
             beyond_first_m=self._beyond_first_m,
             opinion=self.plan.opinion,
+            plan_digest=plan_digest(self.plan),
         )

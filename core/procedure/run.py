@@ -17,8 +17,8 @@ from core.errors import Held, Stopped
 from core.events import Event, PhaseStarted, Progress, RobotStopped, StepFinished
 from core.planning.joint_torques import Load
 from core.planning.plan import Leg, Plan
-from core.planning.sequence import MotionSequence, PlanRequest
 from core.planning.settings import Planner
+from core.planning.stops import PlanRequest, Stops
 from core.procedure.recorder import Recorder
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
@@ -36,14 +36,14 @@ class Planning:
     """How the plans of a run are found: here, by this process.
 
     Args:
-        sequence: what the robot goes through.
+        stops: what the robot goes through.
         planner: of the paths.
         seed: of the first plan; another one after each stop gives other start configurations.
         effort: how much is searched before a plan is refused, see `core.planning.effort`.
         load: what the joints' torques are judged with; guessed where nothing is known of it.
     """
 
-    sequence: MotionSequence
+    stops: Stops
     planner: Planner = "rrt_connect"
     seed: int = 0
     effort: int = 1
@@ -51,7 +51,7 @@ class Planning:
 
     def find_plan(self, run: Run, start: Array) -> Generator[Event, None, Plan]:
         """A plan through what is left of a run, from joint positions `start` (n,), rad, where the robot stands."""
-        return self.sequence.plan_legs(self.request(run, start), run.robot, run.collision)
+        return self.stops.plan(self.request(run, start), run.robot, run.collision)
 
     def request(self, run: Run, start: Array) -> PlanRequest:
         """What is to be planned, for whoever plans it."""
@@ -60,7 +60,7 @@ class Planning:
 
 
 class Run:
-    """One robot in one cell: plans a sequence of motions, moves, and plans the rest anew after a stop.
+    """One robot in one cell: plans its stops, moves, and plans the rest anew after a stop by the guard.
 
     Args:
         robot: of the cell.
@@ -86,12 +86,14 @@ class Run:
         self.planning, self.recorder = planning, recorder
         self.collision = CollisionModel(cell, robot, payload_box)
         self.guard = Guard(cell, robot, self.collision, period=session.period)
-        self.steps = planning.sequence.steps + 1
+        self.steps = len(planning.stops) + 1
         """All legs, and the way home."""
         self.done = done
         """Steps that are finished: of the plan, and of a run that this one goes on with."""
         self.restarts = 0
         self.plan_s = plan_s
+        self._moved_s = 0.0
+        """Of all plans so far: what it stood on hold or was planned in between does not count."""
 
     def make_plan(self, start: Array) -> Generator[Event, None, Plan]:
         """A plan through what is left to do, from joint positions `start` (n,), rad, where the robot stands."""
@@ -132,44 +134,55 @@ class Run:
 
     def _follow(self, plan: Plan) -> Generator[Event, None, None]:
         """Leg after leg, then home."""
+        left_s = plan.robot_s
         for leg in plan.legs:
-            for phase, toward, mover in self._motions(leg, plan):
-                yield from self._move(phase, toward, mover, plan, self.done + 1)
+            for phase, toward, mover, lasts_s in self._motions(leg, plan):
+                left_s -= lasts_s
+                yield from self._move(phase, toward, mover, lasts_s, left_s, self.done + 1)
             self.done += 1
             yield StepFinished(step=self.done, steps=self.steps)
-        yield from self._move("transfer", "home", Playback(plan.home.trajectory), plan, self.steps)
+        yield from self._move("transfer", "home", Playback(plan.home.trajectory), left_s, 0.0, self.steps)
 
-    def _motions(self, leg: Leg, plan: Plan) -> Generator[tuple[str, str, Mover], None, None]:
-        """Transfer, motionless phase, and where there is one the movement and another motionless phase; each made when it is its turn."""
+    def _motions(self, leg: Leg, plan: Plan) -> Generator[tuple[str, str, Mover, float], None, None]:
+        """Transfer, motionless phase, and where there is one the movement and another motionless phase; each made when it is its turn.
+
+        With each how long it takes as planned, s.
+        """
         hold = f"hold:{leg.axis}"
         period = self.session.period
-        yield "transfer", leg.axis, Playback(leg.transfer.trajectory)
-        yield hold, "", StandStill(plan.timing.hold_s, period)
+        yield "transfer", leg.axis, Playback(leg.transfer.trajectory), leg.transfer.trajectory.duration
+        yield hold, "", StandStill(plan.timing.hold_s, period), plan.timing.hold_s
         if leg.profile is not None:
             speed = self.cell.limits.cartesian_speed_m_s
             axis = "xyz".index(leg.about)
             points, limits = self.collision.points, self.guard.limits
-            yield f"rotate:{leg.about}", "", Rotation(self.robot, points, limits, cartesian_speed=speed, profile=leg.profile, axis=axis)
+            turn = Rotation(self.robot, points, limits, cartesian_speed=speed, profile=leg.profile, axis=axis)
+            yield f"rotate:{leg.about}", "", turn, leg.profile.duration
         if leg.wave is not None:
-            yield "transfer", leg.axis, Playback(leg.wave)
+            yield "transfer", leg.axis, Playback(leg.wave), leg.wave.duration
         if leg.moving_s > 0.0:
-            yield hold, "", StandStill(plan.timing.settle_s, period)
+            yield hold, "", StandStill(plan.timing.settle_s, period), plan.timing.settle_s
 
-    def _move(self, phase: str, toward: str, mover: Mover, plan: Plan, step: int) -> Generator[Event, None, None]:
+    def _move(self, phase: str, toward: str, mover: Mover, lasts_s: float, after_s: float, step: int) -> Generator[Event, None, None]:
         """One motion: its samples to the recorder, its progress as events.
 
         Where the robot is put on hold it brakes and keeps its place. Who drives this generator asks for the next event when it may go on;
         it then goes on from where it stands, along the same motion.
+
+        Args:
+            lasts_s: how long it takes as planned.
+            after_s: how long everything takes that follows it.
         """
+        ends_s = self._moved_s + lasts_s
         size = max(1, round(BATCH_S / self.session.period))
-        log = self.recorder.log
         while True:
             yield PhaseStarted(phase=phase, toward=toward, step=step, steps=self.steps)
             try:
                 for batch in execute(self.session, self.guard, mover, phase, batch=size):
                     self.recorder.take(batch.states, batch.phase)
-                    total_s = max(plan.robot_s, log.seconds)
-                    yield Progress(phase=phase, done_s=log.seconds, total_s=total_s, estimate_phi=self.recorder.phi)
+                    self._moved_s += len(batch.states) * self.session.period
+                    total_s = max(ends_s, self._moved_s) + after_s
+                    yield Progress(phase=phase, done_s=self._moved_s, total_s=total_s, estimate_phi=self.recorder.phi)
             except Held as held:
                 here = self._record_braking()
                 yield self._describe_stop(held, final=False, held=True)

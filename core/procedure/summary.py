@@ -29,6 +29,7 @@ class RunSummary:
         seed: of planning and simulation.
         beyond_first_m: `min_distance_m` without the links that only the first joint moves.
         opinion: the second one on the plan.
+        plan_digest: SHA-256 of the plan, hexadecimal.
     """
 
     cell: Cell
@@ -47,3 +48,4 @@ class RunSummary:
     seed: int
     beyond_first_m: float | None = None
     opinion: Opinion | None = None
+    plan_digest: str | None = None

@@ -25,6 +25,7 @@ from core.payload.channels import CHANNELS
 from core.recording.cut_text import cut_text
 from core.recording.manifest import FILE as MANIFEST
 from core.recording.manifest import RobotPart, manifest_of, read_manifest
+from core.recording.order_reference import NO_ORDER
 from core.recording.recording import Recording, RobotDescription
 from core.recording.samples import FILES as SAMPLES
 from core.recording.samples import MAX_BYTES, Samples, name_column, write_samples
@@ -84,6 +85,7 @@ def read_recording(folder: Path) -> Recording:
         cell=manifest.cell,
         payload=manifest.payload,
         tools=tuple(tool.known for tool in manifest.tools or ()),
+        order=manifest.order or NO_ORDER,
     )
 
 

@@ -17,6 +17,7 @@ from core.files.schema_flaw import schema_flaw
 from core.payload.inertia import InertialParameters, pseudo_inertia
 from core.payload.known_tool import KnownTool
 from core.recording.cut_text import cut_text
+from core.recording.order_reference import OrderReference
 from core.recording.recording import FrictionDescription, Recording, SensorDescription
 
 FORMAT: Literal["recording/1"] = "recording/1"
@@ -110,7 +111,7 @@ class KnownToolPart(ManifestPart):
 
 
 class Manifest(ManifestPart):
-    """The whole file; `cell`, `payload` and `software` are written by our own runs."""
+    """The whole file; `cell`, `payload`, `order` and `software` are written by our own runs."""
 
     format: Literal["recording/1"] = FORMAT
     gravity: Vector3
@@ -121,10 +122,13 @@ class Manifest(ManifestPart):
     source: str | None = None
     cell: str | None = None
     payload: str | None = None
+    order: OrderReference | None = None
     software: str | None = None
 
 
-PARTS: dict[str, type[ManifestPart]] = {"robot": RobotPart, "sensor": SensorPart, "payload_reference": PayloadReferencePart}
+PARTS: dict[str, type[BaseModel]] = {
+    "robot": RobotPart, "sensor": SensorPart, "payload_reference": PayloadReferencePart, "order": OrderReference,
+}  # fmt: skip
 
 
 def read_manifest(folder: Path) -> Manifest:
@@ -191,6 +195,7 @@ def manifest_of(recording: Recording) -> Manifest:
         "source": recording.source,
         "cell": recording.cell,
         "payload": recording.payload,
+        "order": recording.order or None,
         "software": f"heft {_software_version()}",
     }
     try:
@@ -216,7 +221,7 @@ def _json_object(text: str, where: str) -> dict[str, Any]:
     return content
 
 
-def _refuse_misspelt(content: dict[str, Any], part: type[ManifestPart], where: str) -> None:
+def _refuse_misspelt(content: dict[str, Any], part: type[BaseModel], where: str) -> None:
     absent = [name for name in part.model_fields if name not in content]
     for key in content:
         close = difflib.get_close_matches(key, absent, n=1, cutoff=0.75) if key not in part.model_fields else []

@@ -12,6 +12,7 @@ from core.array import Array
 from core.errors import BadRecording
 from core.payload.inertia import InertialParameters
 from core.payload.known_tool import KnownTool, add_tools
+from core.recording.order_reference import NO_ORDER, OrderReference
 from core.words.message import Message
 
 
@@ -64,6 +65,7 @@ class Recording:
         friction: of the joints, as the cell states it; None where nobody has said. It may be stated later of the same robot.
         reference: the payload as somebody else knows it, with `reference_source`; without the tools.
         tools: known bodies between sensor and payload, which the wrench contains.
+        order: that it was made for.
     """
 
     t: Array
@@ -86,6 +88,7 @@ class Recording:
     cell: str | None = None
     payload: str | None = None
     tools: tuple[KnownTool, ...] = ()
+    order: OrderReference = NO_ORDER
 
     def __len__(self) -> int:
         return len(self.t)
@@ -137,4 +140,4 @@ def append_recording(first: Recording, then: Recording) -> Recording:
     late = 0.0 if then.t[0] > first.t[-1] + PAUSE_S else first.t[-1] + BETWEEN_RUNS_S - then.t[0]
     pairs = {name: (getattr(first, name), getattr(then, name)) for name in COLUMNS}
     columns: dict[str, Any] = {name: None if a is None or b is None else np.concatenate((a, b)) for name, (a, b) in pairs.items()}
-    return replace(first, t=np.concatenate((first.t, then.t + late)), **columns)
+    return replace(first, t=np.concatenate((first.t, then.t + late)), order=then.order or first.order, **columns)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from core.array import Array
 from core.effects.sides import Side
 from core.gap.answer import Also, Diagnosis, GapPart, JointGap, Minor, Tied, Where
+from core.gap.instruction import Instruction, Level
 from core.gap.limits import GAP
 from core.payload.channels import CHANNELS
 from core.report.charts import gap_chart, overlay_chart
@@ -40,6 +41,7 @@ HEADLINES = {
     "unknown": "report-gap-unknown",
     "not_enough": "report-gap-not-enough",
 }
+SIGNS: dict[Level, str] = {"nothing": "✓", "act": "▲", "measure": "↻", "ask": "?"}
 DIRECTIONS = {"positive": "report-gap-positive", "negative": "report-gap-negative", "still": "report-gap-still"}
 STAGES = {
     "sensor": "report-gap-stage-sensor",
@@ -97,6 +99,7 @@ def write_diagnosis(file: Path, *, diagnosis: Diagnosis, overlay: Overlay | None
 def _content(diagnosis: Diagnosis, overlay: Overlay | None, words: Wording) -> dict[str, Any]:
     titles = titles_of(diagnosis, words)
     return {
+        "instruction": _instruction(diagnosis.instruction, words),
         "headline": words.say(HEADLINES[diagnosis.verdict]),
         "verdict": diagnosis.verdict,
         "summary": sentence(diagnosis.summary, words),
@@ -119,6 +122,17 @@ def _content(diagnosis: Diagnosis, overlay: Overlay | None, words: Wording) -> d
         "limits": [sentence(limit, words) for limit in diagnosis.limits if words.quote(limit) not in words.quote(diagnosis.summary)],
         "seconds": diagnosis.seconds,
         "version": code_version(),
+    }
+
+
+def _instruction(instruction: Instruction, words: Wording) -> dict[str, Any]:
+    """What stands above everything else, for everybody."""
+    return {
+        "level": instruction.level,
+        "sign": SIGNS[instruction.level],
+        "sentence": words.quote(instruction.sentence),
+        "next": sentence(instruction.next, words),
+        "further": [words.quote(each) for each in instruction.further],
     }
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from core.effects.effect import Effect, Symptom
 from core.effects.library import library, symptoms
 from core.gap.answer import Diagnosis, PatchPart, PayloadPart
-from core.gap.limits import BEYOND_STD, SHARES, sizes
+from core.gap.limits import SHARES, sizes
 from core.payload.channels import CHANNELS
 from core.report.motions import name_motion
 from core.report.parameter_words import parameter_texts
@@ -71,7 +71,7 @@ class PayloadRow:
     after: str
     after_std: str
     change: str
-    sigmas: str
+    times_interval: str
     material: bool
 
 
@@ -225,7 +225,8 @@ def payload_rows(payload: PayloadPart, words: Wording = ENGLISH) -> list[Payload
     before, after = np.array(payload.before.phi), np.array(payload.after.phi)
     size = sizes(after)
     rows = []
-    for k, (a, a_std, b, b_std) in enumerate(zip(before, payload.before.std, after, payload.after.std, strict=True)):
+    both = zip(before, payload.before.std, after, payload.after.std, payload.change_over_interval, strict=True)
+    for k, (a, a_std, b, b_std, times) in enumerate(both):
         factor, unit = (1.0, "kg") if k == 0 else (1e3, "g m") if k < 4 else (1e3, "g m²")
         shift = float(b - a)
         share = abs(shift) / size[k] if size[k] > 0 else 0.0
@@ -238,8 +239,8 @@ def payload_rows(payload: PayloadPart, words: Wording = ENGLISH) -> list[Payload
                 after=words.mark(round_to_uncertainty(factor * float(b), factor * b_std)),
                 after_std=words.mark(round_to_uncertainty(factor * b_std, factor * b_std)),
                 change=words.mark(f"{100 * shift / size[k]:+.2f} %") if size[k] > 0 else "",
-                sigmas=words.mark(f"{shift / b_std:+.1f}") if b_std > 0 else "",
-                material=bool(share > SHARES[k] and abs(shift) > BEYOND_STD * b_std),
+                times_interval="" if times is None else words.mark(f"{abs(times):.1f}"),
+                material=bool(share > SHARES[k] and times is not None and abs(times) > 1.0),
             )
         )
     return rows

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -142,8 +143,20 @@ def arm_faces(cell: Cell, robot: RobotModel, q: Array, parts: list[Part] | None 
 
 def arm_parts(cell: Cell, robot: RobotModel) -> list[Part]:
     """The robot's bodies, each with the number of the joint that carries it (0 for the base) and its faces in that joint's frame."""
-    shapes = visual_shapes(cell, robot) or collision_shapes(cell, robot)
-    return [(each.joint, place_faces(_faces(each), each.placement.rotation, each.placement.translation)) for each in shapes]
+    return [_part(each) for each in _shapes(cell, robot)]
+
+
+def link_parts(cell: Cell, robot: RobotModel, link: str) -> list[Part]:
+    """Those of `arm_parts` that a link has; none where there is no link of that name."""
+    return [_part(each) for each in _shapes(cell, robot) if each.link == link]
+
+
+def _shapes(cell: Cell, robot: RobotModel) -> Sequence[LinkShape]:
+    return visual_shapes(cell, robot) or collision_shapes(cell, robot)
+
+
+def _part(each: LinkShape) -> Part:
+    return each.joint, place_faces(_faces(each), each.placement.rotation, each.placement.translation)
 
 
 def joint_poses(robot: RobotModel, q: Array) -> list[tuple[Array, Array]]:

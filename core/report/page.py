@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from core.report.charts import distance_chart, rotation_chart, wrench_chart
 from core.report.faces import arm_parts
 from core.report.html_file import write_html
 from core.report.opinion_rows import opinion_table
+from core.report.record import Record, render_record
 from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
 from core.report.scene import scene
 from core.report.workpiece_rows import workpiece_block
@@ -24,7 +26,13 @@ from core.words.wording import Wording
 
 
 def write_report(
-    file: Path, *, recording: Recording, identification: Identification, run: RunSummary | None = None, language: Language = "en"
+    file: Path,
+    *,
+    recording: Recording,
+    identification: Identification,
+    run: RunSummary | None = None,
+    at: datetime | None = None,
+    language: Language = "en",
 ) -> None:
     """Writes the report; the file appears complete or not at all, and replaces an older one of the same name.
 
@@ -32,19 +40,23 @@ def write_report(
         recording: what was identified.
         identification: the answer.
         run: what the guard and the plan saw; None for a recording from elsewhere.
+        at: when it was found; None where nobody says.
         language: of the page.
     """
     words = Wording(language)
-    write_html(file, "template.html", _content(recording, identification, run, words), words)
+    write_html(file, "template.html", _content(recording, identification, run, at, words), words)
 
 
-def _content(recording: Recording, identification: Identification, run: RunSummary | None, words: Wording) -> dict[str, Any]:
+def _content(
+    recording: Recording, identification: Identification, run: RunSummary | None, at: datetime | None, words: Wording
+) -> dict[str, Any]:
     rows = parameter_rows(identification, recording.reference_of_whole, words)
     payload = run.payload if run is not None else recording.payload
     return {
         "title": words.say("report-title", payload=payload.replace("_", " ")) if payload else words.say("report-title-unnamed"),
         "subtitle": run.cell.title if run is not None else (recording.cell or words.say("report-from-recording")),
         "verdict": sentence(identification.verdict, words),
+        "record": render_record(_make_record(recording, run, at), words),
         "warnings": [sentence(warning, words) for warning in identification.warnings],
         "bounds": [sentence(bound, words) for bound in identification.bounds],
         "facts": facts(identification, run, words),
@@ -65,6 +77,17 @@ def _content(recording: Recording, identification: Identification, run: RunSumma
         "source": recording.source,
         "version": code_version(),
     }
+
+
+def _make_record(recording: Recording, run: RunSummary | None, at: datetime | None) -> Record:
+    """What is known where the report is made; a service puts in who answers for it."""
+    return Record(
+        at=at,
+        cell=recording.cell,
+        version=code_version(),
+        plan_sha256=None if run is None else run.plan_digest,
+        order=recording.order,
+    )
 
 
 def _charts(identification: Identification, words: Wording) -> dict[str, str | None]:

@@ -159,7 +159,10 @@ def facts(identification: Identification, run: RunSummary | None, words: Wording
     estimate = identification.estimate
     found = [] if estimate is None else [*_payload_facts(estimate, words), *_mounting_facts(estimate, words)]
     if identification.accounted:
-        found.append(Fact(words.say("report-accounted"), ", ".join(identification.accounted), words.say("report-accounted-note")))
+        titles = [words.quote(share.title) for share in identification.shares] or list(identification.accounted)
+        mass_kg = sum(float(share.change[0]) for share in identification.shares)
+        note = words.say("report-accounted-note", mass_kg=mass_kg)
+        found.append(Fact(words.say("report-accounted"), ", ".join(titles), note))
     return found if run is None else [*found, *_safety_facts(run, words)]
 
 

@@ -14,9 +14,10 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from core.array import Array
+from core.cell.body_name import name_body
 from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
 from core.cell.contradictions import BASE_IN_OBSTACLE
-from core.errors import BadCell
+from core.errors import BadCell, NoRoomAtHome
 from core.robot.bodies import (
     FLOOR,
     PAYLOAD,
@@ -54,6 +55,7 @@ class CollisionModel:
 
     Raises:
         BadCell: something stands where the robot's base is, or the home configuration is too close to something.
+        NoRoomAtHome: the payload box is, which is another one than the cell's.
     """
 
     def __init__(self, cell: Cell, robot: RobotModel, payload_box: Box) -> None:
@@ -250,6 +252,8 @@ def _check_base(cell: Cell, bodies: list[Body], things: list[Body]) -> None:
 def _check_home(cell: Cell, collision: CollisionModel) -> None:
     nearest = collision.nearest(np.array(cell.robot.home_rad))
     if nearest.margin_m < 0.0:
+        if nearest.first == PAYLOAD and collision.payload_box != cell.payload_box:
+            raise _refuse_box(cell, nearest)
         raise BadCell(
             f"{cell.folder.name}/cell.toml: robot.home_rad",
             "robot-home-too-close",
@@ -260,6 +264,17 @@ def _check_home(cell: Cell, collision: CollisionModel) -> None:
             keys=_name_keys_of_requirement(cell, nearest),
             in_the_way=nearest.second,
         )
+
+
+def _refuse_box(cell: Cell, nearest: Nearest) -> NoRoomAtHome:
+    """What is wrong with a payload box that nobody's file states."""
+    second = name_body(cell, nearest.second)
+    if nearest.distance_m < 0.0:
+        return NoRoomAtHome("robot-box-inside-at-home", depth_m=-nearest.distance_m, second=second, in_the_way=nearest.second)
+    return NoRoomAtHome(
+        "robot-box-near-at-home",
+        distance_m=nearest.distance_m, required_m=nearest.required_m, second=second, in_the_way=nearest.second,
+    )  # fmt: skip
 
 
 def _name_keys_of_requirement(cell: Cell, nearest: Nearest) -> Message:

@@ -24,12 +24,13 @@ class Least(NamedTuple):
     sample: int
 
 
-def find_least(ways: Sequence[Array], margin: Callable[[int, int], float], resolution: float = 0.0) -> Least:
+def find_least(ways: Sequence[Array], margin: Callable[[int, int], float], resolutions: Sequence[float]) -> Least:
     """The least of `margin(pair, sample)` over all pairs and samples.
 
     Args:
         ways: for each pair (N,), a rising length: no margin changes between two samples by more than it rises.
-        resolution: a margin that is less than this below the one returned may be overlooked, unless it is negative and that one is not.
+        resolutions: of each pair; a margin of it that is less than this below the one returned may be overlooked, unless it is negative and
+            that one is not.
     """
     best = Least(np.inf, -1, -1)
     stretches: list[tuple[float, int, int, int, float, float]] = []
@@ -40,12 +41,12 @@ def find_least(ways: Sequence[Array], margin: Callable[[int, int], float], resol
         best = min(best, Least(found, pair, sample))
         return found
 
-    def matters(bound: float) -> bool:
-        return bound < best.margin - resolution or bound < 0.0 <= best.margin
+    def matters(bound: float, pair: int) -> bool:
+        return bound < best.margin - resolutions[pair] or bound < 0.0 <= best.margin
 
     def keep(pair: int, i: int, k: int, at_i: float, at_k: float) -> None:
         bound = 0.5 * (at_i + at_k - (ways[pair][k] - ways[pair][i]))
-        if k - i > 1 and matters(bound):
+        if k - i > 1 and matters(bound, pair):
             heapq.heappush(stretches, (bound, pair, i, k, at_i, at_k))
 
     for pair, way in enumerate(ways):
@@ -53,8 +54,10 @@ def find_least(ways: Sequence[Array], margin: Callable[[int, int], float], resol
         keep(pair, 0, last, look(pair, 0), look(pair, last))
     while stretches:
         bound, pair, i, k, at_i, at_k = heapq.heappop(stretches)
-        if not matters(bound):
+        if bound >= best.margin:  # so are all that follow
             break
+        if not matters(bound, pair):
+            continue
         middle = (i + k) // 2
         at_middle = look(pair, middle)
         keep(pair, i, middle, at_i, at_middle)

@@ -72,7 +72,7 @@ def nearest_flight(cell: Cell, payload_box: Box, sensor: Frames, period: float) 
     def margin(zone: int, sample: int) -> float:
         return fall.nearest(x[sample], v[sample], radius, zones[zone])
 
-    least = find_least([way] * len(zones), margin, RESOLUTION_M)
+    least = find_least([way] * len(zones), margin, [RESOLUTION_M] * len(zones))
     speed = float(np.linalg.norm(v[least.sample], axis=1).max())
     return Flight(cell.zones[least.pair].name, least.margin, speed, least.sample)
 

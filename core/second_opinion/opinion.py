@@ -206,7 +206,7 @@ def _approach(
         first, second = pairs[k].bodies
         return distance(at(first, sample), at(second, sample)) - pairs[k].required_m
 
-    least = find_least(ways, margin, kind.resolution_m)
+    least = find_least(ways, margin, [pair.resolution_m for pair in pairs])
     pair = pairs[least.pair]
     return Approach(kind, pair.first, pair.second, least.margin + pair.required_m, pair.required_m, *times.of(least.sample))
 

@@ -11,7 +11,7 @@ import numpy as np
 from core.array import Array
 from core.cell.cell import Cell, Obstacle, Zone
 from core.second_opinion.arm import ArmBody, Frames, SolidArm, frame_of_pose
-from core.second_opinion.solids import PlacedSolid, Solid, box, distance, place, solid_of_shape
+from core.second_opinion.solids import PlacedSolid, Solid, box, distance, hull_distance, place, solid_of_shape
 from core.words.message import Message
 
 FLOOR = "floor"
@@ -55,14 +55,6 @@ class PairKind(StrEnum):
     def is_judged(self) -> bool:
         """Whether something is asked of its pairs."""
         return self != PairKind.JOINED
-
-    @property
-    def resolution_m(self) -> float:
-        """How far from the least distance its figure may be, m; the verdict is exact.
-
-        Distances that hardly change cannot be told apart but by looking at every sample.
-        """
-        return 0.001 if self in (PairKind.FIRST_LINK, PairKind.MOUNT) or self.is_close else 0.0
 
     @property
     def is_close(self) -> bool:
@@ -111,6 +103,7 @@ class AccountedPair:
         required_m: least signed distance; 0 where the kind is not judged.
         why: that is asked, or nothing.
         bodies: their places in the list of the arm's bodies followed by what stands in the cell.
+        joints: between them.
     """
 
     first: str
@@ -119,6 +112,16 @@ class AccountedPair:
     required_m: float
     why: Message
     bodies: tuple[int, int]
+    joints: int
+
+    @property
+    def resolution_m(self) -> float:
+        """How far from the least distance its figure may be, m; the verdict is exact.
+
+        With few joints between two solids their distance may hardly change however far they move, and samples of it cannot be told apart
+        but by looking at every one.
+        """
+        return 0.001 if self.joints <= FEW_JOINTS else 0.0
 
 
 def place_bodies(arm: SolidArm, q: Array) -> list[Placed]:
@@ -149,7 +152,7 @@ def classify_pairs(cell: Cell, arm: SolidArm) -> list[AccountedPair]:
         for k, thing in enumerate(things):
             if body.joint > 0:
                 asked = _classify_against_standing(cell, arm, body, thing, is_mount=mounts[k])
-                found.append(AccountedPair(body.name, thing.name, *asked, (i, len(arm.bodies) + k)))
+                found.append(AccountedPair(body.name, thing.name, *asked, (i, len(arm.bodies) + k), body.joint))
     return [*found, *_own_pairs(cell, arm)]
 
 
@@ -170,7 +173,7 @@ Asked = tuple[PairKind, float, Message]
 
 def _classify_against_standing(cell: Cell, arm: SolidArm, body: ArmBody, thing: Placed, *, is_mount: bool) -> Asked:
     clearance = cell.limits.clearance_m
-    if is_mount and body.joint <= FEW_JOINTS and not body.carried and _range(arm, (body, thing))[1] < clearance + CONTACT_M:
+    if is_mount and body.joint <= FEW_JOINTS and not body.carried and _Reach(arm, (body, thing)).is_always_below(clearance + CONTACT_M):
         return PairKind.MOUNT, -CONTACT_M, Message.of("opinion-pair-mounted-there")
     return PairKind.FIRST_LINK if body.joint == 1 else PairKind.ENVIRONMENT, clearance, Message.of("opinion-pair-clearance")
 
@@ -180,7 +183,9 @@ def _own_pairs(cell: Cell, arm: SolidArm) -> Iterator[AccountedPair]:
     for i, first in enumerate(arm.bodies):
         for k, second in enumerate(arm.bodies):
             if (first.joint, i) > (second.joint, k):
-                yield AccountedPair(first.name, second.name, *_classify_own_pair(cell, arm, (first, second)), (i, k))
+                yield AccountedPair(
+                    first.name, second.name, *_classify_own_pair(cell, arm, (first, second)), (i, k), first.joint - second.joint
+                )
 
 
 def _classify_own_pair(cell: Cell, arm: SolidArm, pair: tuple[ArmBody, ArmBody]) -> Asked:
@@ -190,12 +195,14 @@ def _classify_own_pair(cell: Cell, arm: SolidArm, pair: tuple[ArmBody, ArmBody])
     joined = _why_joined(cell, arm, pair, names)
     if joined is not None:
         return PairKind.JOINED, 0.0, joined
-    least, most = _range(arm, pair) if first.joint - second.joint <= FEW_JOINTS else (-np.inf, np.inf)
-    if least >= CONTACT_M:
-        return PairKind.NEAR, -CONTACT_M, Message.of("opinion-pair-cannot-touch")
-    if first.carried or most >= keep[1] + CONTACT_M:
+    if first.joint - second.joint > FEW_JOINTS:
         return keep
-    if most < CONTACT_M:
+    reach = _Reach(arm, pair)
+    if reach.is_never_below(CONTACT_M):
+        return PairKind.NEAR, -CONTACT_M, Message.of("opinion-pair-cannot-touch")
+    if first.carried or not reach.is_always_below(keep[1] + CONTACT_M):
+        return keep
+    if reach.is_always_below(CONTACT_M):
         return PairKind.JOINED, 0.0, OVERLAP
     return PairKind.NEAR, -CONTACT_M, Message.of("opinion-pair-always-near")
 
@@ -212,18 +219,32 @@ def _why_joined(cell: Cell, arm: SolidArm, pair: tuple[ArmBody, ArmBody], names:
     return None
 
 
-def _range(arm: SolidArm, pair: tuple[ArmBody, ArmBody | Placed]) -> tuple[float, float]:
-    """Least and largest distance of two bodies over a grid of the one or two joints between them."""
-    first, second = pair
-    joints = list(range(second.joint, first.joint))
-    low, high = arm.lower[joints], np.minimum(arm.upper[joints], arm.lower[joints] + 2.0 * np.pi)
-    angles = np.stack(np.meshgrid(*np.linspace(low, high, ANGLES).T), axis=-1).reshape(-1, len(joints))
-    q = np.zeros((len(angles), len(arm.axes)))
-    q[:, joints] = angles
-    frames = arm.frames(q)
-    a, b = (
-        body if isinstance(body, Placed) else Placed(body.name, body.joint, body.solid, frames[body.joint].after(body.placement))
-        for body in pair
-    )
-    found = [distance(a.at(k), b.at(k)) for k in range(len(q))]
-    return min(found), max(found)
+class _Reach:
+    """How near and how far two bodies can be, over a grid of the one or two joints between them.
+
+    Surfaces are looked at only where their hulls, which are never farther apart, leave a question open.
+    """
+
+    def __init__(self, arm: SolidArm, pair: tuple[ArmBody, ArmBody | Placed]) -> None:
+        first, second = pair
+        joints = list(range(second.joint, first.joint))
+        low, high = arm.lower[joints], np.minimum(arm.upper[joints], arm.lower[joints] + 2.0 * np.pi)
+        angles = np.stack(np.meshgrid(*np.linspace(low, high, ANGLES).T), axis=-1).reshape(-1, len(joints))
+        q = np.zeros((len(angles), len(arm.axes)))
+        q[:, joints] = angles
+        frames = arm.frames(q)
+        a, b = (
+            body if isinstance(body, Placed) else Placed(body.name, body.joint, body.solid, frames[body.joint].after(body.placement))
+            for body in pair
+        )
+        placed = [(a.at(k), b.at(k)) for k in range(len(q))]
+        hulls = [hull_distance(*each) for each in placed]
+        self._nearest_first = [(hulls[k], *placed[k]) for k in np.argsort(hulls)]
+
+    def is_never_below(self, bound: float) -> bool:
+        """Whether they are everywhere at least `bound` apart, m."""
+        return all(least >= bound or distance(a, b) >= bound for least, a, b in self._nearest_first)
+
+    def is_always_below(self, bound: float) -> bool:
+        """Whether they are nowhere as far as `bound` apart, m."""
+        return all(least < bound and distance(a, b) < bound for least, a, b in reversed(self._nearest_first))

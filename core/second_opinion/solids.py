@@ -185,6 +185,11 @@ def distance(first: PlacedSolid, second: PlacedSolid) -> float:
     return between_cores - first.solid.radius_m - second.solid.radius_m
 
 
+def hull_distance(first: PlacedSolid, second: PlacedSolid) -> float:
+    """Signed distance of the hulls, m: that of the solids where both are convex, else never more than that."""
+    return _between_hulls(first, second) - first.solid.radius_m - second.solid.radius_m
+
+
 def _between_hulls(first: PlacedSolid, second: PlacedSolid) -> float:
     found = fcl.DistanceResult()
     between = float(fcl.distance(first.core, second.core, _REQUEST, found))

@@ -8,6 +8,7 @@ import numpy as np
 
 from core.cell.cell import Cell, Payload
 from core.cell.tools import find_tools
+from core.recording.order_reference import NO_ORDER, OrderReference
 from core.recording.recording import Recording, SensorDescription, append_recording
 from core.recording.stated_friction import read_friction
 from core.robot.model import RobotModel
@@ -19,16 +20,25 @@ class SampleLog:
 
     Args:
         before: a recording of the same robot that they continue.
+        order: that they are made for.
     """
 
     def __init__(
-        self, cell: Cell, robot: RobotModel, *, payload: str | None, reference: Payload | None, before: Recording | None = None
+        self,
+        cell: Cell,
+        robot: RobotModel,
+        *,
+        payload: str | None,
+        reference: Payload | None,
+        before: Recording | None = None,
+        order: OrderReference = NO_ORDER,
     ) -> None:
         self.cell = cell
         self.robot = robot
         self.payload = payload
         self.reference = reference
         self.before = before
+        self.order = order
         self.states: list[RobotState] = []
         self.phases: list[str] = []
 
@@ -86,4 +96,5 @@ class SampleLog:
             cell=self.cell.name,
             payload=self.payload,
             tools=find_tools(self.cell),
+            order=self.order,
         )

@@ -15,7 +15,8 @@ from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.events import drive
 from core.planning.plan import Plan
-from core.planning.search import plan_procedure
+from core.planning.search import plan_stops
+from core.planning.stops import PROCEDURE
 from core.plant.faults import FAULTS, Background, Fault, Setting, variants
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
@@ -110,7 +111,7 @@ def plan_each_payload(name: str) -> tuple[Cell, dict[str, Plan]]:
     robot = RobotModel.of_cell(cell)
     home = np.array(cell.robot.home_rad)
     plans = {
-        payload: drive(plan_procedure(cell, robot, CollisionModel(cell, robot, known.box), known.box, start=home))
+        payload: drive(plan_stops(cell, robot, CollisionModel(cell, robot, known.box), known.box, PROCEDURE.stops, start=home))
         for payload, known in cell.payloads.items()
     }
     return cell, plans

@@ -10,7 +10,7 @@ from core.events import drive
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
-from core.planning.sequence import Procedure
+from core.planning.stops import Stops
 from core.plant.faults import Fault, Setting
 from core.plant.mechanics import Drives
 from core.procedure.recorder import Recorder
@@ -64,7 +64,7 @@ def record_procedure(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
     session = SimulatedSession(cell, carried.parameters, seed=drawn.sealed.seed, faults=faults, drives=SMOOTH)
     robot = RobotModel.of_cell(cell)
     log = SampleLog(cell, robot, payload=name, reference=carried)
-    run = Run(cell, robot, session, carried.box, Planning(Procedure(drawn.plan.timing)), Recorder(log))
+    run = Run(cell, robot, session, carried.box, Planning(Stops.of_procedure(timing=drawn.plan.timing)), Recorder(log))
     with session:
         drive(run.execute_plan(drawn.plan))
     return log.recording()

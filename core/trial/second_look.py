@@ -9,8 +9,9 @@ from core.gap.choice import choose_experiment
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
+from core.planning.stops import Stops
 from core.plant.mechanics import Drives
-from core.procedure.experiment import measure_more
+from core.procedure.identify import identify
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
 from core.trial.draw import Drawn
@@ -31,7 +32,7 @@ def second_look(drawn: Drawn, recording: Recording, evidence: Evidence, drives: 
         if not stops:  # another payload is asked for
             return None
         session = SimulatedSession(cell, carried.parameters, seed=drawn.sealed.seed + NEXT, faults=faults, drives=drives)
-        both = drive(measure_more(recording, stops, cell, session, carried.box)).recording
+        both = drive(identify(cell, session, carried.box, stops=Stops(stops), before=recording)).recording
     except (Refused, Stopped):
         return None
     return examine(both, fit_all=one_by_one)[0]

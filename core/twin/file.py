@@ -98,7 +98,7 @@ def check_twin(twin: Twin, cell: Cell) -> None:
         BadTwin: not so.
     """
     from core.effects.library import library  # noqa: PLC0415  seconds of compilers and numerics, see above
-    from core.twin.model import make_home_scene  # noqa: PLC0415
+    from core.twin.model import make_home_scene  # noqa: PLC0415  as above
 
     where = str(cell.folder / TWIN_FILE)
     known = {effect.id: effect for effect in library()}

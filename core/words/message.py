@@ -13,24 +13,23 @@ Parameter: TypeAlias = "bool | int | float | str | Message | Sequence[Any]"
 
 
 class Message(BaseModel):
-    """A code of the catalogue and what its words name.
-
-    Args:
-        code: which message; it begins with the name of the catalogue's file that has its words.
-        parameters: what it names: numbers in SI with the unit in their name (`distance_m`), names, lists, other messages.
-    """
+    """A code of the catalogue and what its words name."""
 
     model_config = ConfigDict(frozen=True)
 
-    code: str
-    parameters: dict[str, Any] = Field(default_factory=dict)
+    code: str = Field(description="Which message of the catalogue; `GET /problems/{code}` describes it.", examples=["runs-cancelled"])
+    parameters: dict[str, Any] = Field(
+        default_factory=dict,
+        description="What its words name: numbers in SI with the unit in their name, texts, lists, other messages.",
+        examples=[{"who": "key:line-3"}],
+    )
 
     @classmethod
     def of(cls, code: str, /, **parameters: Parameter) -> Self:
         """The message of this code that names these."""
         return cls(code=code, parameters={name: _plain(value) for name, value in parameters.items()})
 
-    @computed_field  # type: ignore[prop-decorator]
+    @computed_field(examples=["cancelled by key:line-3."])  # type: ignore[prop-decorator]  # mypy knows no decorator above a property
     @property
     def text(self) -> str:
         """It in English, for those who read no codes."""

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Request, Response
+from pydantic import Field
 from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell
@@ -21,8 +22,9 @@ from server.cells.folder import CellFolder, CellsDep
 from server.cells.now import read_now
 from server.cells.uploads import CheckerDep, take_in, upload_folder
 from server.cells.zones import ZonePosition
-from server.http.dependencies import MetricsDep, NamePath, NowDep, StoreDep
+from server.http.dependencies import MetricsDep, NowDep, StoreDep
 from server.http.flaws import Flaw, list_flaws
+from server.http.parameters import CellPath
 from server.http.schemas import Answer
 from server.http.zip_body import ZIP, check_is_zip, write_body
 from server.people import audit
@@ -31,58 +33,53 @@ from server.people.auth import CallerDep
 router = APIRouter(prefix="/api/cells", tags=["cells"])
 
 
-class CellListed(Answer):
+class CellSummary(Answer):
     """A cell; `flaw` says why nothing can be planned in it now, `flaws` says all of it."""
 
-    name: str
-    title: str | None
-    flaw: Message | None
-    flaws: list[Flaw]
+    name: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
+    title: str | None = Field(description="What people call it; null where its file cannot be read.", examples=["LWR 4 on the bench"])
+    flaw: Message | None = Field(description="Why nothing can be planned in it now; null where something can.")
+    flaws: list[Flaw] = Field(description="All that is wrong with it now.")
 
 
 class ZonePlace(Answer):
-    """When a zone was brought to where it is now, and by whom: measured by the clock of who measured it, received by ours.
+    """When a zone was brought to where it is now, and by whom: measured by the clock of who measured it, received by ours."""
 
-    Args:
-        previous: where it was before.
-        in_file: where the cell's file has it.
-    """
-
-    zone: str
-    moves: int
-    moved_by: str
-    measured_at: datetime
-    received_at: datetime
-    previous: Pose
-    in_file: Pose
+    zone: str = Field(description="Name of the zone.", examples=["operator"])
+    moves: int = Field(description="How often it has moved.", examples=[3])
+    moved_by: str = Field(description="Who brought it to where it is now.", examples=["key:tracker"])
+    measured_at: datetime = Field(description="When it was measured, by the clock of who did.", examples=["2026-03-01T08:00:00Z"])
+    received_at: datetime = Field(description="When the service heard of it, by its own clock.", examples=["2026-03-01T08:00:00.120Z"])
+    previous: Pose = Field(description="Where it was before.")
+    in_file: Pose = Field(description="Where the cell's file has it.")
 
 
-class CellShown(Answer):
-    """A cell, its protected zones where they are now; `sha256` covers its files.
+class CellPublic(Answer):
+    """A cell, its protected zones where they are now; `sha256` covers its files."""
 
-    Args:
-        cell: null where its `cell.toml` cannot be read as a cell; then `flaws` says why.
-        flaws: why nothing can be planned in it now, be it the fault of its files or of where its zones are.
-        in_the_way: obstacles and zones that stand where the robot's base is.
-        drawn: whether `/viewer/{cell}/` can show it, which takes a sound robot.
-        moved: the zones that were brought to where they are now.
-        read_at: the service's clock, for who measures zones and has none of their own that agrees.
-    """
-
-    cell: Cell | None
-    flaws: list[Flaw]
-    in_the_way: list[str]
-    drawn: bool
-    sha256: str
-    moved: list[ZonePlace]
-    read_at: datetime
+    cell: Cell | None = Field(
+        description="The cell with its zones where they are now; null where its `cell.toml` cannot be read, then `flaws` says why."
+    )
+    flaws: list[Flaw] = Field(description="Why nothing can be planned in it now, be it the fault of its files or of where its zones are.")
+    in_the_way: list[str] = Field(description="Obstacles and zones that stand where the robot's base is.", examples=[["operator"]])
+    drawn: bool = Field(description="Whether `/viewer/{cell}/` can show it, which takes a sound robot.")
+    sha256: str = Field(
+        description="SHA-256 of its files, hexadecimal.", examples=["9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"]
+    )
+    moved: list[ZonePlace] = Field(description="Zones that were brought to where they are now.")
+    read_at: datetime = Field(
+        description="The service's clock, for who measures zones and has none that agrees.", examples=["2026-03-01T08:00:00Z"]
+    )
 
 
-class CellTaken(Answer):
+class CellVersion(Answer):
     """A cell that was checked, and where there is one, put into its place."""
 
-    name: str
-    sha256: str | None
+    name: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
+    sha256: str | None = Field(
+        description="SHA-256 of its files, hexadecimal; null where it was only checked.",
+        examples=["9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"],
+    )
 
 
 async def _receive_upload(request: Request, cells: CellsDep) -> AsyncIterator[Path]:
@@ -97,20 +94,20 @@ UploadDep = Annotated[Path, Depends(_receive_upload)]
 
 
 @router.get("")
-def list_cells(cells: CellsDep, store: StoreDep) -> list[CellListed]:
+def list_cells(cells: CellsDep, store: StoreDep) -> list[CellSummary]:
     """All cells, also those in which nothing can be planned."""
     with store.read() as db:
         return [_summarise(name, *_inspect(cells, db, name)) for name in cells.names()]
 
 
 @router.get("/{cell}")
-def read_cell(cell: NamePath, cells: CellsDep, store: StoreDep, now: NowDep) -> CellShown:
+def read_cell(cell: CellPath, cells: CellsDep, store: StoreDep, now: NowDep) -> CellPublic:
     """A cell, its protected zones where they are now, and what speaks against planning in it."""
     with store.read() as db:
         cell_read, flaws = _inspect(cells, db, cell)
         known = zones.positions(db, cell)
     in_file = {} if cell_read is None else {each.name: each.shape.pose for each in cells.read(cell).cell.zones}
-    return CellShown(
+    return CellPublic(
         cell=None if cell_read is None else cell_read.cell,
         flaws=list_flaws(flaws),
         in_the_way=[flaw.in_the_way for flaw in flaws if flaw.in_the_way is not None],
@@ -122,10 +119,10 @@ def read_cell(cell: NamePath, cells: CellsDep, store: StoreDep, now: NowDep) -> 
 
 
 @router.post("/validate", openapi_extra=ZIP)
-def validate_cell(folder: UploadDep, checker: CheckerDep) -> CellTaken:
+def validate_cell(folder: UploadDep, checker: CheckerDep) -> CellVersion:
     """Checks a zip of a cell and keeps nothing."""
     name = checker.check(folder)
-    return CellTaken(name=name, sha256=None)
+    return CellVersion(name=name, sha256=None)
 
 
 @router.post("", status_code=201, openapi_extra=ZIP)
@@ -138,7 +135,7 @@ def create_cell(
     caller: CallerDep,
     now: NowDep,
     response: Response,
-) -> CellTaken:
+) -> CellVersion:
     """Takes a new cell in."""
     taken = _take_in(store, cells, metrics, checker, folder, None, caller, now)
     response.headers["Location"] = f"/api/cells/{taken.name}"
@@ -147,7 +144,7 @@ def create_cell(
 
 @router.put("/{cell}", openapi_extra=ZIP)
 def replace_cell(
-    cell: NamePath,
+    cell: CellPath,
     folder: UploadDep,
     store: StoreDep,
     cells: CellsDep,
@@ -155,7 +152,7 @@ def replace_cell(
     checker: CheckerDep,
     caller: CallerDep,
     now: NowDep,
-) -> CellTaken:
+) -> CellVersion:
     """Takes a cell in, in place of the one of that name."""
     return _take_in(store, cells, metrics, checker, folder, cell, caller, now)
 
@@ -178,9 +175,9 @@ def _inspect(cells: CellFolder, db: Session, name: str) -> tuple[CellRead | None
     return cell_read, flaws
 
 
-def _summarise(name: str, cell_read: CellRead | None, flaws: list[BadInput]) -> CellListed:
+def _summarise(name: str, cell_read: CellRead | None, flaws: list[BadInput]) -> CellSummary:
     title = None if cell_read is None else cell_read.cell.title
-    return CellListed(name=name, title=title, flaw=flaws[0].message if flaws else None, flaws=list_flaws(flaws))
+    return CellSummary(name=name, title=title, flaw=flaws[0].message if flaws else None, flaws=list_flaws(flaws))
 
 
 def _place(row: ZonePosition, in_file: Pose) -> ZonePlace:
@@ -204,7 +201,7 @@ def _take_in(
     name: str | None,
     caller: CallerDep,
     now: NowDep,
-) -> CellTaken:
+) -> CellVersion:
     counted = metrics.cells_checked.labels
     try:
         found = take_in(checker, cells, folder, name=name)
@@ -215,4 +212,4 @@ def _take_in(
     sha256 = cells.digest(found)
     with store.write() as db:
         audit.record(db, caller.who, "cell.create" if name is None else "cell.replace", {"cell": found, "sha256": sha256}, now=now)
-    return CellTaken(name=found, sha256=sha256)
+    return CellVersion(name=found, sha256=sha256)

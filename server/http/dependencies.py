@@ -5,13 +5,13 @@ Each part's type stands beside its class: `CallerDep`, `CellsDep`, `ConductorDep
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from datetime import datetime
 from typing import Annotated, Any
 
-from fastapi import Depends, Path, Query, Response
+from fastapi import Depends, Response
 from starlette.requests import HTTPConnection
 
-from server.http.schemas import Name
 from server.settings import Settings
 from server.store.store import Store
 from server.telemetry.metrics import Metrics
@@ -39,13 +39,11 @@ def get_client_address(connection: HTTPConnection) -> str:
 
 StoreDep = Annotated[Store, depend_on("store")]
 SettingsDep = Annotated[Settings, depend_on("settings")]
+LaterDep = Annotated[ThreadPoolExecutor, depend_on("later")]
+"""Small writes that nobody waits for."""
 MetricsDep = Annotated[Metrics, depend_on("metrics")]
 NowDep = Annotated[datetime, Depends(get_now)]
 ClientAddressDep = Annotated[str, Depends(get_client_address)]
-LimitQuery = Annotated[int, Query(ge=1, le=200)]
-"""How many items of a list are answered."""
-NamePath = Annotated[Name, Path()]
-"""A name in the path, such as that of a cell or a zone."""
 
 
 def set_accepted_headers(response: Response, location: str, retry_after_s: int) -> None:

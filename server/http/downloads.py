@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
+import unicodedata
 import zipfile
 from collections.abc import Iterator, Sequence
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +17,20 @@ from core.words.message import Message
 from server.http.errors import Conflict
 
 CHUNK = 1 << 18
+MOST_LETTERS = 60
+"""Of each part of a name."""
 ZIPPED: dict[int | str, dict[str, Any]] = {200: {"content": {"application/zip": {"schema": {"type": "string", "format": "binary"}}}}}
 TEXT: dict[int | str, dict[str, Any]] = {200: {"content": {"application/octet-stream": {"schema": {"type": "string"}}}}}
 PAGE: dict[int | str, dict[str, Any]] = {200: {"content": {"text/html": {"schema": {"type": "string"}}}}}
 HARMLESS = {"Content-Security-Policy": "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:"}
 """Names in a report come from cells and recordings that somebody sent in."""
+
+
+def name_file(*parts: str | None, when: datetime) -> str:
+    """A file's name without its ending: what it is, of what, with which tool, on which day (UTC); plain letters that every system takes."""
+    plain = (unicodedata.normalize("NFKD", part).encode("ascii", "ignore").decode() for part in parts if part)
+    words = (re.sub(r"[^A-Za-z0-9_.]+", "_", part).strip("_.") for part in plain)
+    return "-".join([*(word[:MOST_LETTERS] for word in words if word), f"{when:%Y-%m-%d}"])
 
 
 def send_zip(folder: Path, name: str, missing: Message) -> StreamingResponse:

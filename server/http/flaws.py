@@ -16,18 +16,17 @@ SECRET = "password"
 
 
 class Flaw(BaseModel):
-    """One thing that cannot be used: in the request, or in a cell.
+    """One thing that cannot be used: in the request, or in a cell."""
 
-    Args:
-        where: the file, with the key in it; `found` and `expected` are English.
-        code, parameters: the same for every language: `GET /problems/{code}` describes it.
-    """
-
-    where: str
-    found: str
-    expected: str
-    code: str
-    parameters: dict[str, Any] = Field(default_factory=dict)
+    where: str = Field(description="The file, with the key in it; or the part of the request.", examples=["cell.toml: zones"])
+    found: str = Field(description="What was found, in English.", examples=["operator contains the robot's base"])
+    expected: str = Field(description="What was expected, in English.", examples=["a zone beside the robot"])
+    code: str = Field(description="The same for every language; `GET /problems/{code}` describes it.", examples=["cell-base-inside"])
+    parameters: dict[str, Any] = Field(
+        default_factory=dict,
+        description="What the code's words name: numbers in SI with the unit in their name.",
+        examples=[{"zone": "operator"}],
+    )
 
 
 def list_flaws(errors: Iterable[BadInput]) -> list[Flaw]:

@@ -21,14 +21,7 @@ STORE_RETRY_S = 1.0
 
 
 class ProblemDetails(BaseModel):
-    """What went wrong.
-
-    Args:
-        type: address of what describes it, `/problems/{code}`: one for each situation.
-        detail: it in English.
-        kind: for programs that know no single situations: few, and stable.
-        parameters: what the words of the situation name; numbers in SI with the unit in their name.
-    """
+    """What went wrong."""
 
     model_config = ConfigDict(
         extra="forbid",
@@ -47,20 +40,29 @@ class ProblemDetails(BaseModel):
         },
     )
 
-    type: str
-    title: str
-    status: int
-    detail: str
-    kind: str
-    parameters: dict[str, Any] = Field(default_factory=dict)
-    request_id: str
-    flaws: list[Flaw] = Field(default_factory=list)
-    value: float | None = None
-    """What was measured, SI, where a limit was exceeded."""
-    limit: float | None = None
-    retry_after_s: float | None = None
-    allowed: list[str] | None = None
-    """What would be accepted instead: methods, commands."""
+    type: str = Field(description="Address of what describes the situation, `/problems/{code}`.", examples=["/problems/zone-not-moved"])
+    title: str = Field(description="What kind of thing it is, in English.", examples=["It does not go with the present state"])
+    status: int = Field(description="HTTP status.", examples=[409])
+    detail: str = Field(
+        description="What happened, the value against the limit, and the next step, in English.",
+        examples=['zone "operator": is where the cell\'s file has it; there is nothing to undo'],
+    )
+    kind: str = Field(description="For programs that know no single situations: few, and stable.", examples=["conflict"])
+    parameters: dict[str, Any] = Field(
+        default_factory=dict,
+        description="What the words of the situation name: numbers in SI with the unit in their name.",
+        examples=[{"zone": "operator"}],
+    )
+    request_id: str = Field(
+        description="Names the request in the service's log; also the header `X-Request-Id`.", examples=["4f1c2a9be7d34a06"]
+    )
+    flaws: list[Flaw] = Field(default_factory=list, description="All that cannot be used, where it is the request or a cell.")
+    value: float | None = Field(default=None, description="What was measured, in SI, where a limit was exceeded.", examples=[0.28])
+    limit: float | None = Field(default=None, description="That limit, in the same unit.", examples=[0.25])
+    retry_after_s: float | None = Field(default=None, description="When to ask again, s; also the header `Retry-After`.", examples=[1.0])
+    allowed: list[str] | None = Field(
+        default=None, description="What would be accepted instead: methods, commands.", examples=[["stop", "abort"]]
+    )
 
 
 @dataclass(frozen=True)
@@ -83,6 +85,7 @@ KINDS: dict[type[HeftError], ProblemType] = {
     core_errors.Refused: ProblemType(HTTPStatus.CONFLICT, "The cell leaves no safe way to do it"),
     core_errors.NoStartConfiguration: ProblemType(HTTPStatus.CONFLICT, "No start configuration"),
     core_errors.NoPath: ProblemType(HTTPStatus.CONFLICT, "No collision-free path"),
+    core_errors.NoRoomAtHome: ProblemType(HTTPStatus.CONFLICT, "No room for the payload box at home"),
     core_errors.TooHeavy: ProblemType(HTTPStatus.CONFLICT, "The load is too heavy for the robot"),
     core_errors.PlanDisputed: ProblemType(HTTPStatus.CONFLICT, "The finished plan was not confirmed"),
     core_errors.Stopped: ProblemType(HTTPStatus.CONFLICT, "The guard stopped the robot"),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -25,9 +24,11 @@ SITUATIONS: dict[str, tuple[str, ...]] = {
     ),
     "not-found": (
         "runs-unknown",
+        "alarms-unknown",
         "runs-webhook-unknown",
         "people-account-unknown",
         "people-key-unknown",
+        "people-session-unknown",
         "jobs-unknown",
         "jobs-effect-not-in-twin",
         "zone-unknown",
@@ -48,6 +49,7 @@ SITUATIONS: dict[str, tuple[str, ...]] = {
         "runs-nothing-left",
         "runs-recording-not-there",
         "runs-accepted-already",
+        "alarms-acknowledged-already",
         "runs-nothing-to-stop",
         "runs-no-common-frame",
         "runs-speed-not-allowed",
@@ -55,6 +57,9 @@ SITUATIONS: dict[str, tuple[str, ...]] = {
         "runs-control-taken",
         "runs-control-free",
         "runs-control-elsewhere",
+        "runs-control-asked",
+        "runs-control-not-asked",
+        "runs-control-overtaken",
         "runs-command-without-control",
         "runs-command-repeated",
         "runs-command-late",
@@ -88,6 +93,8 @@ SITUATIONS: dict[str, tuple[str, ...]] = {
         "request-key-busy",
     ),
     "unprocessable": (
+        "jobs-upload-of-other-cell",
+        "jobs-upload-of-other-robot",
         "people-role-not-for-machines",
         "jobs-work-lost",
         "zone-not-looked-at",
@@ -142,19 +149,6 @@ SITUATIONS: dict[str, tuple[str, ...]] = {
 }
 """Codes of the problems that begin here, by their kind. A test holds them against the source."""
 
-NUMBER = re.compile(r"_(s|m|m_s|mb)$")
-BYTES = re.compile(r"_bytes$")
-COUNTS = frozenset({
-    "compression", "entries", "fence", "files", "finished_steps", "given", "joints", "last_number", "levels", "more", "most_files",
-    "moves", "number", "seen_moves", "sent_fence",
-})  # fmt: skip
-LISTS = frozenset({"commands", "effects", "kinds", "needed", "payloads", "roles"})
-VECTORS = frozenset({"gravity_m_s2", "recorded_m_s2"})
-MESSAGES = frozenset({"cause", "flaw", "motion", "refusal", "where", "why_not"})
-"""Which may be a text of outside as well."""
-
-NESTED = "NestedMessage"
-
 
 class Words(NamedTuple):
     """A message as the English catalogue has it: its source, and what it names."""
@@ -171,8 +165,8 @@ def list_kinds(code: str) -> list[str]:
 @cache
 def read_words() -> dict[str, Words]:
     """Every message of the catalogue; read for descriptions alone."""
-    from fluent.syntax import FluentParser, FluentSerializer  # noqa: PLC0415
-    from fluent.syntax import ast as ftl  # noqa: PLC0415
+    from fluent.syntax import FluentParser, FluentSerializer  # noqa: PLC0415  for descriptions alone
+    from fluent.syntax import ast as ftl  # noqa: PLC0415  for descriptions alone
 
     entries: dict[str, ftl.Message] = {}
     for file in sorted((FOLDER / "en").glob("*.ftl")):
@@ -186,7 +180,7 @@ def read_words() -> dict[str, Words]:
 
 def _list_names(entry: ftl.Message, entries: dict[str, ftl.Message]) -> list[str]:
     """What its words name, those of the messages that it refers to included, each once, in their order."""
-    from fluent.syntax import ast as ftl  # noqa: PLC0415
+    from fluent.syntax import ast as ftl  # noqa: PLC0415  for descriptions alone
 
     names: list[str] = [] if entry.value is not None else ["where"]
     waiting: list[Any] = [entry.value, *entry.attributes]
@@ -199,21 +193,3 @@ def _list_names(entry: ftl.Message, entries: dict[str, ftl.Message]) -> list[str
         elif isinstance(node, ftl.BaseNode):
             waiting[:0] = [each for value in vars(node).values() for each in (value if isinstance(value, list) else [value])]
     return list(dict.fromkeys(names))
-
-
-def describe_parameter(name: str, ref: str) -> dict[str, Any]:
-    """A parameter's JSON schema, told by its name.
-
-    Args:
-        ref: where schemas are, such as `#/components/schemas/`.
-    """
-    nested = {"$ref": f"{ref}{NESTED}"}
-    if name in MESSAGES:
-        return {"anyOf": [{"type": "string"}, nested]}
-    if name in LISTS:
-        return {"type": "array", "items": {"anyOf": [{"type": "string"}, nested]}}
-    if name in VECTORS:
-        return {"type": "array", "items": {"type": "number"}}
-    if name in COUNTS or BYTES.search(name):
-        return {"type": "integer"}
-    return {"type": "number" if NUMBER.search(name) else "string"}

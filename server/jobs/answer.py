@@ -5,6 +5,8 @@ from __future__ import annotations
 from datetime import datetime
 from typing import Any, Self
 
+from pydantic import Field
+
 from core.words.message import Message
 from server.http.schemas import Answer
 from server.jobs.jobs import JobStatus, Worker
@@ -12,21 +14,16 @@ from server.runs.reason import read_reason
 from server.runs.tables import JobRow
 
 
-class JobAnswer(Answer):
-    """A job as it stands now.
+class JobPublic(Answer):
+    """A job as it stands now."""
 
-    Args:
-        progress: 0 to 1.
-        reason: why it failed or was cancelled; `reason_kind` is the kind of it, see docs/runs.md.
-    """
-
-    state: JobStatus
-    progress: float
-    reason: Message | None
-    reason_kind: str | None
-    requested_by: str
-    requested_at: datetime
-    ended_at: datetime | None
+    state: JobStatus = Field(description="How far it is.")
+    progress: float = Field(description="Share that is done, 0 to 1.", examples=[0.4])
+    reason: Message | None = Field(description="Why it failed or was cancelled; null where it did not.")
+    reason_kind: str | None = Field(description="Kind of `reason`, see docs/runs.md.", examples=["cancelled"])
+    requested_by: str = Field(description="Who asked for it.", examples=["account:anna"])
+    requested_at: datetime = Field(description="When it was asked for.", examples=["2026-03-01T09:00:00Z"])
+    ended_at: datetime | None = Field(description="When it ended; null before.", examples=["2026-03-01T09:00:24Z"])
 
     @classmethod
     def of(cls, row: JobRow, worker: Worker, **own: Any) -> Self:

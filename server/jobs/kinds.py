@@ -20,11 +20,18 @@ DIAGNOSIS, TRIALS = "diagnosis", "trials"
 
 
 class DiagnosisOrder(RequestBody):
-    """A recording to be diagnosed; that of a run, or an uploaded one. `cell` is the one it was made in, where that is known."""
+    """A recording to be diagnosed; that of a run, or an uploaded one.
+
+    Args:
+        cell: the one it was made in; `tool`: what the robot carried. Both where they are known.
+        name: that somebody gave to an uploaded one.
+    """
 
     recording: Path
     run: str | None = None
     cell: str | None = None
+    tool: str | None = None
+    name: str | None = None
 
 
 class TrialsOrder(RequestBody):

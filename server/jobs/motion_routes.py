@@ -8,22 +8,23 @@ from starlette.status import HTTP_202_ACCEPTED
 from server.cells.folder import CellsDep
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Conflict
+from server.http.parameters import DiagnosisPath
 from server.jobs import jobs
 from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder
-from server.jobs.proposed_motion import MotionBody, make_motion_order, read_proposed_motion
+from server.jobs.proposed_motion import MotionCreate, make_motion_order, read_proposed_motion
 from server.people.auth import CallerDep
 from server.runs import ledger as run_ledger
 from server.runs.conductor import ConductorDep
 from server.runs.queue import IdempotencyKeyHeader, RunRequest, queue_once
-from server.runs.schemas import RunAnswer
+from server.runs.schemas import RunPublic
 
 router = APIRouter(prefix="/api/diagnoses", tags=["diagnoses"])
 
 
 @router.post("/{diagnosis}/motion", status_code=HTTP_202_ACCEPTED)
 def queue_motion(
-    diagnosis: str,
-    body: MotionBody,
+    diagnosis: DiagnosisPath,
+    body: MotionCreate,
     response: Response,
     store: StoreDep,
     cells: CellsDep,
@@ -31,7 +32,7 @@ def queue_motion(
     caller: CallerDep,
     now: NowDep,
     idempotency_key: IdempotencyKeyHeader = None,
-) -> RunAnswer:
+) -> RunPublic:
     """Queues the motion that a diagnosis proposes as a run, to be released like any other; its recording continues the diagnosed one."""
     with store.read() as db:
         diagnosed = jobs.load_job(db, DIAGNOSIS, diagnosis)

@@ -23,19 +23,23 @@ from server.runs.schemas import ProposedMotion, RunOrder
 from server.runs.tables import JobRow, RunRow
 
 
-class MotionBody(RequestBody):
-    """How the proposed motion is to be made.
+class MotionCreate(RequestBody):
+    """How the proposed motion is to be made."""
 
-    Args:
-        payload: what the robot carries now; another one than the diagnosed one is refused. The diagnosed one where absent.
-        planner, pace: as for any run.
-        seed: one more than that of the run that is continued where absent, so that the simulated noise is another one.
-    """
-
-    payload: Name | None = None
-    planner: Planner = "rrt_connect"
-    seed: int | None = Field(None, ge=0, lt=2**31)
-    pace: Pace = "real_time"
+    payload: Name | None = Field(
+        default=None,
+        description="What the robot carries now: another one than the diagnosed one is refused; the diagnosed one where null.",
+        examples=["steel_block"],
+    )
+    planner: Planner = Field(default="rrt_connect", description="Algorithm that looks for paths.")
+    seed: int | None = Field(
+        default=None,
+        ge=0,
+        lt=2**31,
+        description="Makes planning and the simulated noise repeatable; one more than that of the continued run where null.",
+        examples=[1],
+    )
+    pace: Pace = Field(default="real_time", description="Of the simulated robot.")
 
 
 def read_proposed_motion(diagnosed: JobRow) -> ProposedMotion:
@@ -48,7 +52,7 @@ def read_proposed_motion(diagnosed: JobRow) -> ProposedMotion:
     return ProposedMotion(diagnosis=diagnosed.id, continues=order.run, recording=order.recording, stops=_stops(diagnosed))
 
 
-def make_motion_order(motion: ProposedMotion, continued: RunRow | None, cell: Cell, body: MotionBody) -> RunOrder:
+def make_motion_order(motion: ProposedMotion, continued: RunRow | None, cell: Cell, body: MotionCreate) -> RunOrder:
     """What the run of a motion is told.
 
     Args:

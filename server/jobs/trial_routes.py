@@ -7,10 +7,11 @@ from pydantic import Field
 from starlette.status import HTTP_202_ACCEPTED
 
 from core.words.catalogue import Language
-from server.http.dependencies import LimitQuery, NowDep, StoreDep, set_accepted_headers
+from server.http.dependencies import NowDep, StoreDep, set_accepted_headers
+from server.http.parameters import LanguageQuery, LimitQuery, TrialsPath
 from server.http.schemas import RequestBody
 from server.jobs import jobs
-from server.jobs.answer import JobAnswer
+from server.jobs.answer import JobPublic
 from server.jobs.jobs import TrialsDep, Worker
 from server.jobs.kinds import TRIALS, TrialsOrder
 from server.people import audit
@@ -23,31 +24,32 @@ router = APIRouter(prefix="/api/trials", tags=["trials"])
 TYPICAL_S = 60
 
 
-class TrialsBody(RequestBody):
+class TrialsCreate(RequestBody):
     """So many trials, with the seeds from `seed` on."""
 
-    count: int = Field(1, ge=1, le=1000)
-    seed: int = Field(0, ge=0, lt=2**31)
+    count: int = Field(default=1, ge=1, le=1000, description="How many trials.", examples=[10])
+    seed: int = Field(default=0, ge=0, lt=2**31, description="Seed of the first; each further one has the next.", examples=[0])
 
 
-class TrialsAnswer(JobAnswer):
-    """Some trials.
+class TrialsPublic(JobPublic):
+    """Some trials."""
 
-    Args:
-        seals: SHA-256 of what is planted in each, from the moment it is drawn; null before. The audit log has the SHA-256 of them all.
-        opened, sheet: what was planted and what the diagnosis said of it, and the score sheet (Markdown); null until all are done.
-    """
-
-    trials: str
-    count: int
-    seed: int
-    seals: list[Seal] | None
-    opened: list[OpenedTrial] | None
-    sheet: str | None
+    trials: str = Field(description="Identifier of the job; sorts by the time of its making.", examples=["019ab1c2f7b2a6e01d5c33"])
+    count: int = Field(description="How many trials.", examples=[10])
+    seed: int = Field(description="Seed of the first.", examples=[0])
+    seals: list[Seal] | None = Field(
+        description="SHA-256 of what is planted in each, from the moment it is drawn; null before, and in lists."
+    )
+    opened: list[OpenedTrial] | None = Field(
+        description="What was planted and what the diagnosis said of it; null until all are done, and in lists."
+    )
+    sheet: str | None = Field(description="The score sheet (Markdown); null until all are done, and in lists.", examples=["# Blind trials"])
 
 
 @router.post("", status_code=HTTP_202_ACCEPTED)
-def queue_trials(body: TrialsBody, response: Response, store: StoreDep, worker: TrialsDep, caller: CallerDep, now: NowDep) -> TrialsAnswer:
+def queue_trials(
+    body: TrialsCreate, response: Response, store: StoreDep, worker: TrialsDep, caller: CallerDep, now: NowDep
+) -> TrialsPublic:
     """Queues blind trials; they run one after the other on one core, and give way to robots."""
     with store.write() as db:
         row = jobs.add_job(db, TRIALS, TrialsOrder(count=body.count, seed=body.seed), None, caller.who, now)
@@ -59,21 +61,21 @@ def queue_trials(body: TrialsBody, response: Response, store: StoreDep, worker: 
 
 
 @router.get("")
-def list_trials(store: StoreDep, worker: TrialsDep, limit: LimitQuery = 50) -> list[TrialsAnswer]:
+def list_trials(store: StoreDep, worker: TrialsDep, limit: LimitQuery = 50) -> list[TrialsPublic]:
     """Newest first, without their answers."""
     with store.read() as db:
         return [_answer(worker, row, whole=False) for row in jobs.list_jobs(db, TRIALS, limit)]
 
 
 @router.get("/{trials}")
-def read_trials(trials: str, store: StoreDep, worker: TrialsDep, language: Language = "en") -> TrialsAnswer:
+def read_trials(trials: TrialsPath, store: StoreDep, worker: TrialsDep, language: LanguageQuery = "en") -> TrialsPublic:
     """Some trials: their seals, and in the end their answers; the score sheet in a language."""
     with store.read() as db:
         return _answer(worker, jobs.load_job(db, TRIALS, trials), language=language)
 
 
 @router.delete("/{trials}")
-def cancel_trials(trials: str, store: StoreDep, worker: TrialsDep, caller: CallerDep, now: NowDep) -> TrialsAnswer:
+def cancel_trials(trials: TrialsPath, store: StoreDep, worker: TrialsDep, caller: CallerDep, now: NowDep) -> TrialsPublic:
     """Ends trials that wait or run; what they have planted stays sealed."""
     with store.write() as db:
         row = jobs.cancel(db, TRIALS, trials, caller.who, now)
@@ -83,10 +85,10 @@ def cancel_trials(trials: str, store: StoreDep, worker: TrialsDep, caller: Calle
     return found
 
 
-def _answer(worker: Worker, row: JobRow, *, whole: bool = True, language: Language = "en") -> TrialsAnswer:
+def _answer(worker: Worker, row: JobRow, *, whole: bool = True, language: Language = "en") -> TrialsPublic:
     order = TrialsOrder.model_validate_json(row.order)
     result = TrialsResult.model_validate_json(row.result) if whole and row.result is not None else None
-    return TrialsAnswer.of(
+    return TrialsPublic.of(
         row,
         worker,
         trials=row.id,

@@ -11,9 +11,10 @@ from core.gap.addition import add_found
 from core.gap.answer import Diagnosis
 from core.twin.file import serialise_twin
 from server.cells.folder import CellsDep
-from server.cells.twin_answer import TwinAnswer, answer_twin
-from server.http.dependencies import NamePath, NowDep, StoreDep
+from server.cells.twin_answer import TwinPublic, answer_twin
+from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Conflict, NotFound
+from server.http.parameters import CellPath, EffectPath
 from server.http.schemas import RequestBody
 from server.jobs import jobs
 from server.jobs.kinds import DIAGNOSIS, sha256_of
@@ -23,21 +24,23 @@ from server.people.auth import CallerDep
 router = APIRouter(prefix="/api/cells/{cell}/twin", tags=["cells"])
 
 
-class AdditionBody(RequestBody):
+class TwinEffectCreate(RequestBody):
     """An effect that a diagnosis names, or two joined by a plus sign."""
 
-    diagnosis: str
-    effect: Annotated[str, Field(pattern=r"^[a-z_]{1,64}(\+[a-z_]{1,64})?$")]
+    diagnosis: str = Field(description="Identifier of the diagnosis that found it.", examples=["019ab1c2e0a17d34a06c11"])
+    effect: Annotated[str, Field(pattern=r"^[a-z_]{1,64}(\+[a-z_]{1,64})?$")] = Field(
+        description="An effect that the diagnosis names, or two joined by a plus sign.", examples=["time_delay"]
+    )
 
 
 @router.get("")
-def read_twin(cell: NamePath, cells: CellsDep) -> TwinAnswer:
+def read_twin(cell: CellPath, cells: CellsDep) -> TwinPublic:
     """The effects that simulated runs, identification and diagnosis of the cell count with."""
     return answer_twin(cells.read_twin(cells.read(cell).cell))
 
 
 @router.post("")
-def add_effect(cell: NamePath, body: AdditionBody, store: StoreDep, cells: CellsDep, caller: CallerDep, now: NowDep) -> TwinAnswer:
+def add_effect(cell: CellPath, body: TwinEffectCreate, store: StoreDep, cells: CellsDep, caller: CallerDep, now: NowDep) -> TwinPublic:
     """Adds an effect to the cell's twin as a diagnosis found it; refused where the twin has changed otherwise since that diagnosis."""
     loaded = cells.load(cell)
     with store.write() as db:  # one at a time: each adds to what the one before has left
@@ -52,7 +55,7 @@ def add_effect(cell: NamePath, body: AdditionBody, store: StoreDep, cells: Cells
 
 
 @router.delete("/{effect}")
-def remove_effect(cell: NamePath, effect: NamePath, store: StoreDep, cells: CellsDep, caller: CallerDep, now: NowDep) -> TwinAnswer:
+def remove_effect(cell: CellPath, effect: EffectPath, store: StoreDep, cells: CellsDep, caller: CallerDep, now: NowDep) -> TwinPublic:
     """Takes an effect out of the cell's twin."""
     loaded = cells.load(cell)
     with store.write() as db:

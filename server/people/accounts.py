@@ -19,6 +19,7 @@ from server.people.roles import MACHINE_ROLES, Role, name_roles
 from server.store.store import Table
 
 KEY_PREFIX = 12  # characters of a key that are stored and shown, "heft_" among them
+SESSION_ID = 16  # characters of a token's hash that name its session
 
 hasher = PasswordHasher()
 _NOBODY = "$argon2id$v=19$m=65536,t=3,p=4$AAAAAAAAAAAAAAAAAAAAAA$AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"
@@ -50,8 +51,15 @@ class SignIn(Table):
     account: Mapped[str] = mapped_column(ForeignKey("accounts.name", ondelete="CASCADE"), index=True)
     csrf_token: Mapped[str] = mapped_column(String(64))
     address: Mapped[str] = mapped_column(String(64))
+    browser: Mapped[str | None] = mapped_column(String(200))
+    """As it names itself; None where it does not."""
     created_at: Mapped[datetime]
     used_at: Mapped[datetime]
+
+    @property
+    def id(self) -> str:
+        """What names the session where it is listed and ended; it opens nothing."""
+        return self.token_hash[:SESSION_ID]
 
 
 class ApiKey(Table):
@@ -66,6 +74,7 @@ class ApiKey(Table):
     created_by: Mapped[str] = mapped_column(String(80))
     created_at: Mapped[datetime]
     expires_at: Mapped[datetime | None]
+    used_at: Mapped[datetime | None]
 
 
 def sha256(secret: str) -> str:
@@ -87,9 +96,18 @@ def add_account(db: Session, name: str, password_hash: str, roles: frozenset[Rol
 
 
 def update_account(
-    db: Session, name: str, *, password_hash: str | None = None, roles: frozenset[Role] | None = None, disabled: bool | None = None
+    db: Session,
+    name: str,
+    *,
+    password_hash: str | None = None,
+    roles: frozenset[Role] | None = None,
+    disabled: bool | None = None,
+    staying: str | None = None,
 ) -> Account:
     """Changes what is given and signs the account out everywhere.
+
+    Args:
+        staying: hash of the token of the one session that does not end.
 
     Raises:
         NotFound: there is no such account.
@@ -104,7 +122,7 @@ def update_account(
     account.disabled = account.disabled if disabled is None else disabled
     if was_admin and not any(Role.admin in each.roles and not each.disabled for each in db.scalars(select(Account))):
         raise Conflict("people-last-admin", account=name)
-    db.execute(delete(SignIn).where(SignIn.account == name))
+    end_sessions(db, name, staying)
     return account
 
 
@@ -122,7 +140,7 @@ def password_is_right(account: Account | None, password: str) -> bool:
     return right and account is not None and not account.disabled
 
 
-def open_session(db: Session, account: Account, address: str, now: datetime) -> tuple[str, SignIn]:
+def open_session(db: Session, account: Account, address: str, now: datetime, browser: str | None = None) -> tuple[str, SignIn]:
     """Signs a browser in; the token goes into its cookie and nowhere else."""
     token = secrets.token_urlsafe(32)
     row = SignIn(
@@ -130,11 +148,35 @@ def open_session(db: Session, account: Account, address: str, now: datetime) -> 
         account=account.name,
         csrf_token=secrets.token_urlsafe(24),
         address=address,
+        browser=None if browser is None else browser[:200],
         created_at=now,
         used_at=now,
     )
     db.add(row)
     return token, row
+
+
+def list_sessions(db: Session, created_after: datetime, used_after: datetime) -> list[SignIn]:
+    """The browsers that anybody is signed in with, the one used last first."""
+    lasting = (SignIn.created_at > created_after) & (SignIn.used_at > used_after)
+    return list(db.scalars(select(SignIn).where(lasting).order_by(SignIn.used_at.desc(), SignIn.token_hash)))
+
+
+def end_session(db: Session, account: str, session: str) -> None:
+    """Signs out one browser of somebody's.
+
+    Raises:
+        NotFound: they have no such session.
+    """
+    row = next((each for each in db.scalars(select(SignIn).where(SignIn.account == account)) if each.id == session), None)
+    if row is None:
+        raise NotFound("people-session-unknown", session=session[:80])
+    db.delete(row)
+
+
+def end_sessions(db: Session, account: str, staying: str | None = None) -> None:
+    """Signs somebody out everywhere, but for the session whose token has the hash `staying`."""
+    db.execute(delete(SignIn).where(SignIn.account == account, SignIn.token_hash != (staying or "")))
 
 
 def sweep_sessions(db: Session, created_before: datetime, used_before: datetime) -> None:

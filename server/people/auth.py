@@ -26,7 +26,7 @@ from server.settings import Settings
 
 SAFE_METHODS = frozenset({"GET", "HEAD", "OPTIONS"})
 RECENT = timedelta(minutes=10)  # for which the database may be away before nobody is let in any more
-TOUCH = timedelta(minutes=1)  # how exactly the last use of a session is known
+TOUCH = timedelta(minutes=1)  # how exactly the last use of a session or a key is known
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Caller:
     Args:
         who: as the audit log names them, "account:anna", "key:line-3" or "nobody".
         csrf_token: of a browser's session; None for a machine.
-        stale: the session's last use ought to be written down.
+        stale: the last use of the session or the key ought to be written down.
     """
 
     who: str
@@ -104,7 +104,7 @@ def _identify_by_key(db: Session, key: str, now: datetime) -> Caller:
     row = db.get(ApiKey, key[:KEY_PREFIX])
     if row is None or not secrets.compare_digest(row.key_hash, sha256(key)) or (row.expires_at is not None and row.expires_at <= now):
         raise NotSignedIn("people-key-refused")
-    return Caller(f"key:{row.name}", frozenset({Role(row.role)}))
+    return Caller(f"key:{row.name}", frozenset({Role(row.role)}), stale=row.used_at is None or now - row.used_at > TOUCH)
 
 
 def _identify_by_cookie(db: Session, token: str, settings: Settings, now: datetime) -> Caller:
@@ -114,8 +114,8 @@ def _identify_by_cookie(db: Session, token: str, settings: Settings, now: dateti
         row is None
         or account is None
         or account.disabled
-        or row.created_at + timedelta(hours=settings.session_hours) <= now
-        or row.used_at + timedelta(minutes=settings.idle_minutes) <= now
+        or row.created_at + settings.session_lasts <= now
+        or row.used_at + settings.idle_lasts <= now
     ):
         raise NotSignedIn("people-session-over")
     return Caller(f"account:{account.name}", account.roles, row.csrf_token, row.token_hash, stale=now - row.used_at > TOUCH)

@@ -16,7 +16,7 @@ from starlette.requests import HTTPConnection
 from server.http.dependencies import depend_on
 from server.http.errors import NotAllowed
 from server.people import audit
-from server.people.accounts import SignIn
+from server.people.accounts import ApiKey, SignIn
 from server.people.auth import NOBODY, Caller, RecentCallers, check_authority, check_origin, identify_caller
 from server.people.authority import ANYBODY, AUTHORITY, SIGNED_IN
 from server.settings import Settings
@@ -81,12 +81,14 @@ class Door:
         return caller
 
     def _touch(self, caller: Caller, now: datetime) -> None:
-        """Writes down that the session was used; nobody waits for it."""
+        """Writes down that the session or the key was used; nobody waits for it."""
+        key, session = update(ApiKey).where(ApiKey.name == caller.name), update(SignIn).where(SignIn.token_hash == caller.session)
+        used = key if caller.session is None else session
         try:
             with self.store.write() as db:
-                db.execute(update(SignIn).where(SignIn.token_hash == caller.session).values(used_at=now))
+                db.execute(used.values(used_at=now))
         except SQLAlchemyError:
-            log.warning("the last use of a session could not be written down")
+            log.warning("the last use of a session or a key could not be written down")
 
 
 DoorDep = Annotated[Door, depend_on("door")]

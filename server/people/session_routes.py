@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from datetime import timedelta
+from typing import Annotated
 
-from fastapi import APIRouter, Response
+from fastapi import APIRouter, Header, Response
+from pydantic import Field
 from sqlalchemy import delete
 
 from server.http.dependencies import ClientAddressDep, MetricsDep, NowDep, SettingsDep, StoreDep
@@ -22,23 +23,26 @@ router = APIRouter(prefix="/api/session", tags=["session"])
 class Credentials(RequestBody):
     """Who signs in."""
 
-    name: Name
-    password: Password
+    name: Name = Field(description="Name of the account.", examples=["anna"])
+    password: Password = Field(description="Its password.", examples=["a long sentence of your own"])
 
 
-class PasswordChange(RequestBody):
+class PasswordUpdate(RequestBody):
     """The password until now, and from now on."""
 
-    password: Password
-    new_password: NewPassword
+    password: Password = Field(description="The password until now.", examples=["a long sentence of your own"])
+    new_password: NewPassword = Field(description="The password from now on, at least 12 characters.", examples=["another long sentence"])
 
 
-class Session(Answer):
+class SessionPublic(Answer):
     """Who is asking; a browser sends the CSRF token back with every request that changes something."""
 
-    name: str
-    roles: list[Role]
-    csrf_token: str | None
+    name: str = Field(description="Name of the account or key.", examples=["anna"])
+    roles: list[Role] = Field(description="What it may do.", examples=[["operator"]])
+    csrf_token: str | None = Field(
+        description="Sent back as `X-CSRF-Token` with every request of a browser that changes something; null for a key.",
+        examples=["pX3s9uQ0vEo"],
+    )
 
 
 @router.post("")
@@ -50,7 +54,8 @@ def sign_in(
     metrics: MetricsDep,
     address: ClientAddressDep,
     now: NowDep,
-) -> Session:
+    user_agent: Annotated[str | None, Header(description="What signs in, as it names itself.", examples=["Mozilla/5.0"])] = None,
+) -> SessionPublic:
     """Signs a browser in; the answer sets its cookie. Failures make the next try wait."""
     name = body.name
     with store.read() as db:
@@ -62,22 +67,23 @@ def sign_in(
             audit.record(db, "nobody", "session.refuse", {"account": name, "address": address}, now=now)
         metrics.sign_ins.labels("refused").inc()
         raise NotSignedIn("people-sign-in-refused")
-    hours = timedelta(hours=settings.session_hours)
     with store.write() as db:
-        accounts.sweep_sessions(db, now - hours, now - timedelta(minutes=settings.idle_minutes))
+        accounts.sweep_sessions(db, now - settings.session_lasts, now - settings.idle_lasts)
         login_limit.forget_failures(db, name, address)
-        token, session = accounts.open_session(db, account, address, now)
+        token, session = accounts.open_session(db, account, address, now, user_agent)
         audit.record(db, f"account:{name}", "session.open", {"address": address}, now=now)
     metrics.sign_ins.labels("accepted").inc()
     secure = settings.secure_cookies
-    response.set_cookie(COOKIE, token, max_age=round(hours.total_seconds()), httponly=True, samesite="strict", secure=secure)
-    return Session(name=name, roles=sorted(account.roles), csrf_token=session.csrf_token)
+    response.set_cookie(
+        COOKIE, token, max_age=round(settings.session_lasts.total_seconds()), httponly=True, samesite="strict", secure=secure
+    )
+    return SessionPublic(name=name, roles=sorted(account.roles), csrf_token=session.csrf_token)
 
 
 @router.get("")
-def read_session(caller: CallerDep) -> Session:
+def read_session(caller: CallerDep) -> SessionPublic:
     """Who is asking, with what authority."""
-    return Session(name=caller.name, roles=sorted(caller.roles), csrf_token=caller.csrf_token)
+    return SessionPublic(name=caller.name, roles=sorted(caller.roles), csrf_token=caller.csrf_token)
 
 
 @router.delete("", status_code=204)
@@ -92,9 +98,9 @@ def sign_out(response: Response, caller: CallerDep, store: StoreDep, recent_call
 
 @router.put("/password", status_code=204)
 def change_password(
-    body: PasswordChange, caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep, address: ClientAddressDep
+    body: PasswordUpdate, caller: CallerDep, store: StoreDep, recent_callers: RecentCallersDep, now: NowDep, address: ClientAddressDep
 ) -> None:
-    """Changes one's own password and signs out everywhere."""
+    """Changes one's own password and signs out everywhere else."""
     if caller.session is None:
         raise NotAllowed("people-key-without-password")
     with store.read() as db:
@@ -106,6 +112,6 @@ def change_password(
         raise NotAllowed("people-password-wrong")
     new_hash = accounts.hash_password(body.new_password.get_secret_value())
     with store.write() as db:
-        accounts.update_account(db, caller.name, password_hash=new_hash)
+        accounts.update_account(db, caller.name, password_hash=new_hash, staying=caller.session)
         audit.record(db, caller.who, "account.password", {"account": caller.name}, now=now)
     recent_callers.forget(caller.who)

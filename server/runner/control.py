@@ -6,6 +6,7 @@ import gc
 import os
 import signal
 from collections.abc import Generator
+from datetime import UTC, datetime
 from multiprocessing.connection import Connection
 
 import numpy as np
@@ -16,7 +17,6 @@ from core.events import Event, Finished, Progress, RecordingWritten, RobotStoppe
 from core.files.whole_file import write_whole
 from core.planning.joint_torques import find_known_load
 from core.planning.plan import Plan
-from core.planning.sequence import MotionSequence, Procedure
 from core.planning.stops import Stops
 from core.procedure.identify import move_and_estimate
 from core.procedure.outcome import Outcome
@@ -48,7 +48,7 @@ ChildSpeaker = Speaker[FromChild]
 def main(order: Order, connection: Connection) -> None:
     """Entry point of the process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
-    planning = PlanningProcess(_sequence_of(order), connection)  # before there are threads
+    planning = PlanningProcess(_stops_of(order), connection)  # before there are threads
     speaker: ChildSpeaker = Speaker(connection, Sampled)
     _lock = lock_run_folder(order.folder)  # as long as we live: who recovers the run's samples waits for it
     take(Priority.CONTROL if order.pace == "real_time" else Priority.PLANNING)  # one that never waits would take it from the server
@@ -69,9 +69,9 @@ def _report_failure(error: HeftError) -> Failed:
     return Failed(type(error).__name__, error.message, error.in_the_way, lateness)
 
 
-def _sequence_of(order: Order) -> MotionSequence:
+def _stops_of(order: Order) -> Stops:
     if order.continues is None or order.continues.stops is None:
-        return Procedure(order.timing, order.mass_guess_kg, order.scope)
+        return Stops.of_procedure(order.scope, order.timing, order.mass_guess_kg)
     return Stops(order.continues.stops)
 
 
@@ -90,10 +90,10 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     if order.continues is not None and before is not None:
         check_same_robot(before, model.description, order.cell.gravity_in_base)
         done = order.continues.done or 0
-    log = SampleLog(order.cell, model, payload=order.payload, reference=carried, before=before)
+    log = SampleLog(order.cell, model, payload=order.payload, reference=carried, before=before, order=order.reference)
     online = build_estimator(log, session.period)
     elsewhere = PlanningElsewhere(
-        sequence=planning.sequence,
+        stops=planning.stops,
         planner=order.planner,
         seed=order.seed,
         effort=order.effort,
@@ -114,9 +114,10 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     result = outcome.result(order.folder / RECORDING)
     write_whole(order.folder / RESULT, result.model_dump_json(indent=2) + "\n")
     recording, identification = outcome.recording, outcome.identification
+    at = datetime.now(UTC)
     for language in LANGUAGES:
         page = order.folder / name_report(language)
-        write_report(page, recording=recording, identification=identification, run=outcome.summary, language=language)
+        write_report(page, recording=recording, identification=identification, run=outcome.summary, at=at, language=language)
     speaker.tell(Done(result))
 
 

@@ -12,6 +12,7 @@ from core.estimation.result import Result
 from core.events import Event
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.planning.stop import Stop
+from core.recording.order_reference import NO_ORDER, OrderReference
 from core.sessions.leased import Renewal
 from core.words.message import Message
 from server.runner.live_schemas import LiveBatch
@@ -49,6 +50,7 @@ class Order:
         scope: what of the procedure is wanted.
         effort: how much is searched before a plan is refused.
         start_rad: where the robot stands when a procedure begins; at home where None.
+        reference: what the plant calls it.
     """
 
     run: str
@@ -65,6 +67,7 @@ class Order:
     scope: Scope = WHOLE
     effort: int = 1
     start_rad: tuple[float, ...] | None = None
+    reference: OrderReference = NO_ORDER
 
 
 @dataclass(frozen=True)

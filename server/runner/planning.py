@@ -10,7 +10,7 @@ from multiprocessing.connection import Connection
 from core.errors import HeftError, Refused
 from core.events import Event
 from core.planning.plan import Plan
-from core.planning.sequence import MotionSequence, PlanRequest
+from core.planning.stops import PlanRequest, Stops
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.words.message import Message
@@ -38,14 +38,14 @@ class PlanningProcess:
     It is a plain fork, for its maker has the engine and no threads yet: a fork server of the maker's own would import everything anew.
 
     Args:
-        sequence: what the robot goes through.
+        stops: what the robot goes through.
         unshared: ends of pipes that the process is not to keep open.
     """
 
-    def __init__(self, sequence: MotionSequence, *unshared: Connection) -> None:
-        self.sequence = sequence
+    def __init__(self, stops: Stops, *unshared: Connection) -> None:
+        self.stops = stops
         self._connection, theirs = FORK.Pipe()
-        arguments = (sequence, theirs, self._connection, *unshared)
+        arguments = (stops, theirs, self._connection, *unshared)
         self._process = FORK.Process(target=_serve, args=arguments, name="heft-planning", daemon=True)
         self._process.start()
         theirs.close()
@@ -82,7 +82,7 @@ class PlanningProcess:
         self._connection.close()
 
 
-def _serve(sequence: MotionSequence, connection: Connection, *unshared: Connection) -> None:
+def _serve(stops: Stops, connection: Connection, *unshared: Connection) -> None:
     """The planning process: until the other end is gone."""
     for end in unshared:
         end.close()  # who waits for its maker's end would wait for ours too
@@ -91,17 +91,17 @@ def _serve(sequence: MotionSequence, connection: Connection, *unshared: Connecti
     while True:
         try:
             request: PlanRequest = connection.recv()
-            for answer in _answers(sequence, request):
+            for answer in _answers(stops, request):
                 connection.send(answer)
         except (EOFError, BrokenPipeError):
             return
 
 
-def _answers(sequence: MotionSequence, request: PlanRequest) -> Generator[Event | Plan | Failed, None, None]:
+def _answers(stops: Stops, request: PlanRequest) -> Generator[Event | Plan | Failed, None, None]:
     """Events, then the plan or why there is none."""
     try:
         robot = RobotModel.of_cell(request.cell)
         collision = CollisionModel(request.cell, robot, request.payload_box)
-        yield (yield from sequence.plan_legs(request, robot, collision))
+        yield (yield from stops.plan(request, robot, collision))
     except HeftError as error:
         yield Failed(type(error).__name__, error.message, error.in_the_way)

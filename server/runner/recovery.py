@@ -8,6 +8,7 @@ from pathlib import Path
 from core.cell.cell import Cell
 from core.errors import HeftError
 from core.recording.folder import read_recording
+from core.recording.order_reference import OrderReference
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from core.words.message import Message
@@ -17,13 +18,14 @@ from server.runner.sample_stream import recover_recording
 from server.runner.work import give_way
 
 
-def main(folder: Path, cell: Cell, continues: Path | None, connection: Connection) -> None:
+def main(folder: Path, cell: Cell, continues: Path | None, reference: OrderReference, connection: Connection) -> None:
     """Waits until the run's control process has ended, which may still write the recording itself.
 
     Args:
         folder: of the run.
         cell: in which it was.
         continues: folder of the recording that the run continued.
+        reference: what the plant calls its order.
     """
     give_way()
     with lock_run_folder(folder):
@@ -32,7 +34,7 @@ def main(folder: Path, cell: Cell, continues: Path | None, connection: Connectio
             return
         try:
             before = None if continues is None else read_recording(continues)
-            log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None, before=before)
+            log = SampleLog(cell, RobotModel.of_cell(cell), payload=None, reference=None, before=before, order=reference)
             connection.send(Recovered(recover_recording(folder, log, folder / RECORDING)))
         except HeftError as error:
             connection.send(Failed(type(error).__name__, error.message))

@@ -28,6 +28,8 @@ from server.runner.sample_stream import SampleStream
 
 LIVE_PERIOD_S = 0.02
 """Of what is sent to who watches: 50 batches a second."""
+PAUSE_S = 1.0
+"""A robot that is not heard of for longer stood, on hold or while it was planned for anew: that says nothing of how fast it moves."""
 LIVE_ROWS = 20
 """Samples in such a batch, at most."""
 
@@ -122,16 +124,17 @@ class LiveView:
 
     def __init__(self, run: Run, online: OnlineEstimator, speaker: Speaker[FromChild]) -> None:
         self._collision, self._log, self._online, self._speaker = run.collision, run.recorder.log, online, speaker
-        self._sent_s, self._began_s = -np.inf, np.inf
+        self._sent_s, self._heard_s, self._moved_s = -np.inf, np.inf, 0.0
 
     def show(self, progress: Progress) -> None:
         """The newest samples to who watches, at most every `LIVE_PERIOD_S` of the wall clock."""
         now = time.monotonic()
-        self._began_s = min(self._began_s, now)
+        self._moved_s += min(max(now - self._heard_s, 0.0), PAUSE_S)
+        self._heard_s = now
         if now - self._sent_s < 0.9 * LIVE_PERIOD_S or not len(self._log):
             return
         self._sent_s = now
-        self._speaker.tell(Sampled(self._batch(progress, wall_s=now - self._began_s)))
+        self._speaker.tell(Sampled(self._batch(progress, wall_s=self._moved_s)))
 
     def _batch(self, progress: Progress, *, wall_s: float) -> LiveBatch:
         states = self._log.states[-LIVE_ROWS:]

@@ -7,16 +7,16 @@ from numpy.typing import NDArray
 
 from core.payload.channels import CHANNELS, UNITS
 from core.report.diagnosis_page import Overlay
-from server.runner.overlay_schemas import ChannelOverlay, OverlayAnswer
+from server.runner.overlay_schemas import ChannelOverlay, OverlayPublic
 
 POINTS = 1000
 """At most; a screen has hardly more columns."""
 
 
-def thin_overlay(overlay: Overlay, points: int = POINTS) -> OverlayAnswer:
+def thin_overlay(overlay: Overlay, points: int = POINTS) -> OverlayPublic:
     """At most `points` moments of an overlay, the worst of each stretch."""
     rows = _worst_of_each(overlay, points)
-    return OverlayAnswer(
+    return OverlayPublic(
         t_s=np.round(overlay.t[rows], 4).tolist(),
         phase=overlay.phase[rows].tolist(),
         channels=[

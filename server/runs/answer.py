@@ -8,11 +8,11 @@ from server.runs import ledger as run_ledger
 from server.runs.conductor import Conductor
 from server.runs.lease import ControlRegistry
 from server.runs.packml import State
-from server.runs.schemas import RunAnswer
+from server.runs.schemas import RunPublic
 from server.runs.tables import RunRow
 
 
-def answer_run(conductor: Conductor, control: ControlRegistry, now: datetime, run: str) -> RunAnswer:
+def answer_run(conductor: Conductor, control: ControlRegistry, now: datetime, run: str) -> RunPublic:
     """A run as it is now.
 
     Raises:
@@ -21,7 +21,7 @@ def answer_run(conductor: Conductor, control: ControlRegistry, now: datetime, ru
     return answer_now(conductor, control, now, conductor.row_of(run))
 
 
-def answer_now(conductor: Conductor, control: ControlRegistry, now: datetime, row: RunRow) -> RunAnswer:
+def answer_now(conductor: Conductor, control: ControlRegistry, now: datetime, row: RunRow) -> RunPublic:
     """A run that the database has told of, as it is by now."""
     active = conductor.of_run(row.id)
     if active is None:

@@ -11,6 +11,7 @@ from pydantic import Field
 from core.sessions.leased import Renewal
 from server.http.dependencies import NowDep
 from server.http.errors import Conflict
+from server.http.parameters import RunPath
 from server.http.schemas import Answer, RequestBody
 from server.people import audit
 from server.people.auth import CallerDep
@@ -22,7 +23,7 @@ from server.runs.lease import ControlDep
 from server.runs.packml import State
 from server.runs.reason import explain_command
 from server.runs.releases import OffersDep, ReleasesDep
-from server.runs.schemas import RunAnswer
+from server.runs.schemas import RunPublic
 
 router = APIRouter(prefix="/api/runs/{run}", tags=["runs"])
 
@@ -42,60 +43,59 @@ WITHOUT_CONTROL = frozenset({RunCommand.stop, RunCommand.abort})
 """Who sees that the robot has to stop need not be in control of it."""
 
 
-class Sent(RequestBody):
-    """What makes a command of whoever is in control count once and now.
+class FencingToken(RequestBody):
+    """What makes a command of whoever is in control count once and now."""
 
-    Args:
-        fence: of their control; `number` counts their commands up; `stamp_s` is the newest stamp that the server sent them.
-    """
-
-    fence: int
-    number: int = Field(ge=0)
-    stamp_s: float
+    fence: int = Field(description="Of the control that was taken, as `POST /api/control` answered it.", examples=[17])
+    number: int = Field(ge=0, description="Counts the commands of this control up; one that came already counts for nothing.", examples=[4])
+    stamp_s: float = Field(
+        description="The newest stamp that the service has sent over `/api/control/{cell}/lease`, s by its clock.", examples=[81234.56]
+    )
 
 
-class CommandBody(RequestBody):
+class CommandCreate(RequestBody):
     """A command; `sent` may be left out of stop and abort."""
 
-    command: RunCommand
-    sent: Sent | None = None
+    command: RunCommand = Field(description="What is to happen.")
+    sent: FencingToken | None = Field(
+        default=None, description="Shows that it comes from whoever is in control, once and now; may be left out of stop and abort."
+    )
 
 
-class ReleaseBody(RequestBody):
+class ReleaseCreate(RequestBody):
     """What is released: exactly the plan that was shown."""
 
-    plan_sha256: str
-    offer: str
-    sent: Sent
+    plan_sha256: str = Field(
+        description="`plan.sha256` of the plan that was shown.",
+        examples=["9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"],
+    )
+    offer: str = Field(description="The `offer` that came with the plan.", examples=["81234.560.5f0c"])
+    sent: FencingToken = Field(description="Shows that it comes from whoever is in control, once and now.")
 
 
-class PlanAnswer(Answer):
-    """A plan that waits for its release.
+class PlanPublic(Answer):
+    """A plan that waits for its release."""
 
-    Args:
-        offer: comes back with the release; good for `expires_s` seconds.
-    """
-
-    run: str
-    plan: RunPlan
-    offer: str
-    expires_s: float
+    run: str = Field(description="Identifier of the run.", examples=["019ab1c2d3e44f1c2a9be7"])
+    plan: RunPlan = Field(description="What is going to happen.")
+    offer: str = Field(description="Comes back with the release.", examples=["81234.560.5f0c"])
+    expires_s: float = Field(description="How long the offer is good, s.", examples=[60.0])
 
 
 @router.get("/plan")
-def read_plan(run: str, conductor: ConductorDep, offers: OffersDep) -> PlanAnswer:
+def read_plan(run: RunPath, conductor: ConductorDep, offers: OffersDep) -> PlanPublic:
     """What is going to happen: to be looked at before it is released."""
     row = conductor.row_of(run)
     if row.plan is None:
         raise Conflict("runs-no-plan", allowed=run_ledger.list_offered_commands(State(row.state)), run=run, state=row.state)
     plan = RunPlan.model_validate_json(row.plan)
-    return PlanAnswer(run=run, plan=plan, offer=offers.make(run, plan.sha256), expires_s=offers.length_s)
+    return PlanPublic(run=run, plan=plan, offer=offers.make(run, plan.sha256), expires_s=offers.length_s)
 
 
 @router.post("/release")
 async def release_run(
-    run: str, body: ReleaseBody, conductor: ConductorDep, control: ControlDep, releases: ReleasesDep, now: NowDep, caller: CallerDep
-) -> RunAnswer:
+    run: RunPath, body: ReleaseCreate, conductor: ConductorDep, control: ControlDep, releases: ReleasesDep, now: NowDep, caller: CallerDep
+) -> RunPublic:
     """An operator at the cell lets the shown plan begin; void (409) when anything has changed or the offer is older than 60 s."""
     await releases.release(run, caller.who, body.plan_sha256, body.offer, renewal(body.sent))
     return await asyncio.to_thread(answer_run, conductor, control, now, run)
@@ -103,8 +103,8 @@ async def release_run(
 
 @router.post("/commands")
 async def command_run(
-    run: str, body: CommandBody, conductor: ConductorDep, control: ControlDep, caller: CallerDep, now: NowDep
-) -> RunAnswer:
+    run: RunPath, body: CommandCreate, conductor: ConductorDep, control: ControlDep, caller: CallerDep, now: NowDep
+) -> RunPublic:
     """Holds, resumes, stops, aborts or clears. All but stop and abort need control of the cell."""
     cell = (await asyncio.to_thread(conductor.row_of, run)).cell
     if body.command not in WITHOUT_CONTROL:
@@ -120,6 +120,6 @@ async def command_run(
     return await asyncio.to_thread(answer_run, conductor, control, now, run)
 
 
-def renewal(sent: Sent) -> Renewal:
+def renewal(sent: FencingToken) -> Renewal:
     """What the control of a cell checks."""
     return Renewal(sent.fence, sent.number, sent.stamp_s)

@@ -36,6 +36,7 @@ from server.runs.broadcast import Broadcast
 from server.runs.crashed_runs import RecoveryInput, close_crashed, find_unrecovered, forget_journals, recover_run, take_from_journals
 from server.runs.idle import IdleRuns
 from server.runs.metrics import RunMetrics
+from server.runs.order import reference_of
 from server.runs.packml import Command, IllegalCommandError, State
 from server.runs.reason import SHUT_DOWN, Reason, explain_error
 from server.runs.tables import RunRow
@@ -63,6 +64,8 @@ class Conductor:
         self.store, self.cells, self.folder, self.now, self._metrics = store, cells, folder, now, metrics
         self.active: dict[str, ActiveRun] = {}
         """By cell."""
+        self.queue_changes = 0
+        """Counts what may have changed in the queues of the cells."""
         self._idle = IdleRuns(store, now, metrics)
         self._broadcasts: dict[str, Broadcast] = {}
         self._tasks: set[asyncio.Task[None]] = set()
@@ -110,6 +113,7 @@ class Conductor:
 
     def wake(self) -> None:
         """There may be a run to begin. From any thread."""
+        self.queue_changes += 1
         if self._loop is not None:
             self._loop.call_soon_threadsafe(self._wake.set)
 
@@ -138,6 +142,7 @@ class Conductor:
         return self._broadcasts.setdefault(run, Broadcast())
 
     def _finish(self, run: str) -> None:
+        self.queue_changes += 1
         self._broadcasts.pop(run, Broadcast()).end()
         self._wake.set()
 
@@ -177,7 +182,8 @@ class Conductor:
         with self.store.read() as db:
             row = run_ledger.load_run(db, run)
             motion = run_ledger.motion_of(row)
-            return RecoveryInput(self.load_current_cell(db, row.cell), None if motion is None else motion.recording)
+            continues = None if motion is None else motion.recording
+            return RecoveryInput(self.load_current_cell(db, row.cell), continues, reference_of(row))
 
     def row_of(self, run: str) -> RunRow:
         """A run as it is now: from memory where it has its cell, else from the database.
@@ -250,6 +256,7 @@ class Conductor:
             self._finish(row.id)
             return
         self.active[row.cell] = active
+        self.queue_changes += 1
         self._spawn(self._carry(active))
 
     def _load_cell_and_events(self, row: RunRow) -> tuple[Cell, list[tuple[int, str]]]:

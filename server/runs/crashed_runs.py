@@ -13,6 +13,7 @@ from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell
 from core.errors import HeftError
+from core.recording.order_reference import OrderReference
 from core.words.message import Message
 from server.runner.messages import Failed, Recovered
 from server.runner.run_folder import RECORDING, SAMPLES
@@ -28,10 +29,11 @@ log = logging.getLogger("heft.runs")
 
 
 class RecoveryInput(NamedTuple):
-    """The cell of a run, and the folder of the recording that it continued."""
+    """The cell of a run, the folder of the recording that it continued, and what the plant calls its order."""
 
     cell: Cell
     continues: Path | None
+    reference: OrderReference
 
 
 def take_from_journals(db: Session, folder: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from fastapi import APIRouter, Path, Response
+from pydantic import Field
 
 from core.cell.cell import Cell
 from core.errors import BadPayload
@@ -14,63 +15,62 @@ from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 from server.cells.folder import CellFolder, CellsDep
 from server.http import downloads
+from server.http.parameters import RunPath
 from server.http.schemas import Answer
 from server.runs import ledger as run_ledger
 from server.runs.conductor import Conductor, ConductorDep
+from server.runs.file_routes import name_after
 
 router = APIRouter(prefix="/api/runs/{run}/exports", tags=["results"])
 
 
-TargetPath = Annotated[str, Path(json_schema_extra={"enum": [target.name for target in TARGETS]})]
+TargetPath = Annotated[
+    str,
+    Path(description="Name of the target, as the list of exports has it.", json_schema_extra={"enum": [target.name for target in TARGETS]}),
+]
 
 
-class Lost(Answer):
+class ExportLoss(Answer):
     """A number that a target has no place for; `times_std` is its size in multiples of its uncertainty."""
 
-    name: str
-    value: float
-    std: float
-    unit: str
-    times_std: float
+    name: str = Field(description="Name of the number that the target has no place for.", examples=["Ixy"])
+    value: float = Field(description="Its value, in `unit`.", examples=[0.00012])
+    std: float = Field(description="Its standard uncertainty, in `unit`.", examples=[2e-05])
+    unit: str = Field(description="Unit of both.", examples=["kg m2"])
+    times_std: float = Field(description="Its size in multiples of its uncertainty.", examples=[6.0])
 
 
-class ExportListed(Answer):
-    """A way to write the result.
+class ExportPublic(Answer):
+    """A way to write the result."""
 
-    Args:
-        file: its name; `says` tells units, frame and order of what is in it.
-        refused: why it cannot be written; null where it can.
-        lost: what it cannot hold.
-    """
-
-    target: str
-    title: str
-    file: str
-    says: Message
-    refused: Message | None
-    lost: list[Lost]
+    target: str = Field(description="Name of the target.", examples=["ur"])
+    title: str = Field(description="What people call it.", examples=["Universal Robots"])
+    file: str = Field(description="Name of the file.", examples=["payload.script"])
+    says: Message = Field(description="Units, frame and order of what is in it.")
+    refused: Message | None = Field(description="Why it cannot be written; null where it can.")
+    lost: list[ExportLoss] = Field(description="What it cannot hold.")
 
 
-class ExportsAnswer(Answer):
+class ExportsPublic(Answer):
     """All targets; `frame` says in which frame they get the payload."""
 
-    frame: Message
-    targets: list[ExportListed]
+    frame: Message = Field(description="In which frame the targets get the payload.")
+    targets: list[ExportPublic] = Field(description="All ways to write the result.")
 
 
 @router.get("")
-def list_exports(run: str, cells: CellsDep, conductor: ConductorDep) -> ExportsAnswer:
+def list_exports(run: RunPath, cells: CellsDep, conductor: ConductorDep) -> ExportsPublic:
     """How the result can be written, and what each way cannot hold."""
     payload, cell = _payload(cells, conductor, run)
-    return ExportsAnswer(frame=frame_of(cell), targets=[_describe(target, payload) for target in TARGETS])
+    return ExportsPublic(frame=frame_of(cell), targets=[_describe(target, payload) for target in TARGETS])
 
 
 @router.get("/{target}", response_class=Response, responses=downloads.TEXT)
-def download_export(run: str, target: TargetPath, cells: CellsDep, conductor: ConductorDep) -> Response:
+def download_export(run: RunPath, target: TargetPath, cells: CellsDep, conductor: ConductorDep) -> Response:
     """The result as a file that a controller or a simulator takes."""
     chosen = target_of(target)
     payload, _ = _payload(cells, conductor, run)
-    return downloads.text(chosen.render_file(payload), chosen.file)
+    return downloads.text(chosen.render_file(payload), f"{name_after(conductor.row_of(run))}-{chosen.file}")
 
 
 def _payload(cells: CellFolder, conductor: Conductor, run: str) -> tuple[UncertainParameters, Cell]:
@@ -79,11 +79,11 @@ def _payload(cells: CellFolder, conductor: Conductor, run: str) -> tuple[Uncerta
     return payload_of(run_ledger.load_result(row), cell), cell
 
 
-def _describe(target: Target, payload: UncertainParameters) -> ExportListed:
+def _describe(target: Target, payload: UncertainParameters) -> ExportPublic:
     refused: Message | None = None
     try:
         target.render_file(payload)
     except BadPayload as error:
         refused = error.message
-    lost = [] if refused else [Lost.model_validate(lack) for lack in target.lacks(payload)]
-    return ExportListed(target=target.name, title=target.title, file=target.file, says=target.says, refused=refused, lost=lost)
+    lost = [] if refused else [ExportLoss.model_validate(lack) for lack in target.lacks(payload)]
+    return ExportPublic(target=target.name, title=target.title, file=target.file, says=target.says, refused=refused, lost=lost)

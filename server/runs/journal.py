@@ -35,6 +35,7 @@ class RunChange(BaseModel):
     state: str | None = None
     released: bool | None = None
     aborted: bool | None = None
+    outcome: str | None = None
     reason: str | None = None
     reason_kind: str | None = None
     lateness: str | None = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import secrets
 from collections.abc import Iterable, Sequence
 from datetime import datetime
+from itertools import count
 
 from pydantic import TypeAdapter
 from sqlalchemy import inspect, select
@@ -15,12 +16,13 @@ from core.estimation.result import Result
 from core.events import Event
 from core.words.message import Message
 from server.http.errors import Conflict, NotFound
+from server.runner.plan_schemas import PlanHash
 from server.runs import webhooks
 from server.runs.event_schemas import EventMessage, Happening, StateChanged
-from server.runs.packml import COMPLETED, FINAL, Command, IllegalCommandError, State, apply_command, job_state, legal_commands
-from server.runs.reason import Reason, read_reason, set_reason
+from server.runs.packml import COMPLETED, FINAL, Command, IllegalCommandError, RunOutcome, State, apply_command, job_state, legal_commands
+from server.runs.reason import CANCELLED, Reason, read_reason, set_reason
 from server.runs.result_summary import summary_of
-from server.runs.schemas import Motion, RunAnswer, RunOrder
+from server.runs.schemas import Motion, RunOrder, RunPublic
 from server.runs.tables import RunEventRow, RunRow
 
 Step = Command | None
@@ -31,13 +33,16 @@ OFFERED = {
 }  # fmt: skip
 """What a person may command, by the name that the API gives it. A run begins by its release and ends once, so neither start nor reset."""
 
+_MADE = count()
+"""How many identifiers this process has made."""
+
 _motion: TypeAdapter[Motion] = TypeAdapter(Motion)
 _happening: TypeAdapter[Happening] = TypeAdapter(Happening)
 
 
 def new_id(now: datetime) -> str:
-    """An identifier that sorts by time."""
-    return f"{round(now.timestamp() * 1000):012x}{secrets.token_hex(5)}"
+    """An identifier that sorts by time, and in the same millisecond by which was made first."""
+    return f"{round(now.timestamp() * 1000):012x}{next(_MADE) % 0x10000:04x}{secrets.token_hex(3)}"
 
 
 def list_offered_commands(state: State) -> list[str]:
@@ -48,6 +53,7 @@ def list_offered_commands(state: State) -> list[str]:
 def add_run(db: Session, order: RunOrder, who: str, now: datetime, motion: Motion | None = None) -> RunRow:
     """A new run of the procedure, or of something else; it waits for its cell."""
     row = RunRow(id=new_id(now), cell=order.cell, payload=order.payload, order=order.model_dump_json(), state=State.RESETTING)
+    row.order_id, row.work_order, row.serial_number = order.order_id, order.work_order, order.serial_number
     row.requested_by, row.requested_at = who, now
     row.released = row.aborted = False
     row.motion = None if motion is None else motion.model_dump_json()
@@ -108,10 +114,21 @@ def advance(row: RunRow, path: Iterable[Step], now: datetime) -> list[EventMessa
         row.state = COMPLETED[state] if step is None else apply_command(state, step)
         row.aborted = row.aborted or row.state == State.ABORTED
         row.held_since = now if row.state == State.HELD else row.held_since if row.state == State.UNHOLDING else None
-        messages += tell(row, [_state_changed(row)], now)
         if row.ended_at is None and row.state in (*FINAL, State.ABORTED):
-            row.ended_at = now
+            row.ended_at, row.outcome = now, find_outcome(row)
+        messages += tell(row, [_state_changed(row)], now)
     return messages
+
+
+def find_outcome(row: RunRow) -> RunOutcome:
+    """How a run has ended that has just come to its end, by its state and its reason."""
+    if row.state == State.COMPLETE:
+        return RunOutcome.COMPLETED
+    if row.state == State.ABORTED:
+        return RunOutcome.ABORTED
+    if row.reason_kind == CANCELLED:
+        return RunOutcome.CANCELLED
+    return RunOutcome.REFUSED if row.aborted else RunOutcome.STOPPED
 
 
 def keep(db: Session, row: RunRow, messages: Sequence[EventMessage], *, ended: bool) -> None:
@@ -171,12 +188,11 @@ def list_first_runs(db: Session) -> list[RunRow]:
     return list(first.values())
 
 
-def find_in_the_way(db: Session, cell: str) -> str | None:
-    """What the cell's run has in its way: of the first that is not over, else of the last."""
+def find_latest_run(db: Session, cell: str) -> RunRow | None:
+    """The cell's run: the first that is not over, else the last; None where it has had none."""
     query = select(RunRow).where(RunRow.cell == cell)
     carried = db.scalar(query.where(RunRow.state.not_in(FINAL)).order_by(RunRow.id).limit(1))
-    row = carried or db.scalar(query.order_by(RunRow.id.desc()).limit(1))
-    return None if row is None else row.in_the_way
+    return carried or db.scalar(query.order_by(RunRow.id.desc()).limit(1))
 
 
 def may_continue(row: RunRow) -> bool:
@@ -184,16 +200,25 @@ def may_continue(row: RunRow) -> bool:
     return row.state in (State.STOPPED, State.ABORTED) and row.result is None and row.finished_steps > 0
 
 
-def build_answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None, ends_at: datetime | None = None) -> RunAnswer:
+def read_plan_sha256(row: RunRow) -> str | None:
+    """Of the newest plan that was shown for a run."""
+    return None if row.plan is None else PlanHash.model_validate_json(row.plan).sha256
+
+
+def build_answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None, ends_at: datetime | None = None) -> RunPublic:
     """The run as it leaves the service."""
     state, motion = State(row.state), motion_of(row)
-    return RunAnswer(
+    return RunPublic(
         run=row.id,
         cell=row.cell,
         payload=row.payload,
+        order_id=row.order_id,
+        work_order=row.work_order,
+        serial_number=row.serial_number,
         order=RunOrder.model_validate_json(row.order),
         state=state,
         job_state=job_state(state, released=row.released, aborted=row.aborted),
+        outcome=None if row.outcome is None else RunOutcome(row.outcome),
         commands=list_offered_commands(state),
         released=row.released,
         reason=read_reason(row),
@@ -213,6 +238,7 @@ def build_answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None,
         released_by=row.released_by,
         released_at=row.released_at,
         ended_at=row.ended_at,
+        plan_sha256=read_plan_sha256(row),
         result=None if row.result is None else summary_of(Result.model_validate_json(row.result)),
         accepted_by=row.accepted_by,
         accepted_at=row.accepted_at,
@@ -234,5 +260,10 @@ def _state_changed(row: RunRow) -> StateChanged:
     state = State(row.state)
     job = job_state(state, released=row.released, aborted=row.aborted)
     return StateChanged(
-        state=state, job_state=job, commands=list_offered_commands(state), reason=read_reason(row), reason_kind=row.reason_kind
+        state=state,
+        job_state=job,
+        outcome=None if row.outcome is None else RunOutcome(row.outcome),
+        commands=list_offered_commands(state),
+        reason=read_reason(row),
+        reason_kind=row.reason_kind,
     )

@@ -9,8 +9,11 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Query, WebSocket
 from starlette.websockets import WebSocketDisconnect
 
+from server.http.asyncapi import SocketDescription
 from server.http.dependencies import StoreDep
 from server.http.errors import NotFound
+from server.http.parameters import RunPath
+from server.runner.live_schemas import LiveBatch
 from server.runs import ledger as run_ledger
 from server.runs.broadcast import PATIENCE_S, TooSlowError, drain
 from server.runs.conductor import Conductor, ConductorDep
@@ -22,8 +25,20 @@ router = APIRouter(tags=["runs"])
 
 NORMAL, POLICY_VIOLATION, TRY_AGAIN = 1000, 1008, 1013
 
-AfterQuery = Annotated[int, Query(ge=0, le=2**53)]
-"""Sequence number of the last message that is known already."""
+AfterQuery = Annotated[int, Query(ge=0, le=2**53, description="Sequence number of the last event that is known already.", examples=[12])]
+KindQuery = Annotated[Literal["event", "samples"] | None, Query(description="Only messages of this kind; all where absent.")]
+
+
+SOCKETS = (
+    SocketDescription(
+        "/api/runs/{run}/live",
+        "Events behind `after`, then everything as it happens, up to 50 batches of samples a second. Who reads slowly loses samples, never "
+        "events. Closed with 1013 when it is not read, with 1008 where there is no such run, with 1000 at the end.",
+        sends=(EventMessage, LiveBatch),
+        parameters={"run": ("Identifier of the run.", "019ab1c2d3e44f1c2a9be7")},
+        query={"after": {"type": "integer", "minimum": 0, "default": 0, "description": "Sequence number of the last event that is known."}},
+    ),
+)
 
 
 @router.websocket("/api/runs/{run}/live")
@@ -50,9 +65,7 @@ async def watch_run(websocket: WebSocket, run: str, store: StoreDep, conductor: 
 
 
 @router.get("/api/runs/{run}/events")
-def read_events(
-    run: str, store: StoreDep, conductor: ConductorDep, after: AfterQuery = 0, kind: Literal["event", "samples"] | None = None
-) -> list[LiveMessage]:
+def read_events(run: RunPath, store: StoreDep, conductor: ConductorDep, after: AfterQuery = 0, kind: KindQuery = None) -> list[LiveMessage]:
     """What has happened behind a sequence number, and the newest samples: the same messages as on the websocket `live`."""
     _, told = _load_events(store, conductor, run, after)
     messages: list[LiveMessage] = [EventMessage.model_validate_json(text) for _, text in told]

@@ -9,9 +9,11 @@ from datetime import datetime
 from typing import Literal
 
 from fastapi import APIRouter
+from pydantic import Field
 
-from server.http.dependencies import ClientAddressDep, NamePath, NowDep
+from server.http.dependencies import ClientAddressDep, NowDep
 from server.http.errors import Conflict
+from server.http.parameters import CellPath
 from server.http.schemas import Answer
 from server.people import audit
 from server.runs.conductor import Conductor, ConductorDep
@@ -25,21 +27,17 @@ COMES_TO_REST = frozenset({State.HELD, State.SUSPENDED})
 
 
 class CellNow(Answer):
-    """A cell as it is now.
+    """A cell as it is now."""
 
-    Args:
-        run: that has the cell; null where none is under way.
-        moving: whether the robot may move at this moment.
-        since: when the run went into its state.
-    """
-
-    cell: str
-    run: str | None
-    state: State | None
-    moving: bool
-    since: datetime | None
-    reason_kind: str | None
-    safety_rated: Literal[False] = False
+    cell: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
+    run: str | None = Field(description="The run that has the cell; null where none does.", examples=["019ab1c2d3e44f1c2a9be7"])
+    state: State | None = Field(description="State of the machine (PackML); null without a run.")
+    moving: bool = Field(description="Whether the robot may move at this moment.")
+    since: datetime | None = Field(description="When the run went into its state.", examples=["2026-03-01T08:00:00.120Z"])
+    reason_kind: str | None = Field(
+        description="Kind of why it stands, see docs/runs.md; null where it does not.", examples=["network-late"]
+    )
+    safety_rated: Literal[False] = Field(default=False, description="Always false: it is not a safety function.")
 
 
 @router.get("")
@@ -49,7 +47,7 @@ async def read_now(conductor: ConductorDep) -> list[CellNow]:
 
 
 @router.post("/{cell}/stop")
-async def stop_now(cell: NamePath, conductor: ConductorDep, address: ClientAddressDep, now: NowDep) -> CellNow:
+async def stop_now(cell: CellPath, conductor: ConductorDep, address: ClientAddressDep, now: NowDep) -> CellNow:
     """Stops the cell's robot. Anybody may, and it is recorded from where. It is no emergency stop."""
     active = conductor.active.get(cell)
     if active is None:

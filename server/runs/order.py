@@ -5,8 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from core.cell.cell import Cell
+from core.errors import BadPayload
 from core.planning.settings import Timing
 from core.planning.slow_run import find_speed_range, limit_speed
+from core.recording.order_reference import OrderReference
 from server.http.errors import Conflict
 from server.runner.messages import Continuation, Order
 from server.runs.ledger import motion_of
@@ -35,15 +37,26 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
         scope=order.scope,
         effort=order.effort,
         start_rad=order.start_rad,
+        reference=reference_of(row),
     )
+
+
+def reference_of(row: RunRow) -> OrderReference:
+    """What the plant calls a run's order."""
+    return OrderReference(order_id=row.order_id, work_order=row.work_order, serial_number=row.serial_number)
 
 
 def check_order(order: RunOrder, cell: Cell) -> None:
     """What is asked for goes with the cell; whether the robot may be where it is said to stand is for planning to say.
 
     Raises:
+        BadPayload: the cell does not know the payload, or knows none.
         Conflict: a speed that the cell does not allow, or not one joint position for each joint.
     """
+    if not cell.payloads:
+        raise BadPayload("payload", "runs-cell-without-payload", cell=cell.name)
+    if order.payload not in cell.payloads:
+        raise BadPayload("payload", "runs-payload-unknown", payload=order.payload or "", payloads=list(cell.payloads), cell=cell.name)
     slowest, limit = find_speed_range(cell)
     if order.speed_m_s is not None and not slowest <= order.speed_m_s <= limit:
         raise Conflict("runs-speed-not-allowed", speed_m_s=order.speed_m_s, least_m_s=slowest, most_m_s=limit)

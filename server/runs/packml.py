@@ -57,6 +57,21 @@ class JobState(StrEnum):
     ABORTED = "Aborted"
 
 
+class RunOutcome(StrEnum):
+    """How a run ended, which `Stopped` and `Aborted` alone do not tell."""
+
+    COMPLETED = "completed"
+    """Came through; it has a result."""
+    CANCELLED = "cancelled"
+    """Taken back before it was released; nothing has moved."""
+    REFUSED = "refused"
+    """Planning or the service refused it before it was released; nothing has moved."""
+    STOPPED = "stopped"
+    """Somebody stopped it, or nobody came back to it on hold."""
+    ABORTED = "aborted"
+    """It failed, or somebody aborted it."""
+
+
 S, C = State, Command
 
 ABORT_STATES = frozenset({S.ABORTING, S.ABORTED})
@@ -132,15 +147,15 @@ def apply_command(state: State, command: Command) -> State:
 
 
 def job_state(state: State, *, released: bool, aborted: bool) -> JobState:
-    """The ISA-95 state of the job.
+    """The ISA-95 state of the job: Ended where it came through, Aborted where it did not, whoever wanted that (`RunOutcome` says).
 
     Args:
         released: whether an operator has let it begin.
         aborted: whether it has been through Aborted; clearing the machine does not mend the job.
     """
-    if aborted or state in ABORT_STATES:
+    if aborted or state in ABORT_STATES or state is S.STOPPED:
         return JobState.ABORTED
-    if state in FINAL:
+    if state is S.COMPLETE:
         return JobState.ENDED
     if state in (S.RESETTING, S.IDLE):
         return JobState.ALLOWED_TO_START if released else JobState.NOT_ALLOWED_TO_START

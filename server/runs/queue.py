@@ -15,11 +15,20 @@ from server.people import audit
 from server.runs import idempotency
 from server.runs import ledger as run_ledger
 from server.runs.conductor import Conductor
-from server.runs.schemas import Motion, RestOfRun, RunAnswer, RunOrder
+from server.runs.schemas import Motion, RestOfRun, RunOrder, RunPublic
 from server.runs.tables import RunRow
 from server.store.store import Store
 
-IdempotencyKeyHeader = Annotated[str | None, Header(alias="Idempotency-Key", min_length=1, max_length=128)]
+IdempotencyKeyHeader = Annotated[
+    str | None,
+    Header(
+        alias="Idempotency-Key",
+        min_length=1,
+        max_length=128,
+        description="The same key with the same body makes one run, however often it is sent; with another body it is refused.",
+        examples=["JO-2026-004711/1"],
+    ),
+]
 PLANNING_S = 5
 """When to ask again after queueing."""
 
@@ -35,7 +44,7 @@ class RunRequest(NamedTuple):
 
 def queue_once(
     store: Store, conductor: Conductor, response: Response, request: RunRequest, order: RunOrder, motion: Motion | None = None
-) -> RunAnswer:
+) -> RunPublic:
     """The run that the request makes, or has made already.
 
     Raises:

@@ -22,11 +22,11 @@ class Reason(NamedTuple):
     message: Message
 
 
-SHUT_DOWN, SERVICE_ENDED, NO_ROOM, NOT_KEPT = "shut-down", "service-ended", "no-room", "release-not-kept"
+CANCELLED, SHUT_DOWN, SERVICE_ENDED, NO_ROOM, NOT_KEPT = "cancelled", "shut-down", "service-ended", "no-room", "release-not-kept"
 LATE: dict[Cause, str] = {cause: f"{cause.replace('_', '-')}-late" for cause in Cause if cause not in (Cause.SENSOR, Cause.ROBOT)}
 """What put a run on hold, by what was late; sensor and robot have errors of their own."""
 OWN = frozenset({
-    "stop-asked", "abort-asked", "hold-asked", "clear-asked", "cancelled", SHUT_DOWN, SERVICE_ENDED, NO_ROOM,
+    "stop-asked", "abort-asked", "hold-asked", "clear-asked", CANCELLED, SHUT_DOWN, SERVICE_ENDED, NO_ROOM,
     "control-process-lost", "planner-lost", "work-lost", NOT_KEPT, *LATE.values(),
 })  # fmt: skip
 """Kinds that are no problem of a request."""
@@ -37,9 +37,11 @@ def explain_command(command: str, who: str) -> Reason:
     return Reason(f"{command}-asked", Message.of("runs-command-asked", command=str(command), who=who))
 
 
-def explain_cancellation(who: str) -> Reason:
-    """Nobody wants it any more."""
-    return Reason("cancelled", Message.of("runs-cancelled", who=who))
+def explain_cancellation(who: str, why: str | None = None) -> Reason:
+    """Nobody wants it any more; `why` is what they say."""
+    if why:
+        return Reason(CANCELLED, Message.of("runs-cancelled-because", who=who, why=why))
+    return Reason(CANCELLED, Message.of("runs-cancelled", who=who))
 
 
 def explain_failure(failure: Failed) -> Reason:

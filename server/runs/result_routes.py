@@ -6,6 +6,7 @@ from typing import Literal
 
 import numpy as np
 from fastapi import APIRouter
+from pydantic import Field
 
 from core.cell.cell import Cell
 from core.export.exports import payload_of
@@ -13,6 +14,7 @@ from core.payload.comparison import Comparison, compare_payloads
 from server.cells.folder import CellFolder, CellsDep
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Conflict, StoreUnavailable
+from server.http.parameters import OtherRunPath, RunPath
 from server.http.schemas import Answer
 from server.people import audit
 from server.people.auth import CallerDep
@@ -20,8 +22,8 @@ from server.runs import ledger as run_ledger
 from server.runs.answer import answer_run
 from server.runs.conductor import ConductorDep
 from server.runs.lease import ControlDep
-from server.runs.payload_answer import PayloadAnswer, payload_answer
-from server.runs.schemas import RunAnswer
+from server.runs.payload_answer import ResultPublic, payload_answer
+from server.runs.schemas import RunPublic
 from server.runs.tables import RunRow
 
 router = APIRouter(prefix="/api/runs/{run}", tags=["results"])
@@ -29,23 +31,23 @@ router = APIRouter(prefix="/api/runs/{run}", tags=["results"])
 Frame = Literal["sensor", "flange"]
 
 
-class ComparisonAnswer(Answer):
+class ComparisonPublic(Answer):
     """The run `other` minus the run `run`; both in the sensor's frame, or in the flange's where they were made in two cells."""
 
-    run: str
-    other: str
-    frame: Frame
-    comparison: Comparison
+    run: str = Field(description="Identifier of the first run.", examples=["019ab1c2d3e44f1c2a9be7"])
+    other: str = Field(description="Identifier of the second run, from which the first is taken away.", examples=["019ab1c9aa210f6be35d08"])
+    frame: Frame = Field(description="Frame of the comparison: the sensor's, or the flange's where the runs were made in two cells.")
+    comparison: Comparison = Field(description="What differs.")
 
 
 @router.get("/result")
-def read_result(run: str, conductor: ConductorDep) -> PayloadAnswer:
+def read_result(run: RunPath, conductor: ConductorDep) -> ResultPublic:
     """What the robot carries, with uncertainties."""
     return payload_answer(run, run_ledger.load_result(conductor.row_of(run)))
 
 
 @router.post("/acceptance")
-def accept_result(run: str, store: StoreDep, conductor: ConductorDep, control: ControlDep, caller: CallerDep, now: NowDep) -> RunAnswer:
+def accept_result(run: RunPath, store: StoreDep, conductor: ConductorDep, control: ControlDep, caller: CallerDep, now: NowDep) -> RunPublic:
     """An operator takes the result for good; once, and by name."""
     run_ledger.load_result(conductor.row_of(run))
     if not conductor.wait_until_kept(run):
@@ -61,7 +63,7 @@ def accept_result(run: str, store: StoreDep, conductor: ConductorDep, control: C
 
 
 @router.get("/comparison/{other}")
-def compare_runs(run: str, other: str, cells: CellsDep, conductor: ConductorDep) -> ComparisonAnswer:
+def compare_runs(run: RunPath, other: OtherRunPath, cells: CellsDep, conductor: ConductorDep) -> ComparisonPublic:
     """What differs between two runs, and whether that is more than chance."""
     rows = conductor.row_of(run), conductor.row_of(other)
     results = [run_ledger.load_result(row) for row in rows]
@@ -69,7 +71,7 @@ def compare_runs(run: str, other: str, cells: CellsDep, conductor: ConductorDep)
     mounted = [None if frame == "sensor" else _require_mount(cells, row) for row in rows]
     first, second = (payload_of(result, cell) for result, cell in zip(results, mounted, strict=True))
     offsets = [(np.array(part.offset, float), np.array(part.offset_std, float)) for part in (each.estimate for each in results) if part]
-    return ComparisonAnswer(run=run, other=other, frame=frame, comparison=compare_payloads(first, second, offsets[0], offsets[1]))
+    return ComparisonPublic(run=run, other=other, frame=frame, comparison=compare_payloads(first, second, offsets[0], offsets[1]))
 
 
 def _require_mount(cells: CellFolder, row: RunRow) -> Cell:

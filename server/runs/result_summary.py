@@ -2,28 +2,26 @@
 
 from __future__ import annotations
 
+from pydantic import Field
+
 from core.estimation.result import Numbers, Result
 from core.words.message import Message
 from server.http.schemas import Answer
 
 
 class ResultSummary(Answer):
-    """What a run found; null is what is not determined.
+    """What a run found; null is what is not determined."""
 
-    Args:
-        determined: how many of the ten parameters are.
-        com_m: centre of mass, sensor frame.
-        offset: of the sensor, fx fy fz (N) tx ty tz (N m), with its standard uncertainty.
-    """
-
-    verdict: Message
-    determined: int
-    mass_kg: float | None
-    mass_std_kg: float | None
-    com_m: Numbers
-    com_std_m: Numbers
-    offset: Numbers
-    offset_std: Numbers
+    verdict: Message = Field(description="The result in a sentence.")
+    determined: int = Field(description="How many of the ten parameters are determined.", examples=[10])
+    mass_kg: float | None = Field(description="Mass, kg; null where it is not determined.", examples=[2.783])
+    mass_std_kg: float | None = Field(description="Its standard uncertainty, kg.", examples=[0.002])
+    com_m: Numbers = Field(description="Centre of mass, m, sensor frame.", examples=[[0.0, -0.0168, 0.0365]])
+    com_std_m: Numbers = Field(description="Its standard uncertainties, m.", examples=[[0.0001, 0.0001, 0.0001]])
+    offset: Numbers = Field(
+        description="Offset of the sensor, fx fy fz (N) tx ty tz (N m).", examples=[[1.2, -0.4, 3.1, 0.02, 0.01, -0.03]]
+    )
+    offset_std: Numbers = Field(description="Its standard uncertainties, N and N m.", examples=[[0.01, 0.01, 0.02, 0.001, 0.001, 0.001]])
 
 
 def summary_of(result: Result) -> ResultSummary:

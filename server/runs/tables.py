@@ -21,12 +21,17 @@ class RunRow(Table):
     cell: Mapped[str] = mapped_column(String(64), index=True)
     payload: Mapped[str | None] = mapped_column(String(64), index=True)
     order: Mapped[str] = mapped_column("run_order", Text)
+    order_id: Mapped[str | None] = mapped_column(String(100), index=True)
+    work_order: Mapped[str | None] = mapped_column(String(100), index=True)
+    serial_number: Mapped[str | None] = mapped_column(String(100), index=True)
     motion: Mapped[str | None] = mapped_column(Text)
     """None for a whole procedure."""
     state: Mapped[str] = mapped_column(String(16), index=True)
     released: Mapped[bool] = mapped_column(default=False)
     aborted: Mapped[bool] = mapped_column(default=False)
     """The job failed, whatever the machine's state is by now."""
+    outcome: Mapped[str | None] = mapped_column(String(16), index=True)
+    """How it ended (`server.runs.packml.RunOutcome`); None before that."""
     reason: Mapped[str | None] = mapped_column(Text)
     """JSON (`core.words.message.Message`)."""
     reason_kind: Mapped[str | None] = mapped_column(String(32))

@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import asyncio
 import hmac
+import json
 import logging
 from collections.abc import Callable
 from datetime import datetime, timedelta
 from functools import cached_property
 from hashlib import sha256
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 from sqlalchemy import select
 from sqlalchemy.exc import SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from core.words.message import Message
+from server.http.dependencies import depend_on
 from server.runs.reason import dump_message
-from server.runs.schemas import RunAnswer
+from server.runs.schemas import RunPublic
 from server.runs.tables import Delivery, Webhook
 from server.store.store import Store
 
@@ -33,11 +35,19 @@ GIVE_UP_AFTER = timedelta(days=3)
 POLL_S = 1.0
 
 
-def enqueue(db: Session, run: RunAnswer, new_id: Callable[[datetime], str], now: datetime) -> None:
+def enqueue(db: Session, run: RunPublic, new_id: Callable[[datetime], str], now: datetime) -> None:
     """One delivery to each webhook, in the transaction that ends the run: none is lost, whatever happens next."""
     body = run.model_dump_json()
     for webhook in db.scalars(select(Webhook)):
         db.add(Delivery(id=new_id(now), webhook=webhook.id, body=body, attempts=0, made_at=now, due_at=now))
+
+
+def add_test(db: Session, webhook: str, new_id: Callable[[datetime], str], now: datetime) -> Delivery:
+    """A delivery that tells of no run; it is sent once, by whoever asked for it, and is never due."""
+    body = json.dumps({"test": True, "webhook": webhook, "sent_at": now.isoformat()})
+    delivery = Delivery(id=new_id(now), webhook=webhook, body=body, attempts=0, made_at=now, due_at=None)
+    db.add(delivery)
+    return delivery
 
 
 def signature(secret: str, timestamp: str, body: str) -> str:
@@ -81,7 +91,7 @@ class Deliverer:
     async def deliver_due(self) -> int:
         """Sends everything that is due, side by side, and returns how many there were."""
         due = await asyncio.to_thread(self._due)
-        await asyncio.gather(*(self._deliver(delivery, webhook) for delivery, webhook in due))
+        await asyncio.gather(*(self.deliver(delivery, webhook) for delivery, webhook in due))
         return len(due)
 
     def _due(self) -> list[tuple[Delivery, Webhook]]:
@@ -90,7 +100,8 @@ class Deliverer:
         with self._store.read() as db:
             return [(delivery, webhook) for delivery, webhook in db.execute(query)]
 
-    async def _deliver(self, delivery: Delivery, webhook: Webhook) -> None:
+    async def deliver(self, delivery: Delivery, webhook: Webhook) -> None:
+        """Sends one message now, and notes what came of it."""
         timestamp = str(round(self._now().timestamp()))
         signed = f"sha256={signature(webhook.secret, timestamp, delivery.body)}"
         headers = {"Content-Type": "application/json", DELIVERY: delivery.id, TIMESTAMP: timestamp, SIGNATURE: signed}
@@ -112,6 +123,9 @@ class Deliverer:
             row.attempts, row.last_error = row.attempts + 1, None if error is None else dump_message(error)
             if error is None:
                 row.delivered_at, row.due_at = now, None
-            else:
+            elif row.due_at is not None:
                 row.due_at = now + timedelta(seconds=min(2 ** min(row.attempts, 20), LONGEST_WAIT_S))
                 row.due_at = None if row.due_at - row.made_at > GIVE_UP_AFTER else row.due_at
+
+
+DelivererDep = Annotated[Deliverer, depend_on("deliverer")]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from datetime import datetime, timedelta
 
 from fastapi import APIRouter
+from pydantic import Field
 from sqlalchemy.orm import Session
 
 from core.payload.shapes import Pose
@@ -14,9 +15,10 @@ from server.cells.folder import CellFolder, CellsDep
 from server.cells.now import read_now
 from server.cells.zone_check import flaws_of_bodies
 from server.cells.zones import ZonePosition
-from server.http.dependencies import NamePath, NowDep, StoreDep
+from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Conflict
 from server.http.flaws import Flaw, list_flaws
+from server.http.parameters import CellPath, ZonePath
 from server.http.schemas import Answer, Moment, RequestBody
 from server.people import audit
 from server.people.auth import CallerDep
@@ -27,70 +29,67 @@ router = APIRouter(prefix="/api/cells/{cell}/zones", tags=["cells"])
 AHEAD = timedelta(seconds=1)  # by how much a measuring clock may go before ours
 
 
-class ZoneMove(RequestBody):
+class ZoneUpdate(RequestBody):
     """Where a zone's centre was measured, in the world frame; its shape and size stay."""
 
-    pose: Pose
-    measured_at: Moment
+    pose: Pose = Field(description="Where its centre was measured, world frame; shape and size stay.")
+    measured_at: Moment = Field(
+        description="When, ISO 8601 with its offset from UTC; what is older than the latest known is refused.",
+        examples=["2026-03-01T08:00:00Z"],
+    )
 
 
-class ZoneTry(RequestBody):
+class ZoneCheckCreate(RequestBody):
     """Where a zone's centre would be, in the world frame."""
 
-    pose: Pose
+    pose: Pose = Field(description="Where its centre would be, world frame.")
 
 
-class ZoneBack(RequestBody):
-    """The way back.
+class ZoneUndoCreate(RequestBody):
+    """The way back."""
 
-    Args:
-        to: where it was `before`, or where the cell's `file` has it.
-        moves: how often the zone had moved when whoever asks saw it; refused where it has moved on since.
-    """
-
-    to: zones.Back = "before"
-    moves: int | None = None
-
-
-class ZoneShown(Answer):
-    """A zone's latest place.
-
-    Args:
-        previous: where it was before that.
-        contradiction: why nothing can be planned while it is there; `flaws` says all of it.
-    """
-
-    cell: str
-    zone: str
-    pose: Pose
-    previous: Pose
-    moves: int
-    measured_at: datetime
-    received_at: datetime
-    contradiction: Message | None
-    flaws: list[Flaw]
+    to: zones.Back = Field(default="before", description="To where it was before, or to where the cell's file has it.")
+    moves: int | None = Field(
+        default=None,
+        description="How often it had moved when whoever asks saw it; refused where it has moved on since. Not compared where null.",
+        examples=[3],
+    )
 
 
-class ZoneChecked(Answer):
+class ZonePublic(Answer):
+    """A zone's latest place."""
+
+    cell: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
+    zone: str = Field(description="Name of the zone.", examples=["operator"])
+    pose: Pose = Field(description="Where its centre is, world frame.")
+    previous: Pose = Field(description="Where it was before that.")
+    moves: int = Field(description="How often it has moved.", examples=[3])
+    measured_at: datetime = Field(description="When it was measured, by the clock of who did.", examples=["2026-03-01T08:00:00Z"])
+    received_at: datetime = Field(description="When the service heard of it, by its own clock.", examples=["2026-03-01T08:00:00.120Z"])
+    contradiction: Message | None = Field(description="Why nothing can be planned while it is there; null where something can.")
+    flaws: list[Flaw] = Field(description="All that speaks against planning while it is there.")
+
+
+class ZoneCheckPublic(Answer):
     """Why nothing could be planned with a zone at a place; nothing where `flaws` is empty. The zone has not moved."""
 
-    cell: str
-    zone: str
-    pose: Pose
-    flaws: list[Flaw]
+    cell: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
+    zone: str = Field(description="Name of the zone.", examples=["operator"])
+    pose: Pose = Field(description="Where its centre would be, world frame.")
+    flaws: list[Flaw] = Field(description="Why nothing could be planned with it there; empty where something could. It has not moved.")
 
 
 @router.put("/{zone}")
 def move_zone(
-    cell: NamePath,
-    zone: NamePath,
-    body: ZoneMove,
+    cell: CellPath,
+    zone: ZonePath,
+    body: ZoneUpdate,
     caller: CallerDep,
     store: StoreDep,
     cells: CellsDep,
     conductor: ConductorDep,
     now: NowDep,
-) -> ZoneShown:
+) -> ZonePublic:
     """Keeps a zone's new place. A place that makes planning impossible is kept too: people are where they are."""
     if body.measured_at > now + AHEAD:
         raise Conflict("zone-clock-ahead", measured_at=body.measured_at.isoformat(), now=now.isoformat())
@@ -105,29 +104,29 @@ def move_zone(
 
 
 @router.post("/{zone}/check")
-def check_zone(cell: NamePath, zone: NamePath, body: ZoneTry, store: StoreDep, cells: CellsDep) -> ZoneChecked:
+def check_zone(cell: CellPath, zone: ZonePath, body: ZoneCheckCreate, store: StoreDep, cells: CellsDep) -> ZoneCheckPublic:
     """What a zone would contradict at a place, the whole arm at home included, before anybody moves it there."""
     with store.read() as db:
         found = read_now(cells, db, cell)
     zones.place_in_file(found.cell, zone)
     there = zones.with_zones_at(found.cell, {zone: body.pose})
     flaws = cells.flaws(found._replace(cell=there)) or flaws_of_bodies(there)
-    return ZoneChecked(cell=cell, zone=zone, pose=body.pose, flaws=list_flaws(flaws))
+    return ZoneCheckPublic(cell=cell, zone=zone, pose=body.pose, flaws=list_flaws(flaws))
 
 
 @router.post("/{zone}/undo")
 def put_zone_back(
-    cell: NamePath,
-    zone: NamePath,
+    cell: CellPath,
+    zone: ZonePath,
     caller: CallerDep,
     store: StoreDep,
     cells: CellsDep,
     conductor: ConductorDep,
     now: NowDep,
-    back: ZoneBack | None = None,
-) -> ZoneShown:
+    back: ZoneUndoCreate | None = None,
+) -> ZonePublic:
     """Puts a zone back to where it was before, or to where the cell's file has it; a later measurement moves it as ever."""
-    undo = back or ZoneBack()
+    undo = back or ZoneUndoCreate()
     loaded = cells.read(cell).cell
     with store.write() as db:
         row = zones.put_back(db, loaded, zone, undo.to, undo.moves, caller.who, now)
@@ -137,9 +136,9 @@ def put_zone_back(
     return shown
 
 
-def _answer(cells: CellFolder, db: Session, row: ZonePosition) -> ZoneShown:
+def _answer(cells: CellFolder, db: Session, row: ZonePosition) -> ZonePublic:
     flaws = cells.flaws(read_now(cells, db, row.cell))
-    return ZoneShown(
+    return ZonePublic(
         cell=row.cell,
         zone=row.zone,
         pose=Pose.model_validate_json(row.pose),

@@ -115,9 +115,10 @@ def is_up_to_date(connection: Connection) -> bool:
 
 
 def _engine(url: str) -> Engine:
+    """Its errors, which are logged, do not say what was to be written: that may be a secret."""
     if not url.startswith("sqlite"):
-        return create_engine(url, pool_pre_ping=True, connect_args={"timeout": AWAY_S})
-    engine = create_engine(url, connect_args={"timeout": BUSY_S, "check_same_thread": False})
+        return create_engine(url, pool_pre_ping=True, hide_parameters=True, connect_args={"timeout": AWAY_S})
+    engine = create_engine(url, hide_parameters=True, connect_args={"timeout": BUSY_S, "check_same_thread": False})
     event.listen(engine, "connect", _make_durable)
     event.listen(engine, "begin", _begin)
     return engine

@@ -1,4 +1,4 @@
-"""From where a cell is looked at first: the arm fills the picture, and as little as can be stands before it."""
+"""From where a cell is looked at: first, and from the sides that have a name; the arm fills the picture, and little stands before it."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from core.array import Array
 from core.cell.cell import Cell
 from core.report.faces import Faces, arm_faces, shape_faces
 from core.robot.model import RobotModel
+from server.viewer.wish import Look
 
 AROUND_RAD = np.deg2rad(np.arange(-180.0, 180.0, 15.0) + 45.0)
 DOWN_RAD = np.deg2rad([25.0, 40.0, 55.0])
@@ -20,6 +21,14 @@ POINTS = 60
 """Of the arm, to which lines of sight are drawn."""
 VEIL = 0.4
 """What a zone hides, through which the arm is seen, against what an obstacle does."""
+FIELD_OF_VIEW_RAD = 0.8
+"""Of the camera, from the lower to the upper edge of the picture."""
+EYE_HEIGHT_M = 1.6
+"""Of somebody who stands on the floor."""
+FULL = 0.9
+"""Distance at which what is looked at fills the picture, against that at which a ball around it does."""
+ALMOST = 0.02
+"""By how much a look from above is off the vertical, so that it has a side that is up."""
 
 
 def first_look(cell: Cell, robot: RobotModel) -> tuple[Array, Array]:
@@ -27,9 +36,33 @@ def first_look(cell: Cell, robot: RobotModel) -> tuple[Array, Array]:
     arm = np.concatenate(arm_faces(cell, robot, np.array(cell.robot.home_rad)))
     low, high = arm.min(axis=0), arm.max(axis=0)
     middle, size = 0.5 * (low + high), float(np.linalg.norm(high - low))
-    seen = arm[:: max(1, len(arm) // POINTS)]
+    seen = select_points(arm)
     eyes = [middle + AWAY * size * _direction(around, down) for down, around in product(DOWN_RAD, AROUND_RAD)]
     return min(eyes, key=lambda eye: measure_occlusion(cell, eye, seen)), middle
+
+
+def find_eye(cell: Cell, look: Look, points: Array, aspect: float, toward: Array) -> tuple[Array, Array]:
+    """Where the eye is so that all points (k, 3) are in the picture, and what it looks at, (3,) each, m, world frame.
+
+    Args:
+        aspect: width of the picture by its height.
+        toward: (3,), from what is looked at to the eye: for `fit` where it is now, for `reset` where it was at first.
+    """
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle, radius = 0.5 * (low + high), 0.5 * float(np.linalg.norm(high - low))
+    half = min(0.5 * FIELD_OF_VIEW_RAD, float(np.arctan(aspect * np.tan(0.5 * FIELD_OF_VIEW_RAD))))
+    distance = FULL * radius / np.sin(half)
+    forward = cell.robot.base.rotation @ np.array([1.0, 0.0, 0.0])
+    match look:
+        case "front":
+            toward = _level(forward)
+        case "top":
+            toward = np.array([0.0, 0.0, 1.0]) + ALMOST * _level(forward)
+        case "operator":
+            people = cell.zones[0].shape.pose.translation - middle if cell.zones else forward
+            rise = cell.floor_z_m + EYE_HEIGHT_M - middle[2]
+            toward = _level(people) * np.sqrt(max(distance**2 - rise**2, (0.5 * distance) ** 2)) + np.array([0.0, 0.0, rise])
+    return middle + distance * toward / np.linalg.norm(toward), middle
 
 
 def measure_occlusion(cell: Cell, eye: Array, points: Array) -> float:
@@ -50,5 +83,17 @@ def find_occluded(faces: Faces, eye: Array, points: Array) -> NDArray[np.bool_]:
     return np.asarray(np.maximum(into, 0.0) < np.minimum(out, 1.0))
 
 
+def select_points(corners: Array) -> Array:
+    """Some of many corners (k, 3), to which lines of sight are drawn."""
+    return corners[:: max(1, len(corners) // POINTS)]
+
+
 def _direction(around: float, down: float) -> Array:
     return np.array([np.cos(down) * np.cos(around), np.cos(down) * np.sin(around), np.sin(down)])
+
+
+def _level(toward: Array) -> Array:
+    """The direction (3,) with nothing of it up or down; along x where nothing is left."""
+    level = np.array([toward[0], toward[1], 0.0])
+    length = float(np.linalg.norm(level))
+    return level / length if length > 1e-6 else np.array([1.0, 0.0, 0.0])

@@ -6,51 +6,76 @@ import numpy as np
 import viser
 
 from core.array import Array
-from core.cell.cell import Cell, Obstacle, Zone
-from core.report.faces import Faces, shape_faces
-from server.viewer.scene import INK, Colour, add_body
+from core.cell.cell import Obstacle, Zone
+from core.report.faces import Faces, link_parts, shape_faces
+from server.viewer.scene import INK, Colour, ViewerScene, add_body
 
 ABNORMAL: Colour = (255, 210, 31)
 """The console's yellow."""
 ROOT = "/in_the_way"
+OF_LINK = "/robot/{joint}/in_the_way"
 SIGN = "▲"
 """As the console has it before the same name, in every language."""
 EDGE_M, SWOLLEN = 0.012, 1.01
 """Thickness of the edges; the body is drawn a little larger than the one that it lies about."""
+OPACITY = 0.4
+"""Of the body: what reaches into it is seen in it."""
+LINK_OPACITY = 0.85
 
 
 class Mark:
-    """Over one scene.
+    """Over one scene."""
 
-    Args:
-        cell: whose obstacles and zones can be in the way.
-    """
-
-    def __init__(self, server: viser.ViserServer, cell: Cell) -> None:
-        self._scene, self._cell = server.scene, cell
+    def __init__(self, server: viser.ViserServer, scene: ViewerScene) -> None:
+        self._nodes, self._scene = server.scene, scene
         self._looked_at = np.array(server.initial_camera.look_at)
         self._name: str | None = None
+        self._drawn: list[str] = []
+        self._hidden: str | None = None
 
     def show(self, name: str | None) -> None:
-        """Marks this obstacle, zone or link, of which there is the sign alone; None leaves everything plain."""
+        """Marks this obstacle, zone or link; of anything else there is the sign alone. None leaves everything plain."""
         self._name = name
-        self._scene.remove_by_name(ROOT)
+        for node in self._drawn:
+            self._nodes.remove_by_name(node)
+        self._drawn = []
+        self._hide(None)
         if name is None:
             return
-        things: tuple[Obstacle | Zone, ...] = (*self._cell.obstacles, *self._cell.zones)
+        cell = self._scene.cell
+        things: tuple[Obstacle | Zone, ...] = (*cell.obstacles, *cell.zones)
         thing = next((it for it in things if it.name == name), None)
-        sign = self._looked_at
-        if thing is not None:
-            faces = shape_faces(thing.shape)
-            add_body(self._scene, f"{ROOT}/body", swell(faces), ABNORMAL, 0.5)
-            self._scene.add_line_segments(f"{ROOT}/edges", edges(faces), INK, thickness=EDGE_M)
-            sign = nearest_to(faces, sign)
-        self._scene.add_label(f"{ROOT}/label", f"{SIGN} {name}", position=tuple(sign), anchor="bottom-center", font_screen_scale=1.5)
+        self._drawn.append(ROOT)
+        sign = self._show_thing(thing) if thing is not None else self._show_link(name)
+        self._nodes.add_label(f"{ROOT}/label", f"{SIGN} {name}", position=tuple(sign), anchor="bottom-center", font_screen_scale=1.5)
 
-    def update_zones(self, cell: Cell) -> None:
-        """Its zones are somewhere else now."""
-        self._cell = cell
+    def update_zones(self) -> None:
+        """The zones are somewhere else now."""
         self.show(self._name)
+
+    def _show_thing(self, thing: Obstacle | Zone) -> Array:
+        """Body and edges in place of what is plain there; where its sign stands."""
+        faces = shape_faces(thing.shape)
+        self._hide(f"/{'zones' if isinstance(thing, Zone) else 'obstacles'}/{thing.name}")
+        add_body(self._nodes, f"{ROOT}/body", swell(faces), ABNORMAL, OPACITY)
+        self._nodes.add_line_segments(f"{ROOT}/edges", edges(faces), INK, thickness=EDGE_M)
+        return nearest_to(faces, self._scene.find_box_corners(self._scene.payload_box).mean(axis=0))
+
+    def _show_link(self, name: str) -> Array:
+        """The link's bodies, which go with it; where its sign stands."""
+        for joint, faces in link_parts(self._scene.cell, self._scene.robot, name):
+            node = OF_LINK.format(joint=joint)
+            add_body(self._nodes, f"{node}/body{len(self._drawn)}", swell(faces), ABNORMAL, LINK_OPACITY)
+            self._drawn.append(node)
+        return self._looked_at
+
+    def _hide(self, node: str | None) -> None:
+        """What is drawn plainly under this name is not seen, and what was hidden before is seen again."""
+        if self._hidden is not None:
+            self._scene.set_visible(self._hidden, visible=True)
+        if node is not None:
+            self._scene.set_visible(node, visible=False)
+        self._hidden = node
 
 
 def edges(faces: Faces) -> Array:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import os
 import signal
+import time
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
 
@@ -16,6 +17,7 @@ from server.runner.live_schemas import LiveBatch
 from server.runner.pipe import Speaker
 from server.runner.plan_schemas import RunPlan
 from server.runner.priority import Priority, take
+from server.viewer.wish import Look, Wish
 
 
 @dataclass(frozen=True)
@@ -34,10 +36,15 @@ class ZonesUpdate:
 
 @dataclass(frozen=True)
 class PlanUpdate:
-    """A plan to look at, for this payload box."""
+    """What is to be looked at before a run: its plan, or None while there is none, its payload box, and where its robot stands.
 
-    plan: RunPlan
+    Args:
+        start_rad: None where the robot stays where it is drawn.
+    """
+
+    plan: RunPlan | None
     payload_box: Box
+    start_rad: tuple[float, ...] | None
 
 
 @dataclass(frozen=True)
@@ -47,7 +54,18 @@ class InTheWayUpdate:
     name: str | None
 
 
-Shown = RobotUpdate | ZonesUpdate | PlanUpdate | InTheWayUpdate
+@dataclass(frozen=True)
+class ViewUpdate:
+    """What one page wants to see in a way of its own; `look` turns its camera once."""
+
+    view: str
+    wish: Wish
+    look: Look | None
+
+
+Shown = RobotUpdate | ZonesUpdate | PlanUpdate | InTheWayUpdate | ViewUpdate
+REFRESH_S = 0.5
+"""How often it is asked what stands before a robot that moves."""
 
 
 class ViewerProcess:
@@ -84,12 +102,14 @@ def _show(cell: Cell, connection: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     take(Priority.VIEWER)
     from server.viewer.in_the_way import Mark  # noqa: PLC0415  no other process needs viser
-    from server.viewer.plots import Plots  # noqa: PLC0415  the same
     from server.viewer.scene import ViewerScene, open_server  # noqa: PLC0415  the same
+    from server.viewer.views import Views  # noqa: PLC0415  the same
 
     server = open_server()
-    scene, plots, mark = ViewerScene(server, cell), Plots(server), Mark(server, cell)
+    scene = ViewerScene(server, cell)
+    mark, views = Mark(server, scene), Views(server, scene)
     connection.send(server.get_port())
+    refreshed_s = time.monotonic()
     while True:
         try:
             shown: Shown = connection.recv()
@@ -98,12 +118,21 @@ def _show(cell: Cell, connection: Connection) -> None:
         match shown:
             case RobotUpdate(batch=batch):
                 scene.move(np.array(batch.q_rad), batch.nearest)
-                plots.append(batch)
+                views.forget_plans()
+                if time.monotonic() - refreshed_s < REFRESH_S:
+                    continue
             case ZonesUpdate():
                 scene.show_zones(shown.cell)
-                mark.update_zones(shown.cell)
+                mark.update_zones()
             case InTheWayUpdate(name=name):
                 mark.show(name)
             case PlanUpdate():
                 scene.show_payload_box(shown.payload_box)
                 scene.show_plan(shown.plan)
+                if shown.start_rad is not None:
+                    scene.move(np.array(shown.start_rad), None)
+            case ViewUpdate():
+                views.update(shown.view, shown.wish, shown.look)
+                continue
+        views.refresh()
+        refreshed_s = time.monotonic()

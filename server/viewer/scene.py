@@ -1,8 +1,10 @@
-"""What viser shows of a cell: robot, payload box, obstacles, zones, starts, path, where the load would fly, what is nearest."""
+"""What viser shows of a cell to all: robot, payload box, obstacles, zones, starts, path, where the load would fly, what is nearest."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 import viser
@@ -13,11 +15,11 @@ from viser import _messages as messages
 from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import tool_boxes
-from core.report.faces import Faces, arm_parts, joint_poses, shape_faces
+from core.report.faces import Faces, Part, arm_parts, joint_poses, shape_faces
 from core.robot.model import RobotModel
 from server.runner.live_schemas import NearestPart
 from server.runner.plan_schemas import RunPlan, ThrowPart
-from server.viewer.first_look import first_look
+from server.viewer.first_look import FIELD_OF_VIEW_RAD, first_look, select_points
 
 Colour = tuple[int, int, int]
 
@@ -26,7 +28,7 @@ STEEL, LOAD, SOLID, ZONE, GHOST, PATH, NEAR, THROW = (
 )  # fmt: skip
 """Grey ground; colour for what is to be minded."""
 INK: Colour = (20, 24, 27)
-FIELD_OF_VIEW_RAD = 0.8
+LOAD_OPACITY, ZONE_OPACITY = 0.6, 0.35
 ARROW_S = 1.5
 """Length of the arrow that shows where the load would fly, as time at its speed."""
 
@@ -42,64 +44,114 @@ def open_server() -> viser.ViserServer:
     return server
 
 
+class Thing(NamedTuple):
+    """What stands in the cell as it is drawn.
+
+    Args:
+        node: its name in the scene.
+    """
+
+    node: str
+    faces: Faces
+    colour: Colour
+    opacity: float
+
+
 class ViewerScene:
     """One cell on one viser server."""
 
     def __init__(self, server: viser.ViserServer, cell: Cell) -> None:
-        self._server, self._cell = server, cell
-        self._robot = RobotModel.of_cell(cell)
-        self._parts = arm_parts(cell, self._robot)
+        self._server, self.cell = server, cell
+        self.robot = RobotModel.of_cell(cell)
+        self._parts = arm_parts(cell, self.robot)
+        self._corners = [(joint, np.concatenate(faces)) for joint, faces in self._parts if faces]
+        self._q = np.array(cell.robot.home_rad)
+        self._planned: list[Array] = []
         server.scene.add_grid("/floor", width=4.0, height=4.0, position=(0.0, 0.0, cell.floor_z_m))
-        for obstacle in cell.obstacles:
-            self._mesh(f"/obstacles/{obstacle.name}", shape_faces(obstacle.shape), SOLID)
+        self._bodies: dict[str, viser.MeshHandle] = {}
+        self._obstacles = [Thing(f"/obstacles/{it.name}", shape_faces(it.shape), SOLID, 1.0) for it in cell.obstacles]
+        for obstacle in self._obstacles:
+            self._mesh(*obstacle)
+        self.things = self._obstacles
         self.show_zones(cell)
-        self._frames = self._arm("/robot", STEEL, 1.0)
+        self._frames = self.draw_arm(server.scene, "/robot", STEEL, 1.0)
         for name, box in tool_boxes(cell).items():
-            self._show_carried(f"tool-{name}", box, STEEL)
+            self._mesh(f"{self.last_joint}/tool-{name}", self.carry(box), STEEL, LOAD_OPACITY)
         self.show_payload_box(cell.payload_box)
-        self.move(np.array(cell.robot.home_rad), None)
-        server.initial_camera.position, server.initial_camera.look_at = first_look(cell, self._robot)
+        self.move(self._q, None)
+        server.initial_camera.position, server.initial_camera.look_at = first_look(cell, self.robot)
         server.initial_camera.fov = FIELD_OF_VIEW_RAD
+
+    @property
+    def last_joint(self) -> str:
+        """The name in the scene of what carries the payload."""
+        return f"/robot/{self.robot.n}"
 
     def show_zones(self, cell: Cell) -> None:
         """The protected zones where they are now."""
-        for zone in cell.zones:
-            self._mesh(f"/zones/{zone.name}", shape_faces(zone.shape), ZONE, 0.35)
+        self.cell = cell
+        zones = [Thing(f"/zones/{zone.name}", shape_faces(zone.shape), ZONE, ZONE_OPACITY) for zone in cell.zones]
+        for zone in zones:
+            self._mesh(*zone)
+        self.things = [*self._obstacles, *zones]
 
     def show_payload_box(self, box: Box) -> None:
         """What certainly contains the payload."""
-        self._show_carried("payload", box, LOAD)
+        self.payload_box = box
+        self._mesh(f"{self.last_joint}/payload", self.carry(box), LOAD, LOAD_OPACITY)
 
-    def _show_carried(self, name: str, box: Box, colour: Colour) -> None:
-        """A box in the sensor frame."""
-        sensor = self._robot.sensor_pose(np.array(self._cell.robot.home_rad))
-        rotation, position = joint_poses(self._robot, np.array(self._cell.robot.home_rad))[-1]
-        faces = [(face @ sensor.rotation.T + sensor.position - position) @ rotation for face in shape_faces(box)]
-        self._mesh(f"/robot/{self._robot.n}/{name}", faces, colour, 0.6)
+    def carry(self, box: Box) -> Faces:
+        """The faces of a box in the sensor frame, in the frame of the last joint."""
+        home = np.array(self.cell.robot.home_rad)
+        sensor = self.robot.sensor_pose(home)
+        rotation, position = joint_poses(self.robot, home)[-1]
+        return [(face @ sensor.rotation.T + sensor.position - position) @ rotation for face in shape_faces(box)]
 
-    def show_plan(self, plan: RunPlan) -> None:
-        """Start configurations as ghosts, and the way of the sensor between them."""
+    def show_plan(self, plan: RunPlan | None) -> None:
+        """Start configurations as ghosts, and the way of the sensor between them; nothing of any plan where there is none."""
+        self._server.scene.remove_by_name("/plan")
+        self._planned = [] if plan is None else [np.array(pose.q_rad) for pose in plan.summary.poses]
+        if plan is None:
+            return
         for pose in plan.summary.poses:
             if pose.rotation_s is not None:
-                self._place(self._arm(f"/plan/{pose.axis[0]}", GHOST, 0.2), np.array(pose.q_rad))
-        ways = [self._robot.sensor_poses(np.array(path.q_rad)).position for path in plan.paths]
+                self.place(self.draw_arm(self._server.scene, f"/plan/{pose.axis[0]}", GHOST, 0.2), np.array(pose.q_rad))
+        ways = [self.robot.sensor_poses(np.array(path.q_rad)).position for path in plan.paths]
         segments = np.concatenate([np.stack(pair) for way in ways for pair in pairwise(way)]).reshape(-1, 2, 3)
         self._server.scene.add_line_segments("/plan/path", segments, PATH, thickness=0.004)
         for throw in plan.throws:
             self._show_throw(throw)
 
     def move(self, q: Array, nearest: NearestPart | None) -> None:
-        """The robot at q (n,), and the line of the smallest distance."""
+        """The robot at q (n,), and the line of the smallest distance, where that is known."""
+        self._q = q
         with self._server.atomic():
-            self._place(self._frames, q)
-            if nearest is not None:
-                ends = np.array([[nearest.point_first_m, nearest.point_second_m]])
-                self._server.scene.add_line_segments("/nearest/line", ends, NEAR, thickness=0.006)
-                text = f"{nearest.second}: {nearest.distance_m:.3f} m"
-                self._server.scene.add_label("/nearest/label", text, position=tuple(ends[0].mean(axis=0)))
+            self.place(self._frames, q)
+            if nearest is None:
+                self._server.scene.remove_by_name("/nearest")
+                return
+            ends = np.array([[nearest.point_first_m, nearest.point_second_m]])
+            self._server.scene.add_line_segments("/nearest/line", ends, NEAR, thickness=0.006)
+            self._server.scene.add_label("/nearest/label", nearest.second, position=tuple(ends[0].mean(axis=0)))
+
+    def find_points(self, q: Array | None = None) -> Array:
+        """Corners (k, 3) of the arm where it is, or at q (n,), world frame."""
+        poses = joint_poses(self.robot, self._q if q is None else q)
+        placed = [corners @ poses[joint][0].T + poses[joint][1] for joint, corners in self._corners]
+        return select_points(np.concatenate(placed))
+
+    def find_room(self, box: Box) -> Array:
+        """Corners (k, 3) of all that is drawn of the robot with a box: where it is, and where the plan has it stand, world frame."""
+        places = [self._q, *self._planned]
+        return np.concatenate([points for q in places for points in (self.find_points(q), self.find_box_corners(box, q))])
+
+    def find_box_corners(self, box: Box, q: Array | None = None) -> Array:
+        """Corners (8, 3) of a box in the sensor frame where the robot is, or at q (n,), world frame."""
+        sensor = self.robot.sensor_pose(self._q if q is None else q)
+        return np.asarray(box.corners @ sensor.rotation.T + sensor.position)
 
     def _show_throw(self, throw: ThrowPart) -> None:
-        """An arrow from where the load would fly off to where it would be some seconds later without gravity; how far from which zone."""
+        """An arrow from where the load would fly off to where it would be some seconds later without gravity; past which zone."""
         begin = np.array(throw.point_m)
         end = begin + ARROW_S * np.array(throw.velocity_m_s)
         name = f"/plan/throw/{throw.axis[0]}"
@@ -107,30 +159,42 @@ class ViewerScene:
             self._server.scene.add_arrows(
                 f"{name}/arrow", np.array([[begin, end]]), THROW, shaft_radius=0.006, head_radius=0.016, head_length=0.04
             )
-        text = f"{throw.axis} → {throw.zone}: {throw.distance_m:.2f} m"
-        self._server.scene.add_label(f"{name}/label", text, position=tuple(end))
+        self._server.scene.add_label(f"{name}/label", f"{throw.axis} → {throw.zone}", position=tuple(end))
 
-    def _arm(self, root: str, colour: Colour, opacity: float) -> list[viser.FrameHandle]:
+    def draw_arm(self, scene: viser.SceneApi, root: str, colour: Colour, opacity: float) -> list[viser.FrameHandle]:
         """Frames of the joints with the bodies in them; the frames are what moves."""
-        frames = [self._server.scene.add_frame(f"{root}/{joint}", show_axes=False) for joint in range(self._robot.n + 1)]
-        for k, (joint, faces) in enumerate(self._parts):
-            self._mesh(f"{root}/{joint}/body{k}", faces, colour, opacity)
-        return frames
+        return draw_parts(scene, root, self._parts, self.robot.n, colour, opacity)
 
-    def _place(self, frames: list[viser.FrameHandle], q: Array) -> None:
-        for frame, (rotation, position) in zip(frames, joint_poses(self._robot, q), strict=True):
+    def place(self, frames: Sequence[viser.FrameHandle], q: Array) -> None:
+        """Moves the frames of an arm to q (n,)."""
+        for frame, (rotation, position) in zip(frames, joint_poses(self.robot, q), strict=True):
             frame.wxyz = Rotation.from_matrix(rotation).as_quat(scalar_first=True)
             frame.position = position
 
+    def set_visible(self, node: str, *, visible: bool) -> None:
+        """Whether an obstacle or a zone is seen."""
+        if node in self._bodies:
+            self._bodies[node].visible = visible
+
     def _mesh(self, name: str, faces: Faces, colour: Colour, opacity: float = 1.0) -> None:
-        add_body(self._server.scene, name, faces, colour, opacity)
+        self._bodies[name] = add_body(self._server.scene, name, faces, colour, opacity)
 
 
-def add_body(scene: viser.SceneApi, name: str, faces: Faces, colour: Colour, opacity: float = 1.0) -> None:
+def draw_parts(
+    scene: viser.SceneApi, root: str, parts: Sequence[Part], joints: int, colour: Colour, opacity: float
+) -> list[viser.FrameHandle]:
+    """Bodies of the robot in frames of their joints, the base's among them."""
+    frames = [scene.add_frame(f"{root}/{joint}", show_axes=False) for joint in range(joints + 1)]
+    for k, (joint, faces) in enumerate(parts):
+        add_body(scene, f"{root}/{joint}/body{k}", faces, colour, opacity)
+    return frames
+
+
+def add_body(scene: viser.SceneApi, name: str, faces: Faces, colour: Colour, opacity: float = 1.0) -> viser.MeshHandle:
     """A body of convex faces, or another one in place of that of the same name."""
     corners, triangles = triangles_of(faces)
     shown = None if opacity == 1.0 else opacity
-    scene.add_mesh_simple(name, corners, triangles, color=colour, opacity=shown, flat_shading=True, side="double")
+    return scene.add_mesh_simple(name, corners, triangles, color=colour, opacity=shown, flat_shading=True, side="double")
 
 
 def triangles_of(faces: Faces) -> tuple[Array, NDArray[np.int32]]:

@@ -8,16 +8,21 @@ from pathlib import Path
 
 import pytest
 from fastapi import FastAPI
+from fastapi.responses import JSONResponse
 from fastapi.testclient import TestClient
+from starlette.requests import HTTPConnection
 
 from server.app import create_app
 from server.cells.uploads import CellChecker
+from server.http import problem_answers
 from server.http.openapi import COOKIE, CSRF_HEADER
+from server.http.problems import ProblemDetails
 from server.people import accounts
 from server.people.accounts import Account
 from server.people.roles import Role
 from server.service import Service
 from server.settings import Settings
+from tests.server.declared_problems import find_undeclared
 from tests.server.made_people import HASH, As, Clock
 from tests.server.postgresql import Cluster, cluster
 from tests.server.real_service import Console, RealService, real_service
@@ -73,6 +78,26 @@ def console(service: RealService) -> Iterator[Console]:
     person.take_control()
     yield person
     person.leave()
+
+
+@pytest.fixture(scope="session")
+def described_app(tmp_path_factory: pytest.TempPathFactory) -> FastAPI:
+    """A service that is described and never started."""
+    return create_app(Settings(data=tmp_path_factory.mktemp("described")))
+
+
+@pytest.fixture(autouse=True)
+def declared_problems(described_app: FastAPI, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Whatever problem a service in this process answers with is one that its operation declares."""
+    answer, undeclared = problem_answers._send, list[str]()
+
+    async def check(connection: HTTPConnection, found: ProblemDetails, headers: dict[str, str] | None = None) -> JSONResponse:
+        undeclared.extend(find_undeclared(described_app, connection, found))
+        return await answer(connection, found, headers)
+
+    monkeypatch.setattr(problem_answers, "_send", check)
+    yield
+    assert undeclared == []
 
 
 @pytest.fixture

@@ -142,7 +142,11 @@ class Console:
         """And answers the stamps from now on; a lease that was open before is closed."""
         answer = self.http.post("/api/control", json={"cell": self.cell})
         assert answer.status_code == 200, answer.text
-        self.fence, self.number = answer.json()["fence"], 0
+        self.keep(answer.json()["fence"])
+
+    def keep(self, fence: int) -> None:
+        """Answers the stamps with a fence from now on; a lease that was open before is closed."""
+        self.fence, self.number = fence, 0
         self.answering.set()
         before, self.lease = self.lease, self._opened()
         self.stamp_s = 0.0

@@ -26,7 +26,10 @@ TARGETS = """() => [...document.querySelectorAll('button, a[href], input, select
         return {name: each.textContent.trim() || each.name, width, height, moves, place: {x, y: top, width, height: seen}} })"""
 """The place of one is what the page shows of it: of negative height where it is scrolled out of it, and nobody can tap it."""
 
-ABNORMAL = ".abnormal, .state-abnormal, .state-aborted, .line-lost, .notice, .warnings, .in-the-way, .flaw, [aria-invalid=true]"
+ABNORMAL = (
+    ".abnormal, .state-abnormal, .state-aborted, .line-lost, .notice, .warnings, .in-the-way, .flaw, [aria-invalid=true], "
+    ".bell-marked, .severity-high, .severity-medium"
+)
 """Where something is said to be abnormal."""
 
 COLOURS = """abnormal => [...document.querySelectorAll('body, body *')].filter(each => each.checkVisibility()).flatMap(each => {

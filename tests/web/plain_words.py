@@ -14,10 +14,12 @@ from tests.server.real_service import ROOT
 
 MARK = "ë"
 """What words are made longer with."""
-UNITS = {"kg", "mm", "min", "ms", "Hz", "rad", "mrad", "SHA", "ISO", "Nm"}
+UNITS = {"kg", "mm", "min", "ms", "Hz", "rad", "mrad", "SHA", "ISO", "Nm", "kB", "MB", "GB"}
 AXES = {a + b for a in "xyz" for b in "xyz"} | {a + b for a in "ft" for b in "xyz"}
 MONTHS = {"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"}
-PEOPLE = {"operator", "engineer", "account"}
+PEOPLE = {"operator", "engineer", "account", "ben"}
+SCREENS = {"Tablet", "Smartphone", "PC"}
+"""What a screen is called until somebody names it, in every language."""
 
 TEXTS = """() => {
     const shown = each => each.checkVisibility() && !each.closest('script, style, [lang=en], svg, code, pre');
@@ -28,7 +30,7 @@ TEXTS = """() => {
 
 def words_of_no_catalogue(page: Page) -> set[str]:
     """Of a page whose catalogue is the longer one, beside what a cell calls things, as a whole."""
-    own = UNITS | AXES | MONTHS | PEOPLE | {state.value for state in State}
+    own = UNITS | AXES | MONTHS | PEOPLE | SCREENS | {state.value for state in State}
     names = re.compile("|".join(rf"(?<!\w){re.escape(name)}(?!\w)" for name in sorted(_names(), key=len, reverse=True)))
     said = {word for text in page.evaluate(TEXTS) for word in re.findall(r"\w+", names.sub(" ", text))}
     return {word for word in said if re.fullmatch(r"[^\W\d_]{2,}", word) and MARK not in word} - own

@@ -27,16 +27,20 @@ WATCH = """(() => {
     const taps = [];
     document.addEventListener('click', event => {
         const at = event.isTrusted && event.target.closest('button');
-        if (at) taps.push(at.className);
+        if (at) taps.push({name: at.className, inBar: at.closest('.command-bar .actions') !== null});
     }, true);
     const fetched = window.fetch;
     window.fetch = (address, request) => {
-        if (String(address).endsWith('/release')) window.releaseAsked(taps.slice(-2));
+        if (String(address).endsWith('/release')) {
+            const inBar = taps.filter(tap => tap.inBar).slice(-2);
+            window.releaseAsked((inBar.at(-1) === taps.at(-1) ? inBar : taps.slice(-1)).map(({name}) => name));
+        }
         return fetched(address, request);
     };
     window.print = () => undefined;
 })()"""
-"""Notes which two buttons were tapped last whenever the page asks for a release, and prints nothing."""
+"""Notes which two buttons of the command bar were tapped last whenever the page asks for a release, or the one elsewhere that was tapped
+after them; prints nothing."""
 RELEASE_THEN_START = ["press press-primary", "press press-start"]
 
 
@@ -49,7 +53,7 @@ class RandomHands:
     Attributes:
         acts: how often each kind of thing was done.
         blank: what was done last where a page was blank then.
-        releases: the last two buttons that were tapped before each release that a page asked for.
+        releases: the last two buttons of the command bar that were tapped before each release that a page asked for, or one elsewhere.
     """
 
     def __init__(self, tablet: Tablet, seed: int) -> None:

@@ -12,9 +12,13 @@ from tests.web.tablet import Tablet, tablet
 
 
 @contextmanager
-def signed_in(service: RealService, browser: Browser, name: str = "operator", password: str = "") -> Iterator[Tablet]:
-    """A tablet of somebody's."""
+def signed_in(
+    service: RealService, browser: Browser, name: str = "operator", password: str = "", *, drawn: bool = False
+) -> Iterator[Tablet]:
+    """A tablet of somebody's; with `drawn` the cell is drawn in three dimensions, as slowly as that is without a graphics card."""
     with tablet(browser, service) as at:
+        if not drawn:
+            at.without_viewer()
         at.open()
         at.page.get_by_label("Name").fill(name)
         at.page.get_by_label("Password").fill(password or service.password)

@@ -28,7 +28,7 @@ COUNTS = (0, 1, 2, 5, 100, 12345)
 WORDS: tuple[Any, ...] = ("table", "", "cell.toml: limits.clearance_m", "Größe_µ {x}", True, False, [], ["a", "b"], [1, 2, "c"])
 PLURALS = {"zero", "one", "two", "few", "many", "other"}
 """What a selector tells apart that is given a count."""
-NOT_HERE = {"cli", "newcell", "report", "result", "sheet"}
+NOT_HERE = {"cli", "newcell", "record", "report", "result", "sheet"}
 """Files of messages that stand only in a terminal, a report or a score sheet."""
 NESTED = Message.of("flaw", where="robot.urdf", found="nothing", expected=Message.of("text", text="a link"))
 
@@ -49,16 +49,16 @@ class Names(Visitor):
     def visit_FunctionReference(self, node: ftl.FunctionReference) -> None:  # noqa: N802  the library's name
         self.printed |= {each.id.name for each in node.arguments.positional if isinstance(each, ftl.VariableReference)}
 
-    def visit_SelectExpression(self, node: ftl.SelectExpression) -> None:  # noqa: N802
+    def visit_SelectExpression(self, node: ftl.SelectExpression) -> None:  # noqa: N802  the library's name
         if isinstance(node.selector, ftl.VariableReference):
             keys = {each.key.name if isinstance(each.key, ftl.Identifier) else each.key.value for each in node.variants}
             self.choices.setdefault(node.selector.id.name, set()).update(keys)
         self.generic_visit(node)
 
-    def visit_MessageReference(self, node: ftl.MessageReference) -> None:  # noqa: N802
+    def visit_MessageReference(self, node: ftl.MessageReference) -> None:  # noqa: N802  the library's name
         self.visit(self.messages[node.id.name])
 
-    def visit_VariableReference(self, node: ftl.VariableReference) -> None:  # noqa: N802
+    def visit_VariableReference(self, node: ftl.VariableReference) -> None:  # noqa: N802  the library's name
         self.plain.add(node.id.name)
 
 

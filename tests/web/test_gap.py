@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import re
+import zipfile
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,10 +14,12 @@ import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
 from core.effects.library import library, symptoms
-from core.gap.answer import Diagnosis, Experiment, Tied
+from core.gap.answer import Diagnosis, Experiment, Tied, Value
 from core.planning.stop import Stop, Swings
+from core.recording.folder import write_recording
 from core.words.message import Message
 from tests.server.real_service import ROOT, Console, RealService
+from tests.synthetic import payload, record, run_of
 from tests.web.finished_answers import NOISY, OTHER_PAYLOAD, RUBBING
 from tests.web.judgement import check_looks, check_nothing_is_cut_off
 from tests.web.looks import glimpse, look
@@ -25,6 +29,8 @@ from tests.web.tilted import TILT_RAD, tilted_recording
 from tests.web.way import Way
 
 WORDS = ROOT / "web" / "src" / "words"
+BUSY_MS = 300_000
+"""Until a diagnosis is done on a machine that others use."""
 TURN = [Stop(down=(0.0, 1.0, 0.0), swings=Swings(about="x"))]
 WATCHER = {"name": "watcher", "password": "looks on from afar", "roles": ["viewer"]}
 
@@ -54,10 +60,13 @@ def diagnosed(service: RealService, browser: Browser, recording: Path, person: C
         expect(diagnose).to_be_disabled()
         check_looks(look(at.page, "gap"))
         at.page.get_by_label("Recording (zip)").set_input_files(recording)
+        name = at.page.get_by_label("Name of the recording")
+        expect(name).to_have_value("recording")
+        name.fill("Line 3 after the move")
         at.tap(diagnose)
         expect(at.page.get_by_role("progressbar")).to_be_visible()
         check_looks(look(at.page, "diagnosis under way"))
-        at.wait(".heat")
+        at.page.wait_for_selector(".gap-verdict", timeout=BUSY_MS)
         assert at.complaints == []
         return at.page.url.rsplit("/", 1)[1]
 
@@ -74,14 +83,119 @@ def sentence(text: str) -> Message:
     return Message.of("text", text=text)
 
 
+def unfolded(at: Tablet, diagnosis: str) -> Page:
+    """The page of a diagnosis with the engineer's evidence."""
+    page = show(at, "gap", diagnosis)
+    at.tap(page.locator(".evidence > summary"))
+    expect(page.locator(".heat")).to_be_visible()
+    return page
+
+
 def answer_of(person: Console, diagnosis: str) -> Diagnosis:
     """What the service says."""
     return Diagnosis.model_validate(person.http.get(f"/api/diagnoses/{diagnosis}").json()["result"])
 
 
+def test_the_verdict_stands_first_with_its_sign_and_what_to_do_two_taps_from_signing_in(
+    engineer: Tablet, person: Console, diagnosed: str
+) -> None:
+    taps = engineer.taps
+    engineer.tap(engineer.page.get_by_role("link", name="Diagnosis"))
+    listed = engineer.page.locator(".rows li", has_text="Line 3 after the move")
+    expect(listed.locator(".instruction[data-level=act].abnormal")).to_have_text("Level the base")
+    engineer.tap(listed.get_by_role("link", name="Open"))
+    heading = engineer.page.get_by_role("heading", level=1)
+    expect(heading).to_have_text("Level the base")
+    assert engineer.taps - taps == 2
+    expect(heading.locator("svg")).to_be_visible()
+    told = answer_of(person, diagnosed).instruction
+    expect(engineer.page.locator(".gap-verdict .sentence")).to_have_text(told.next.text)
+    expect(engineer.page.locator(".heat")).to_be_hidden()
+    check_looks(look(engineer.page, "verdict"))
+
+
+def test_a_touch_is_told_with_its_time(engineer: Tablet, person: Console, diagnosed: str) -> None:
+    (first, *_) = answer_of(person, diagnosed).effects
+    touched = first.model_copy(update={"id": "external_contact", "parameters": {"at_s": Value(value=31.4, std=0.1, unit="s")}})
+    page = show_instead(engineer, person, diagnosed, effects=[touched.model_dump()])
+    expect(page.get_by_role("heading", level=1)).to_have_text("Somebody or something touched the robot at 0:31")
+
+
+def test_effects_that_the_verdict_does_not_name_have_their_sizes_behind_one_more_tap(
+    engineer: Tablet, person: Console, diagnosed: str
+) -> None:
+    first, second, *_ = answer_of(person, diagnosed).effects
+    many = {f"gain_{k}_share": Value(value=0.01 * k, std=0.01, unit="1") for k in range(30)}
+    likely = [first.model_copy(update={"probability": 0.8}), second.model_copy(update={"probability": 0.15, "parameters": many})]
+    page = show_instead(engineer, person, diagnosed, effects=[each.model_dump() for each in likely], pairs=[])
+    engineer.tap(page.locator(".evidence > summary"))
+    shown = page.locator(".which .effect-parameters div:visible")
+    expect(shown).to_have_count(len(first.parameters))
+    engineer.tap(page.locator(".which .others > summary", has_text="does not name"))
+    expect(shown).to_have_count(len(first.parameters) + 6)
+
+
+def test_a_change_inside_the_interval_before_is_not_called_significant(engineer: Tablet, person: Console, diagnosed: str) -> None:
+    payload = answer_of(person, diagnosed).payload
+    assert payload is not None
+    before = payload.before.model_copy(update={"phi": [2.0, *payload.before.phi[1:]], "std": [0.1, *payload.before.std[1:]]})
+    after = payload.after.model_copy(update={"phi": [2.09, *payload.after.phi[1:]], "std": [0.005, *payload.after.std[1:]]})
+    page = show_instead(engineer, person, diagnosed, payload={"before": before.model_dump(), "after": after.model_dump()})
+    engineer.tap(page.locator(".evidence > summary"))
+    mass = page.locator(".payload-change tbody tr").first
+    expect(mass).to_contain_text("0.090 kg = not significant")  # 9.2 times the interval after alone
+
+
+def test_a_chart_zooms_is_read_off_and_saved_under_a_name_that_says_of_what(engineer: Tablet, diagnosed: str) -> None:
+    page = unfolded(engineer, diagnosed)
+    plot = page.locator(".overlay .plot").first
+    over = plot.locator(".u-over")
+    over.scroll_into_view_if_needed()
+    over.hover()
+    readout = plot.locator(".readout")
+    expect(readout).to_contain_text(re.compile(r"^[\d.]+ s.*measured −?[\d.]+ N.*before −?[\d.]+ N.*after −?[\d.]+ N"))
+    expect(plot.get_by_role("button", name="Show all")).to_have_count(0)
+    page.mouse.wheel(0, -300)
+    expect(plot.get_by_role("button", name="Show all")).to_be_visible()
+    tools = plot.locator(".plot-tools summary")
+    engineer.tap(tools)
+    engineer.tap(plot.locator(".plot-tools").get_by_text("before", exact=True))
+    over.hover(position={"x": 80, "y": 60})
+    expect(readout).not_to_contain_text("before")
+    with page.expect_download() as saved:
+        engineer.tap(plot.get_by_role("button", name="CSV"))
+    day = saved.value.suggested_filename.removesuffix(".csv")[-10:]
+    assert re.fullmatch(rf"diagnosis-Line_3_after_the_move-\w+-f[xyz]-{day}\.csv", saved.value.suggested_filename)
+    assert re.fullmatch(r"\d{4}-\d\d-\d\d", day)
+    head, *rows = Path(saved.value.path()).read_text().splitlines()
+    assert head == "time (s),measured (N),before (N),after (N)"
+    assert len(rows) > 50
+    assert all(np.isfinite([float(number) for number in row.split(",")]).all() for row in rows)
+    with page.expect_download() as saved:
+        engineer.tap(plot.get_by_role("button", name="PNG"))
+    assert saved.value.suggested_filename.endswith(".png")
+    assert Path(saved.value.path()).read_bytes().startswith(b"\x89PNG")
+    engineer.tap(plot.get_by_role("button", name="Show all"))
+    expect(plot.get_by_role("button", name="Show all")).to_have_count(0)
+    check_looks(look(page, "a chart's tools"))
+    assert engineer.complaints == []
+
+
+def test_a_recording_of_another_robot_is_refused_for_this_cells_twin_and_says_what_would_do(engineer: Tablet, tmp_path: Path) -> None:
+    other = record(run_of("ur5e_line", repetitions=1), payload("steel_block"), np.random.default_rng(1))
+    write_recording(replace(other, cell=None), tmp_path / "recording")
+    with zipfile.ZipFile(tmp_path / "recording.zip", "w") as archive:
+        for file in (tmp_path / "recording").iterdir():
+            archive.write(file, file.name)
+    page = show(engineer, "gap")
+    page.get_by_label("Recording (zip)").set_input_files(tmp_path / "recording.zip")
+    engineer.tap(page.locator(".recording-upload button"))
+    expect(page.locator(".notice:not(.alarm-band)")).to_contain_text("another robot than that of the cell")
+
+
 def test_a_planted_tilt_is_named_with_its_stage_its_size_and_where_it_lies(engineer: Tablet, person: Console, diagnosed: str):
-    page = show(engineer, "gap", diagnosed)
-    expect(page.get_by_role("heading", level=1)).to_have_text("Base not level explains the gap (stage: mounting).")
+    page = unfolded(engineer, diagnosed)
+    expect(page.locator(".gap-summary h2")).to_have_text("Base not level explains the gap (stage: mounting).")
     answer = answer_of(person, diagnosed)
     assert answer.where is not None
     first = max(answer.where.cells, key=lambda cell: cell.share)
@@ -91,12 +205,15 @@ def test_a_planted_tilt_is_named_with_its_stage_its_size_and_where_it_lies(engin
     size = page.locator(".effect-parameters div", has_text="about x").inner_text()
     value, half = (float(number) for number in re.findall(r"[\d.]+", size))
     assert abs(value - np.rad2deg(TILT_RAD)) < 1.5 * half < 0.1
+    advised = re.search(r"turn it by ([\d.]+) deg about x", page.locator(".gap-summary .advice").inner_text())
+    assert advised is not None
+    assert abs(float(advised[1]) - value) < 0.01  # the same number with the same sign
     check_looks(look(page, "diagnosis"))
     assert engineer.complaints == []
 
 
 def test_none_and_unknown_have_bars_beside_the_effects_with_numbers_and_words(engineer: Tablet, person: Console, diagnosed: str):
-    bars = show(engineer, "gap", diagnosed).locator(".bars li")
+    bars = unfolded(engineer, diagnosed).locator(".bars li")
     answer = answer_of(person, diagnosed)
     best = max(answer.effects, key=lambda effect: effect.probability)
     expect(bars.filter(has_text="Base not level")).to_contain_text(f"{100 * best.probability:.0f} %")
@@ -105,7 +222,7 @@ def test_none_and_unknown_have_bars_beside_the_effects_with_numbers_and_words(en
 
 
 def test_how_far_it_closes_stands_in_numbers_for_the_whole_and_for_each_channel(engineer: Tablet, person: Console, diagnosed: str):
-    page = show(engineer, "gap", diagnosed)
+    page = unfolded(engineer, diagnosed)
     gap = answer_of(person, diagnosed).gap
     assert gap is not None
     expect(page.locator(".how-far")).to_contain_text(f"{gap.before:.2f} → {gap.after:.2f}")
@@ -117,10 +234,13 @@ def test_how_far_it_closes_stands_in_numbers_for_the_whole_and_for_each_channel(
 
 
 def test_measured_and_simulated_are_drawn_for_the_channel_and_the_motion_that_are_chosen(engineer: Tablet, diagnosed: str):
-    overlay = show(engineer, "gap", diagnosed).locator(".overlay")
+    overlay = unfolded(engineer, diagnosed).locator(".overlay")
     expect(overlay.locator("canvas")).to_have_count(2)
-    engineer.tap(overlay.get_by_text("fz", exact=True))
-    expect(overlay).to_contain_text("fz, N")
+    engineer.tap(overlay.get_by_text("tz", exact=True))
+    expect(overlay).to_contain_text("tz, N m")
+    expect(overlay.locator("canvas")).to_have_count(4)
+    engineer.tap(overlay.get_by_text("tz", exact=True))
+    expect(overlay.locator("canvas")).to_have_count(2)
     expect(overlay.get_by_role("status")).not_to_contain_text("Whole recording")
     engineer.press("Whole recording")
     expect(overlay.get_by_role("status")).to_contain_text("Whole recording")
@@ -133,7 +253,9 @@ def test_it_is_said_in_german_with_a_decimal_comma_and_in_the_chosen_units(engin
     engineer.page.evaluate("localStorage.setItem('heft.language', 'de'), localStorage.setItem('heft.units', 'mm_g')")
     engineer.page.reload()
     page = show(engineer, "gap", diagnosed)
-    expect(page.get_by_role("heading", level=1)).to_have_text("Die Abweichung ist erklärt: Schiefe Basis (Stufe: Montage).")
+    expect(page.get_by_role("heading", level=1)).to_have_text("Basis waagrecht ausrichten")
+    engineer.tap(page.locator(".evidence > summary"))
+    expect(page.locator(".gap-summary h2")).to_have_text("Die Abweichung ist erklärt: Schiefe Basis (Stufe: Montage).")
     gap = answer_of(person, diagnosed).gap
     assert gap is not None
     expect(page.locator(".how-far")).to_contain_text(f"{gap.before:.2f}".replace(".", ","))
@@ -143,6 +265,7 @@ def test_it_is_said_in_german_with_a_decimal_comma_and_in_the_chosen_units(engin
 
 def test_words_that_are_longer_have_their_place(engineer: Tablet, diagnosed: str):
     for page, there in (("gap", ".recording-upload"), (f"gap/{diagnosed}", ".overlay canvas"), ("trials", ".trials h2")):
+        engineer.page.evaluate("localStorage.setItem('heft.evidence', 'yes')")
         engineer.page.goto(f"http://{engineer.service.address}/?words=longer#/{page}")
         engineer.wait(there)
         check_nothing_is_cut_off(glimpse(engineer.page, f"{page}, longer"))
@@ -197,23 +320,25 @@ def test_what_is_not_settled_names_both_and_the_motion_that_settles_it(engineer:
         planned=True,
     )
     page = show_instead(engineer, person, diagnosed, verdict="ambiguous", indistinguishable=[tie], next_experiment=motion)
-    heading = page.get_by_role("heading", level=1)
-    expect(heading).to_contain_text("Not settled: Base not level or Joint encoder offset")
+    expect(page.get_by_role("heading", level=1)).to_have_text("Measure once more")
+    expect(page.locator(".gap-verdict")).to_contain_text("a base that is not level or joint encoders whose zero is off")
+    engineer.tap(page.locator(".evidence > summary"))
+    expect(page.locator(".gap-summary h2")).to_contain_text("Not settled: Base not level or Joint encoder offset")
     expect(page.locator(".ties")).to_contain_text("2.1 standard deviations apart")
     expect(page.locator(".next-motion")).to_contain_text("Turn about x.")
     expect(page.locator(".next-motion")).to_contain_text("11.4 σ")
     expect(page.locator(".bars li", has_text="Joint encoder offset")).to_have_count(1)
     check_looks(look(page, "not settled"))
     engineer.press("Plan this motion")
-    expect(page.get_by_role("alert")).to_contain_text("motion")  # the service knows that its own answer proposes none
+    expect(page.locator(".notice:not(.alarm-band)")).to_contain_text("motion")  # the service knows that its own answer proposes none
 
 
 @pytest.mark.parametrize(
     ("verdict", "said"),
     [
-        ("unknown", "No known effect explains the gap"),
-        ("no_gap", "Simulation and recording agree"),
-        ("not_enough", "This recording contains too little"),
+        ("unknown", "Ask an engineer: something is wrong that Heft does not know"),
+        ("no_gap", "Nothing to do"),
+        ("not_enough", "Record again"),
     ],
 )
 def test_a_verdict_that_names_no_effect_offers_none_for_the_twin(
@@ -234,9 +359,10 @@ def test_an_effect_that_the_twin_does_not_take_is_not_offered_and_the_reason_is_
     why = "base_tilt closing 1 % of the gap (3.000 before, 2.990 after, noise is 1)"
     refused = [best.model_copy(update={"addable": False, "why_not": sentence(why)}), *others]
     page = show_instead(engineer, person, diagnosed, effects=[effect.model_dump() for effect in refused])
-    expect(page.get_by_role("heading", level=1)).to_contain_text("Base not level explains the gap")
+    expect(page.get_by_role("heading", level=1)).to_have_text("Level the base")
     expect(page.get_by_role("button", name="Add to the twin")).to_have_count(0)
-    expect(page.locator(".gap-verdict")).to_contain_text(why)
+    engineer.tap(page.locator(".evidence > summary"))
+    expect(page.locator(".gap-summary")).to_contain_text(why)
     expect(page.locator("body")).not_to_contain_text("or add the effect to the twin")
     check_looks(look(page, "an effect that the twin does not take"))
 
@@ -245,7 +371,10 @@ def test_what_is_seen_elsewhere_stands_beside_the_verdict_with_its_measure_and_w
     engineer: Tablet, person: Console, diagnosed: str
 ) -> None:
     page = show_instead(engineer, person, diagnosed, verdict="no_gap", effects=[], also=[OTHER_PAYLOAD, NOISY, RUBBING])
-    expect(page.get_by_role("heading", level=1)).to_contain_text("Simulation and recording agree")
+    expect(page.get_by_role("heading", level=1)).to_have_text("Check the payload: it is not the one that was expected")
+    expect(page.locator(".gap-verdict .further")).to_have_text("Check the cable of the sensor")
+    engineer.tap(page.locator(".evidence > summary"))
+    expect(page.locator(".gap-summary h2")).to_contain_text("Simulation and recording agree")
     also = page.locator(".also")
     expect(also.get_by_role("heading", level=3)).to_have_text(["Payload differs from the reference", "More sensor noise than stated"])
     expect(also).to_contain_text(OTHER_PAYLOAD["message"]["text"])

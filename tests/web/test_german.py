@@ -16,6 +16,14 @@ from tests.web.screens import show, signed_in
 from tests.web.tablet import Tablet
 
 STOPPED = "Stoppen, verlangt von account:operator."
+TOLD = {
+    "explained": "Basis waagrecht ausrichten",
+    "ambiguous": "Fachkraft fragen: Ursache nicht geklärt",
+    "unknown": "Fachkraft fragen: Fehler, den Heft nicht kennt",
+    "no_gap": "Last prüfen: Es ist nicht die erwartete",
+    "not_enough": "Neu aufzeichnen",
+}
+"""To the person at the robot."""
 SAID = {
     "explained": "Die Abweichung ist erklärt: Schiefe Basis",
     "ambiguous": "Nicht entschieden: Verzögertes Kraftsignal oder Tiefpass im Sensor",
@@ -23,13 +31,7 @@ SAID = {
     "no_gap": "Simulation und Aufzeichnung stimmen überein",
     "not_enough": "Diese Aufzeichnung enthält zu wenig für eine Diagnose.",
 }
-LISTED = {
-    "explained": "Erklärt: Schiefe Basis",
-    "ambiguous": "Nicht entschieden; am wahrscheinlichsten: Verzögertes Kraftsignal",
-    "unknown": "Kein bekannter Effekt erklärt die Abweichung.",
-    "no_gap": "Simulation und Aufzeichnung stimmen überein",
-    "not_enough": "Diese Aufzeichnung enthält zu wenig für eine Diagnose.",
-}
+"""To the engineer."""
 
 
 @pytest.fixture
@@ -47,6 +49,7 @@ def sentences(answer: Diagnosis) -> set[str]:
     said = {answer.summary, *(effect.advice for effect in answer.effects), *(each.message for each in answer.minor)}
     said |= {message for each in answer.also for message in (each.message, each.advice)}
     said |= {message for tie in answer.indistinguishable for message in (tie.why, tie.splits)}
+    said |= {answer.instruction.sentence, answer.instruction.next, *answer.instruction.further}
     said |= {message for message in (answer.consequence, answer.lacking) if message}
     return {str(message) for message in said | ({answer.next_experiment.motion} if answer.next_experiment else set())}
 
@@ -60,14 +63,16 @@ def check_says_none_of(page: Page, english: set[str]) -> None:
 def test_a_diagnosis_is_german_from_its_verdict_to_what_is_to_be_done(german: Tablet, service: RealService, verdict: str) -> None:
     diagnosis = diagnosed(service, verdict)
     page = show(german, "gap", diagnosis)
-    expect(page.get_by_role("heading", level=1)).to_contain_text(SAID[verdict])
+    expect(page.get_by_role("heading", level=1)).to_contain_text(TOLD[verdict])
+    german.tap(page.locator(".evidence > summary"))
+    expect(page.locator(".gap-summary h2")).to_contain_text(SAID[verdict])
     answer = Diagnosis.model_validate(page.request.get(f"http://{service.address}/api/diagnoses/{diagnosis}").json()["result"])
     check_says_none_of(page, sentences(answer))
     assert page.locator("main [lang=en]").count() == 0
     check_looks(look(page, f"{verdict} in German"))
     show(german, "gap")
     listed = page.locator(".rows li", has=page.locator(f"a[href='#/gap/{diagnosis}']"))
-    expect(listed).to_contain_text(LISTED[verdict])
+    expect(listed).to_contain_text(TOLD[verdict])
     check_says_none_of(page, {answer.summary.text})
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, Route, expect
 
 from tests.server.real_service import Console, RealService
 from tests.web.judgement import check_looks
@@ -52,6 +54,68 @@ def test_runs_are_listed_newest_first_with_their_mass_and_who_released_them(at: 
     at.page.get_by_label("Shown over time").select_option("offset_fz")
     expect(at.page.get_by_role("img", name="Sensor offset, force z, N")).to_be_visible()
     check_looks(look(at.page, "history"))
+
+
+def test_runs_are_searched_and_sorted_and_the_address_keeps_it(at: Tablet, runs: list[dict[str, Any]], service: RealService):
+    at.page.get_by_label("Tool").select_option("gripper")
+    rows = at.page.locator(".run-list tbody tr")
+    expect(rows).to_have_count(len(runs))
+    links = rows.get_by_role("link")
+    lighter, heavier = sorted(runs, key=lambda run: float(run["result"]["mass_kg"]))
+    at.press("Mass")
+    expect(at.page.get_by_role("columnheader", name="Mass")).to_have_attribute("aria-sort", "ascending")
+    expect(links.first).to_have_attribute("href", f"#/runs/{lighter['run']}")
+    at.press("Mass")
+    expect(links.first).to_have_attribute("href", f"#/runs/{heavier['run']}")
+    search = at.page.get_by_label("Search")
+    search.fill(f"complete {lighter['run'][-8:]}")
+    expect(rows).to_have_count(1)
+    expect(links).to_have_attribute("href", f"#/runs/{lighter['run']}")
+    assert "tool=gripper" in at.page.url and "sort=mass.down" in at.page.url
+    at.page.reload()
+    expect(rows).to_have_count(1)
+    expect(search).to_have_value(f"complete {lighter['run'][-8:]}")
+    search.fill("no such thing")
+    expect(at.page.get_by_role("status").filter(has_text="No run contains")).to_contain_text("no such thing")
+    check_looks(look(at.page, "history without a find"))
+    at.press("Show all")
+    expect(rows).to_have_count(len(runs))
+
+
+def test_serial_numbers_and_orders_have_columns_where_somebody_gave_them(at: Tablet, runs: list[dict[str, Any]]):
+    expect(at.page.get_by_role("columnheader", name="Serial number")).to_have_count(0)
+    given = {run["run"]: {"serial_number": f"SN-{9 + k}", "order_id": f"PO-{k}", "work_order": "W7"} for k, run in enumerate(runs)}
+
+    def answered(route: Route) -> None:
+        response = route.fetch()
+        route.fulfill(response=response, json=[run | given.get(run["run"], {}) for run in response.json()])
+
+    at.page.route("**/api/runs?*", answered)
+    rows = at.page.locator(".run-list tbody tr")
+    expect(rows.filter(has_text="SN-9")).to_contain_text("PO-0")
+    expect(rows.filter(has_text="SN-9")).to_contain_text("work order W7")
+    at.press("Serial number")
+    expect(rows.first).to_contain_text("SN-9")  # as people count, before SN-10
+    at.page.get_by_label("Search").fill("sn-10")
+    expect(rows).to_have_count(1)
+    check_looks(look(at.page, "history with serial numbers"))
+
+
+def test_what_is_shown_over_time_is_saved_with_moments_and_intervals(at: Tablet, runs: list[dict[str, Any]]):
+    at.page.get_by_label("Tool").select_option("gripper")
+    expect(at.page.locator(".run-list tbody tr")).to_have_count(len(runs))
+    at.tap(at.page.locator(".plot-tools summary"))
+    with at.page.expect_download() as saved:
+        at.press("CSV")
+    assert re.fullmatch(r"history-lwr4_bench-gripper-mass-\d{4}-\d\d-\d\d\.csv", saved.value.suggested_filename)
+    head, *rows = Path(saved.value.path()).read_text().splitlines()
+    assert head.startswith("time,") and head.endswith(",Mass (kg)")
+    assert len(rows) == len(runs)
+    for row, run in zip(rows, runs, strict=True):
+        when, low, high, mass = row.split(",")
+        assert when.startswith(run["ended_at"][:19])
+        assert float(mass) == pytest.approx(run["result"]["mass_kg"])
+        assert float(low) < float(mass) < float(high)
 
 
 def test_two_runs_side_by_side_show_the_differences_that_the_service_found(at: Tablet, runs: list[dict[str, Any]], service: RealService):

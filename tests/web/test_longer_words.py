@@ -12,7 +12,9 @@ from tests.server.real_service import Console, RealService
 from tests.web.finished_answers import ANSWERS, diagnosed
 from tests.web.judgement import check_nothing_is_cut_off
 from tests.web.looks import Look, glimpse
+from tests.web.people import BEN, PASSWORD, add_operator
 from tests.web.plain_words import MARK, words_of_no_catalogue
+from tests.web.screens import signed_in
 from tests.web.tablet import Tablet, tablet
 from tests.web.way import Way
 
@@ -23,9 +25,11 @@ UNREACHABLE = "ERR_INTERNET_DISCONNECTED"
 
 @pytest.fixture(scope="module")
 def complete(service: RealService, way: Way) -> str:
-    """A run with a result."""
+    """A run with a result; there is a key and a webhook as well."""
     assert way.taps
     console = Console(service)
+    console.http.post("/api/keys", json={"name": "line", "role": "mes"})
+    console.http.post("/api/webhooks", json={"url": "http://127.0.0.1:9/ended"})
     found = console.http.get("/api/runs", params={"state": "Complete", "limit": 1}).json()
     console.leave()
     return str(found[0]["run"])
@@ -64,7 +68,11 @@ def test_pages_have_longer_words_and_room_for_them(at: Tablet, service: RealServ
         "": ".setup .cell-facts", "nonsense": ".not-there",
         "settings": ".settings h1", "history": ".run-list tbody tr", "cells": ".zone-places .tile",
         f"history/{complete}/{complete}": ".comparison-table", f"runs/{complete}": ".result .downloads",
+        "orders": ".orders .empty", "alarms": ".alarms h1", "control": ".control-page .facts",
         "gap": "h1", "trials": "h1", f"trials/{finished_trial(service)}": ".opened-trials",
+        "admin/account": ".own-sessions li", "admin/people": ".admin .tiles li", "admin/keys": ".admin .tiles li",
+        "admin/webhooks": ".admin .tiles li", "admin/audit": ".audit-entries tbody tr", "admin/connections": ".admin .tiles li",
+        "admin/service": ".admin .libraries",
         **{f"gap/{diagnosed(service, verdict)}": ".diagnosis h1" for verdict in ANSWERS},
     }  # fmt: skip
     for place, shows in pages.items():
@@ -104,3 +112,22 @@ def test_a_run_has_longer_words_and_room_for_them_from_its_plan_to_its_end(at: T
     at.tap(at.page.locator(".press-stop"))
     at.wait(".ended")
     check(at, "stopped")
+
+
+def test_control_that_is_asked_for_has_longer_words_and_room_for_them(at: Tablet, service: RealService, browser: Browser, person: Console):
+    add_operator(person)
+    enter(at)
+    at.tap(at.page.locator(".header .who"))
+    at.tap(at.page.locator(".command-bar .press-primary"))
+    at.wait(".who-mine")
+    check(at, "control")
+    with signed_in(service, browser, BEN, PASSWORD) as asking:
+        asking.press("Ask for control")
+        at.wait(".control-request")
+        check(at, "control that is asked for")
+        at.tap(at.page.locator(".control-request .press-plain"))
+        at.page.locator(".control-request").wait_for(state="detached")
+        asking.press("Ask for control")
+        at.tap(at.page.locator(".control-request .press-primary"))
+        at.wait(".remark")
+        check(at, "control that was handed over")

@@ -151,7 +151,6 @@ def test_signing_out_gives_control_back(moving: Tablet, person: Console) -> None
 
 def test_a_screen_that_only_looks_on_does_not_say_what_the_robot_does(service: RealService, browser: Browser, moving: Tablet) -> None:
     with signed_in(service, browser) as watching:
-        watching.without_viewer()
         show(watching, "runs", run_of(moving))
         watching.wait("[data-state=Execute]")
         watching.page.context.set_offline(True)
@@ -218,7 +217,6 @@ def test_a_stopped_run_is_continued_as_a_new_one(service: RealService, browser: 
     person.command(run, "stop")
     ended = person.wait(run, "Stopped")
     with signed_in(service, browser) as at:
-        at.without_viewer()
         show(at, "runs", run)
         expect(at.page.locator(".ended")).to_contain_text(f"Finished and recorded: {ended['finished_steps']} of {ended['steps']} steps")
         check_looks(look(at.page, "ended, to be continued"))

@@ -22,7 +22,6 @@ PLACES = {
 @pytest.mark.parametrize("place", PLACES)
 def test_what_is_not_there_is_told_with_a_way_on(service: RealService, browser: Browser, place: str) -> None:
     with signed_in(service, browser) as at:
-        at.without_viewer()
         show(at, place)
         expect(at.page.get_by_role("heading", level=1)).to_have_text(PLACES[place])
         expect(at.page.locator("main")).to_contain_text("There is nothing at #/")

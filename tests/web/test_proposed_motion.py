@@ -47,9 +47,8 @@ def test_an_operator_is_led_from_what_is_open_to_the_diagnosis_of_both_recording
     service: RealService, browser: Browser, first: str, unsettled: str
 ) -> None:
     with signed_in(service, browser) as at:
-        at.without_viewer()
         page = show(at, "gap", unsettled)
-        expect(page.get_by_role("heading", level=1)).to_contain_text("Not settled: Force signal delay or Low-pass filter")
+        expect(page.get_by_role("heading", level=1)).to_contain_text("Measure once more")
         check_looks(look(page, "not settled, with a motion"))
         at.press("Plan this motion")
         at.wait(".preview table")

@@ -5,20 +5,25 @@ That it stands out in the cell itself is drawn on the graphics card: `tests/serv
 
 from __future__ import annotations
 
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, Page, ViewportSize, expect
 
 from tests.server.real_service import Console, RealService
 from tests.server.zone_at import AT_THE_ROBOT, zone_at
 from tests.web.judgement import check_looks
-from tests.web.looks import look
+from tests.web.looks import CUT, look
 from tests.web.screens import signed_in
+from tests.web.tablet import LANDSCAPE
+
+PHONE: ViewportSize = {"width": 390, "height": 844}
+DESKTOP: ViewportSize = {"width": 1920, "height": 1080}
+PHONE_PAGE_PX = 400
+"""What is left of a phone for the page."""
 
 
 def test_what_is_in_the_way_is_named_beside_the_cell_until_the_next_plan(service: RealService, browser: Browser) -> None:
     person = Console(service)
     with signed_in(service, browser) as at:
         page = at.page
-        at.without_viewer()
         with zone_at(person, AT_THE_ROBOT) as zone:
             at.press("Take control and plan")
             at.wait(".ended .in-the-way")
@@ -37,3 +42,44 @@ def test_what_is_in_the_way_is_named_beside_the_cell_until_the_next_plan(service
         expect(page.get_by_role("heading", level=1)).to_have_text("The run was stopped")
         assert at.complaints == []
     person.leave()
+
+
+def test_a_box_that_reaches_into_the_bench_is_refused_in_words_of_the_box_and_the_button_leads_to_it(
+    service: RealService, browser: Browser, person: Console
+) -> None:
+    with signed_in(service, browser) as at:
+        page = at.page
+        for alarm in person.http.get("/api/alarms/open").json():  # of a run that another test has aborted
+            person.http.post(f"/api/alarms/{alarm['id']}/acknowledgement")
+        expect(page.locator(".alarm-band")).to_have_count(0)
+        page.get_by_role("textbox", name="z").fill("0.9")
+        at.press("Take control and plan")
+        at.wait(".ended .in-the-way")
+        expect(page.locator(".ended .told").first).to_have_text("The tool’s box reaches 0.496 m into bench at home.")
+        expect(page.locator(".in-the-way")).to_contain_text("bench")
+        expect(page.locator(".remedies button")).to_have_text(["Payload box", "Tool", "Home position"])
+        expect(page.locator(".remark")).to_have_count(0, timeout=15_000)  # that control was taken is said for some seconds
+        check_looks(look(page, "refused box"))
+        check_on_phone_and_desktop(page)
+        page.get_by_role("textbox", name="z").wait_for(state="detached")
+        at.press("Payload box")
+        box = page.locator("#field-box input")
+        expect(box.first).to_be_focused()
+        expect(box.nth(2)).to_have_value("0.900")
+        box.nth(2).fill("")
+        expect(page.locator("#field-box .flaw")).to_contain_text("Enter three lengths above 0")
+        expect(page.locator("footer .next")).to_contain_text("Correct the payload box first.")
+        check_looks(look(page, "no box"))
+        check_on_phone_and_desktop(page)
+        box.nth(2).fill("0.08")
+        expect(page.locator(".flaw")).to_have_count(0)
+        assert at.complaints == []
+
+
+def check_on_phone_and_desktop(page: Page) -> None:
+    """Nothing is cut off there either; pages beside the edge of a phone are pushed into it by a finger."""
+    for size in (PHONE, DESKTOP):
+        page.set_viewport_size(size)
+        cut: list[str] = page.evaluate(CUT, PHONE_PAGE_PX)
+        assert [each for each in cut if not each.startswith("A: ")] == [], size
+    page.set_viewport_size(LANDSCAPE)

@@ -24,10 +24,10 @@ def test_the_robot_in_the_page_moves_and_stands_as_the_robot_does(service: RealS
     person.take_control()
     run = person.queue(pace="real_time", hold_s=10.0)
     person.wait(run, "Idle")
-    with signed_in(service, browser) as at:
+    with signed_in(service, browser, drawn=True) as at:
         assert person.release(run).status_code == 200
         page = show(at, "runs", run)
-        at.without_notice()
+        at.until_drawn()
         assert any(pixels_that_change(page) > MOVED_PIXELS for _ in range(PICTURES))
         assert person.command(run, "hold").status_code == 200, person.run(run)["state"]
         at.wait("[data-state=Held]")
@@ -43,8 +43,6 @@ def pixels_that_change(page: Page) -> int:
 
 
 def scene(page: Page) -> NDArray[np.float64]:
-    """(height, width, 3), the upper half of what the viewer shows; below it draws plots, which go on while the robot stands."""
-    box = page.locator("iframe.viewer").bounding_box()
-    assert box is not None
-    upper = page.screenshot(clip={"x": box["x"], "y": box["y"], "width": box["width"], "height": box["height"] / 2})
-    return np.asarray(Image.open(BytesIO(upper)).convert("RGB"), dtype=float)
+    """(height, width, 3), what the viewer shows."""
+    picture = page.locator("iframe.viewer").screenshot()
+    return np.asarray(Image.open(BytesIO(picture)).convert("RGB"), dtype=float)

@@ -102,11 +102,55 @@ export interface paths {
         get?: never;
         /**
          * Change Password
-         * @description Changes one's own password and signs out everywhere.
+         * @description Changes one's own password and signs out everywhere else.
          */
         put: operations["change_password"];
         post?: never;
         delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/sessions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Own Sessions
+         * @description The caller's own, the one used last first; a machine's key has none.
+         */
+        get: operations["list_own_sessions"];
+        put?: never;
+        post?: never;
+        /**
+         * End Other Sessions
+         * @description Signs the caller out everywhere else.
+         */
+        delete: operations["end_other_sessions"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/sessions/{session}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * End Own Session
+         * @description Signs the caller out in one browser.
+         */
+        delete: operations["end_own_session"];
         options?: never;
         head?: never;
         patch?: never;
@@ -209,9 +253,49 @@ export interface paths {
         };
         /**
          * List Audit
-         * @description The latest entries, newest first; `before` a number, for those further back.
+         * @description The latest entries that fit, newest first.
          */
         get: operations["list_audit"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/audit/names": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Audit Names
+         * @description Who and what can be searched for.
+         */
+        get: operations["list_audit_names"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/audit/verification": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Verify Audit Log
+         * @description Walks the whole chain, as `heft audit verify` does.
+         */
+        get: operations["verify_audit_log"];
         put?: never;
         post?: never;
         delete?: never;
@@ -421,16 +505,62 @@ export interface paths {
         };
         /**
          * Read Control
-         * @description Who is in control of a cell, and over which link.
+         * @description Who is in control of a cell, since when, on which screen, over which link, and who asks for it.
          */
         get: operations["read_control"];
         put?: never;
         post?: never;
         /**
          * Let Go Of Control
-         * @description Lets go of control that was taken with this fence; a robot that moves is put on hold when its lease ends.
+         * @description Releases control that was taken with this fence. Where somebody asks for it, it passes to them; else a robot that moves is put
+         *     on hold first, and waits for whoever takes control next.
          */
         delete: operations["let_go_of_control"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/control/{cell}/request": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Ask For Control
+         * @description Asks for control. Then open the websocket `/api/control/{cell}/lease` and answer its stamps with the fence of `request`: control
+         *     passes with one of these answers, once it was accepted, nobody has answered in time, or nobody is in control. A moving robot goes on.
+         */
+        post: operations["ask_for_control"];
+        /**
+         * Withdraw Request
+         * @description Whoever asks for control does so no more; nothing happens where that was over already.
+         */
+        delete: operations["withdraw_request"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/control/{cell}/request/answer": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Answer Request
+         * @description Whoever is in control accepts or declines.
+         */
+        post: operations["answer_request"];
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -470,6 +600,26 @@ export interface paths {
          * @description Stops the cell's robot. Anybody may, and it is recorded from where. It is no emergency stop.
          */
         post: operations["stop_now"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/orders": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Orders
+         * @description What is not over, by cell and in the order in which it is planned.
+         */
+        get: operations["list_orders"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -799,7 +949,8 @@ export interface paths {
         put?: never;
         /**
          * Diagnose Upload
-         * @description The same of a recording folder as a zip; with the cell it was made in, where that is one of ours.
+         * @description The same of a recording folder as a zip, under a name; with the cell it was made in, where that is one of ours and its robot is that
+         *     cell's.
          */
         post: operations["diagnose_upload"];
         delete?: never;
@@ -984,6 +1135,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/webhooks/{webhook}/test": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Test Webhook
+         * @description Sends `{"test": true, "webhook": ..., "sent_at": ...}` at once, signed like every delivery, and answers with what came of it.
+         */
+        post: operations["test_webhook"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/webhooks/{webhook}/deliveries": {
         parameters: {
             query?: never;
@@ -1004,102 +1175,483 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/support/versions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Support Versions
+         * @description What this service is made of, and since when it runs.
+         */
+        get: operations["read_support_versions"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/support/disk": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Support Disk
+         * @description Room on the disk of the data folder, and what takes it.
+         */
+        get: operations["read_support_disk"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/support/bundle": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Make Support Bundle
+         * @description One zip for an engineer elsewhere, without secrets; takes some seconds.
+         *
+         *     Versions, settings, log, health, disk, runs, cells' findings, the latest of the audit log: its `contents.txt` says what is what.
+         */
+        get: operations["make_support_bundle"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Alarms
+         * @description The history, newest first, open ones included.
+         */
+        get: operations["list_alarms"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/open": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Open Alarms
+         * @description Those that need somebody, newest first; told from memory.
+         */
+        get: operations["list_open_alarms"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/alarms/{alarm}/acknowledgement": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Acknowledge Alarm
+         * @description Somebody has seen it and takes care of it.
+         */
+        post: operations["acknowledge_alarm"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/cells/{cell}/views/{view}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Show In View
+         * @description Draws what the page that called its view so wants to see: the page at `/viewer/{cell}/{view}/`.
+         */
+        put: operations["show_in_view"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
-export type webhooks = Record<string, never>;
+export interface webhooks {
+    "run-ended": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Run ended
+         * @description What every webhook is sent when a run has ended: at least once, again until it is answered with 2xx or three days have passed.
+         */
+        post: operations["run_ended"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+}
 export interface components {
     schemas: {
         /**
-         * AccountChange
-         * @description What is to change; the rest stays.
+         * AccountCreate
+         * @description Somebody who is to sign in.
          */
-        AccountChange: {
-            /** Password */
-            password?: string | null;
-            /** Roles */
-            roles?: components["schemas"]["Role"][] | null;
-            /** Disabled */
-            disabled?: boolean | null;
+        AccountCreate: {
+            /**
+             * Name
+             * @description With which somebody signs in.
+             * @example anna
+             */
+            name: string;
+            /**
+             * Password
+             * Format: password
+             * @description At least 12 characters.
+             * @example a long sentence of your own
+             */
+            password: string;
+            /**
+             * Roles
+             * @description What they may do.
+             * @example [
+             *       "operator"
+             *     ]
+             */
+            roles: components["schemas"]["Role"][];
         };
         /**
-         * AccountShown
+         * AccountPublic
          * @description Somebody who signs in.
          */
-        AccountShown: {
-            /** Name */
+        AccountPublic: {
+            /**
+             * Name
+             * @description With which somebody signs in.
+             * @example anna
+             */
             name: string;
-            /** Roles */
+            /**
+             * Roles
+             * @description What they may do.
+             * @example [
+             *       "operator"
+             *     ]
+             */
             roles: components["schemas"]["Role"][];
-            /** Disabled */
+            /**
+             * Disabled
+             * @description Whether signing in is refused.
+             */
             disabled: boolean;
             /**
              * Created At
              * Format: date-time
+             * @description When it was made.
+             * @example 2026-03-01T07:00:00Z
              */
             created_at: string;
+            /**
+             * Sessions
+             * @description Browsers that the account is signed in with now.
+             * @example 1
+             */
+            sessions: number;
         };
         /**
-         * AdditionBody
-         * @description An effect that a diagnosis names, or two joined by a plus sign.
+         * AccountUpdate
+         * @description What is to change; the rest stays.
          */
-        AdditionBody: {
-            /** Diagnosis */
-            diagnosis: string;
-            /** Effect */
-            effect: string;
+        AccountUpdate: {
+            /**
+             * Password
+             * @description A new one, at least 12 characters; stays where null.
+             * @example another long sentence
+             */
+            password?: string | null;
+            /**
+             * Roles
+             * @description What they may do from now on; stays where null.
+             * @example [
+             *       "operator",
+             *       "engineer"
+             *     ]
+             */
+            roles?: components["schemas"]["Role"][] | null;
+            /**
+             * Disabled
+             * @description Whether signing in is refused from now on; stays where null.
+             */
+            disabled?: boolean | null;
+        };
+        /**
+         * AlarmPublic
+         * @description An alarm: open while what it tells of lasts and, where it stays, until somebody has acknowledged it.
+         */
+        AlarmPublic: {
+            /**
+             * Id
+             * @description Sorts by time.
+             * @example 019a0f3c52b1c4f0a1b2c3
+             */
+            id: string;
+            /**
+             * Kind
+             * @description Which situation, see docs/alarms.md.
+             * @example run_aborted
+             */
+            kind: string;
+            /**
+             * @description A person is needed now (high), soon (medium), or when there is time (low).
+             * @example high
+             */
+            severity: components["schemas"]["Severity"];
+            /**
+             * Stays
+             * @description Whether it is open until it is acknowledged, also when what it tells of is over.
+             * @example true
+             */
+            stays: boolean;
+            /**
+             * Cell
+             * @description The cell that it is about; null where it is about the service.
+             * @example lwr4_bench
+             */
+            cell: string | null;
+            /**
+             * Run
+             * @description The run that it is about, or null.
+             * @example 019a0f3c52b1c4f0a1b2c3
+             */
+            run: string | null;
+            /** @description What there is to say. */
+            message: components["schemas"]["Message"];
+            /** @description What to do. */
+            advice: components["schemas"]["Message"];
+            /**
+             * Raised At
+             * Format: date-time
+             * @description Since when; ISO 8601 with offset.
+             * @example 2026-11-23T08:15:00Z
+             */
+            raised_at: string;
+            /**
+             * Cleared At
+             * @description When that was over; null while it lasts.
+             * @example 2026-11-23T08:20:00Z
+             */
+            cleared_at: string | null;
+            /**
+             * Acknowledged By
+             * @description Who has seen it; null where nobody has.
+             * @example account:anna
+             */
+            acknowledged_by: string | null;
+            /**
+             * Acknowledged At
+             * @description When they did; ISO 8601.
+             * @example 2026-11-23T08:16:00Z
+             */
+            acknowledged_at: string | null;
         };
         /**
          * Also
          * @description What is seen elsewhere than in the wrench that the twin predicts: it explains no gap there, and is judged by a measure of its own.
-         *
-         *     Args:
-         *         side: where it is seen: at the joints, in the sensor's readings, against the reference payload.
-         *         times_expected: how many times what is stated or tolerated; null where nothing is.
-         *         message: what was seen.
-         *         advice: what a person should do where it is material.
          */
         Also: {
-            /** Id */
+            /**
+             * Id
+             * @description Name of the effect or symptom.
+             * @example joint_backlash
+             */
             id: string;
+            /** @description What it is called. */
             title: components["schemas"]["Message"];
             /**
              * Side
+             * @description Where it is seen.
              * @enum {string}
              */
             side: "joints" | "reading" | "reference";
-            /** Parameters */
+            /**
+             * Parameters
+             * @description Its fitted parameters by name.
+             */
             parameters: {
                 [key: string]: components["schemas"]["Value"];
             };
-            /** Times Expected */
+            /**
+             * Times Expected
+             * @description How many times what is stated or tolerated; null where nothing is.
+             * @example 2.4
+             */
             times_expected: number | null;
-            /** Material */
+            /**
+             * Material
+             * @description Whether somebody should do something about it.
+             */
             material: boolean;
+            /** @description What was seen. */
             message: components["schemas"]["Message"];
+            /** @description What to do where it is material. */
             advice: components["schemas"]["Message"];
         };
         /**
-         * AuditEntryShown
+         * AuditEntryPublic
          * @description One thing that was done or refused; `hash` covers it and, by `previous_hash`, all before it.
          */
-        AuditEntryShown: {
-            /** Number */
+        AuditEntryPublic: {
+            /**
+             * Number
+             * @description Number in the log, from 1 without gaps.
+             * @example 1042
+             */
             number: number;
-            /** At */
+            /**
+             * At
+             * @description When it was done, UTC.
+             * @example 2026-03-01T08:00:00.120000+00:00
+             */
             at: string;
-            /** Who */
+            /**
+             * Who
+             * @description Who did it: an account, a key, or the service.
+             * @example account:anna
+             */
             who: string;
-            /** Action */
+            /**
+             * Action
+             * @description What was done, noun and verb.
+             * @example run.release
+             */
             action: string;
-            /** Detail */
+            /**
+             * Detail
+             * @description What else is worth knowing.
+             * @example {
+             *       "run": "019ab1c2d3e44f1c2a9be7"
+             *     }
+             */
             detail: {
                 [key: string]: unknown;
             };
-            /** Request */
+            /**
+             * Request
+             * @description Identifier of the request that did it.
+             * @example 4f1c2a9be7d34a06
+             */
             request: string;
-            /** Previous Hash */
+            /**
+             * Previous Hash
+             * @description Hash of the entry before it.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
             previous_hash: string;
-            /** Hash */
+            /**
+             * Hash
+             * @description SHA-256 over this entry and `previous_hash`, hexadecimal; by that, over all before it.
+             * @example 60303ae22b998861bce3b28f33eec1be758a213c86c93c076dbe9f558c11c752
+             */
             hash: string;
+        };
+        /**
+         * AuditNames
+         * @description Whom and what the log speaks of, in order.
+         */
+        AuditNames: {
+            /**
+             * Who
+             * @description Everybody who has done something.
+             * @example [
+             *       "account:anna",
+             *       "key:line-3",
+             *       "service"
+             *     ]
+             */
+            who: string[];
+            /**
+             * Actions
+             * @description Everything that was done.
+             * @example [
+             *       "run.create",
+             *       "run.release"
+             *     ]
+             */
+            actions: string[];
+        };
+        /**
+         * AuditVerified
+         * @description Whether nothing in the log was changed, removed or put in between.
+         */
+        AuditVerified: {
+            /**
+             * Unbroken
+             * @description Whether the chain holds to its end.
+             */
+            unbroken: boolean;
+            /**
+             * Entries
+             * @description How many entries hold, from the first on.
+             * @example 1042
+             */
+            entries: number;
+            /**
+             * Hash
+             * @description Hash of the last of them; keep it elsewhere, and ask for it as `expect` later.
+             * @example 60303ae22b998861bce3b28f33eec1be758a213c86c93c076dbe9f558c11c752
+             */
+            hash: string;
+            /** @description What is wrong with the entry after them; null where all hold. */
+            flaw: components["schemas"]["Message"] | null;
         };
         /**
          * Box
@@ -1107,17 +1659,26 @@ export interface components {
          */
         Box: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which shape it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "box";
-            /** Size M */
+            /**
+             * Size M
+             * @description Lengths along x, y and z of `pose`, m.
+             * @example [
+             *       0.1,
+             *       0.08,
+             *       0.2
+             *     ]
+             */
             size_m: [
                 number,
                 number,
                 number
             ];
             /**
+             * @description Where its centre is.
              * @default {
              *       "xyz_m": [
              *         0,
@@ -1139,15 +1700,24 @@ export interface components {
          */
         Capsule: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which shape it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "capsule";
-            /** Radius M */
+            /**
+             * Radius M
+             * @description Radius, m.
+             * @example 0.3
+             */
             radius_m: number;
-            /** Length M */
+            /**
+             * Length M
+             * @description Length along z of `pose` without the round ends, m.
+             * @example 1.2
+             */
             length_m: number;
             /**
+             * @description Where its centre is.
              * @default {
              *       "xyz_m": [
              *         0,
@@ -1180,13 +1750,24 @@ export interface components {
          *     Every value is right by itself; whether they go together says `contradictions_of`.
          */
         Cell: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the cell and of its folder.
+             * @example lwr4_bench
+             */
             name: string;
-            /** Title */
+            /**
+             * Title
+             * @description What people call it.
+             * @example LWR 4 on the bench
+             */
             title: string;
+            /** @description The arm. */
             robot: components["schemas"]["Robot"];
+            /** @description The wrist force/torque sensor. */
             sensor: components["schemas"]["Sensor"];
             /**
+             * @description Largest speed and smallest distances.
              * @default {
              *       "cartesian_speed_m_s": 0.25,
              *       "clearance_m": 0.03,
@@ -1195,6 +1776,7 @@ export interface components {
              */
             limits?: components["schemas"]["Limits"];
             /**
+             * @description How the robot depends on whoever is in control.
              * @default {
              *       "lease_s": 1,
              *       "hold_limit_s": 120
@@ -1203,7 +1785,13 @@ export interface components {
             control?: components["schemas"]["Control"];
             /**
              * Gravity M S2
+             * @description Gravity in the world frame, m/s2.
              * @default [
+             *       0,
+             *       0,
+             *       -9.81
+             *     ]
+             * @example [
              *       0,
              *       0,
              *       -9.81
@@ -1216,108 +1804,169 @@ export interface components {
             ];
             /**
              * Floor Z M
+             * @description Height at which a load that comes off stops falling, m, world frame.
              * @default 0
+             * @example 0
              */
             floor_z_m?: number;
+            /** @description Used where a payload is not known by name; sensor frame, without the boxes of tools. */
             payload_box: components["schemas"]["Box"];
             /**
              * Obstacles
+             * @description What stands in the cell.
              * @default []
              */
             obstacles?: components["schemas"]["Obstacle"][];
             /**
              * Zones
+             * @description Protected zones: people may be anywhere in them.
              * @default []
              */
             zones?: components["schemas"]["Zone"][];
-            /** Payloads */
+            /**
+             * Payloads
+             * @description Payloads that the cell knows, by name.
+             */
             payloads?: {
                 [key: string]: components["schemas"]["Payload"];
             };
-            /** Tools */
+            /**
+             * Tools
+             * @description What is bolted between the sensor and the payload, by name.
+             */
             tools?: {
                 [key: string]: components["schemas"]["Tool"];
             };
         };
         /**
-         * CellListed
-         * @description A cell; `flaw` says why nothing can be planned in it now, `flaws` says all of it.
-         */
-        CellListed: {
-            /** Name */
-            name: string;
-            /** Title */
-            title: string | null;
-            flaw: components["schemas"]["Message"] | null;
-            /** Flaws */
-            flaws: components["schemas"]["Flaw"][];
-        };
-        /**
          * CellNow
          * @description A cell as it is now.
-         *
-         *     Args:
-         *         run: that has the cell; null where none is under way.
-         *         moving: whether the robot may move at this moment.
-         *         since: when the run went into its state.
          */
         CellNow: {
-            /** Cell */
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
             cell: string;
-            /** Run */
+            /**
+             * Run
+             * @description The run that has the cell; null where none does.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
             run: string | null;
+            /** @description State of the machine (PackML); null without a run. */
             state: components["schemas"]["State"] | null;
-            /** Moving */
+            /**
+             * Moving
+             * @description Whether the robot may move at this moment.
+             */
             moving: boolean;
-            /** Since */
+            /**
+             * Since
+             * @description When the run went into its state.
+             * @example 2026-03-01T08:00:00.120Z
+             */
             since: string | null;
-            /** Reason Kind */
+            /**
+             * Reason Kind
+             * @description Kind of why it stands, see docs/runs.md; null where it does not.
+             * @example network-late
+             */
             reason_kind: string | null;
             /**
              * Safety Rated
+             * @description Always false: it is not a safety function.
              * @default false
              * @constant
              */
             safety_rated?: false;
         };
         /**
-         * CellShown
+         * CellPublic
          * @description A cell, its protected zones where they are now; `sha256` covers its files.
-         *
-         *     Args:
-         *         cell: null where its `cell.toml` cannot be read as a cell; then `flaws` says why.
-         *         flaws: why nothing can be planned in it now, be it the fault of its files or of where its zones are.
-         *         in_the_way: obstacles and zones that stand where the robot's base is.
-         *         drawn: whether `/viewer/{cell}/` can show it, which takes a sound robot.
-         *         moved: the zones that were brought to where they are now.
-         *         read_at: the service's clock, for who measures zones and has none of their own that agrees.
          */
-        CellShown: {
+        CellPublic: {
+            /** @description The cell with its zones where they are now; null where its `cell.toml` cannot be read, then `flaws` says why. */
             cell: components["schemas"]["Cell"] | null;
-            /** Flaws */
+            /**
+             * Flaws
+             * @description Why nothing can be planned in it now, be it the fault of its files or of where its zones are.
+             */
             flaws: components["schemas"]["Flaw"][];
-            /** In The Way */
+            /**
+             * In The Way
+             * @description Obstacles and zones that stand where the robot's base is.
+             * @example [
+             *       "operator"
+             *     ]
+             */
             in_the_way: string[];
-            /** Drawn */
+            /**
+             * Drawn
+             * @description Whether `/viewer/{cell}/` can show it, which takes a sound robot.
+             */
             drawn: boolean;
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description SHA-256 of its files, hexadecimal.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
             sha256: string;
-            /** Moved */
+            /**
+             * Moved
+             * @description Zones that were brought to where they are now.
+             */
             moved: components["schemas"]["ZonePlace"][];
             /**
              * Read At
              * Format: date-time
+             * @description The service's clock, for who measures zones and has none that agrees.
+             * @example 2026-03-01T08:00:00Z
              */
             read_at: string;
         };
         /**
-         * CellTaken
+         * CellSummary
+         * @description A cell; `flaw` says why nothing can be planned in it now, `flaws` says all of it.
+         */
+        CellSummary: {
+            /**
+             * Name
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
+            name: string;
+            /**
+             * Title
+             * @description What people call it; null where its file cannot be read.
+             * @example LWR 4 on the bench
+             */
+            title: string | null;
+            /** @description Why nothing can be planned in it now; null where something can. */
+            flaw: components["schemas"]["Message"] | null;
+            /**
+             * Flaws
+             * @description All that is wrong with it now.
+             */
+            flaws: components["schemas"]["Flaw"][];
+        };
+        /**
+         * CellVersion
          * @description A cell that was checked, and where there is one, put into its place.
          */
-        CellTaken: {
-            /** Name */
+        CellVersion: {
+            /**
+             * Name
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
             name: string;
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description SHA-256 of its files, hexadecimal; null where it was only checked.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
             sha256: string | null;
         };
         /**
@@ -1325,174 +1974,392 @@ export interface components {
          * @description Before and after.
          */
         Change: {
-            /** Before */
+            /**
+             * Before
+             * @description Before, in multiples of the noise (rms).
+             * @example 4.2
+             */
             before: number;
-            /** After */
+            /**
+             * After
+             * @description After, in multiples of the noise (rms).
+             * @example 1.1
+             */
             after: number;
         };
         /**
          * ChannelOverlay
          * @description One channel in `unit`, offsets taken off.
-         *
-         *     Args:
-         *         measured: one value for each time.
-         *         before, after: simulated without and with the effect that explains the gap best.
-         *         std: of the noise of one value.
          */
         ChannelOverlay: {
-            /** Channel */
+            /**
+             * Channel
+             * @description Channel of the wrench.
+             * @example ty
+             */
             channel: string;
-            /** Unit */
+            /**
+             * Unit
+             * @description Unit of all that follows.
+             * @example N m
+             */
             unit: string;
-            /** Measured */
+            /**
+             * Measured
+             * @description Measured values, one for each time, offsets taken off.
+             * @example [
+             *       -1.31,
+             *       -1.29
+             *     ]
+             */
             measured: number[];
-            /** Before */
+            /**
+             * Before
+             * @description Simulated with the twin as it was.
+             * @example [
+             *       -1.24,
+             *       -1.22
+             *     ]
+             */
             before: number[];
-            /** After */
+            /**
+             * After
+             * @description Simulated with the effect that explains the gap best.
+             * @example [
+             *       -1.31,
+             *       -1.29
+             *     ]
+             */
             after: number[];
-            /** Std */
+            /**
+             * Std
+             * @description Standard deviation of the noise of one value.
+             * @example 0.003
+             */
             std: number;
         };
         /**
          * ClosestPair
          * @description Where the second opinion finds a kind of pair closest to what it has to keep, for JSON.
-         *
-         *     Args:
-         *         kind: in words, as in `core.second_opinion.pairs.PairKind`.
-         *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
          */
         ClosestPair: {
-            /** Kind */
+            /**
+             * Kind
+             * @description Kind of the pair.
+             * @example robot and obstacles
+             */
             kind: string;
-            /** First */
+            /**
+             * First
+             * @description The one body.
+             * @example link_5
+             */
             first: string;
-            /** Second */
+            /**
+             * Second
+             * @description The other body.
+             * @example bench
+             */
             second: string;
-            /** Distance M */
+            /**
+             * Distance M
+             * @description Their distance there, m.
+             * @example 0.052
+             */
             distance_m: number;
-            /** Required M */
+            /**
+             * Required M
+             * @description What they have to keep, m.
+             * @example 0.03
+             */
             required_m: number;
-            /** Part */
+            /**
+             * Part
+             * @description Part of the plan: `transfer x+`, `rotation x`, `home`.
+             * @example transfer x+
+             */
             part: string;
-            /** Time S */
+            /**
+             * Time S
+             * @description When, from the beginning of that part, s.
+             * @example 1.25
+             */
             time_s: number;
         };
         /**
-         * CommandBody
+         * CommandCreate
          * @description A command; `sent` may be left out of stop and abort.
          */
-        CommandBody: {
+        CommandCreate: {
+            /** @description What is to happen. */
             command: components["schemas"]["RunCommand"];
-            sent?: components["schemas"]["Sent"] | null;
+            /** @description Shows that it comes from whoever is in control, once and now; may be left out of stop and abort. */
+            sent?: components["schemas"]["FencingToken"] | null;
         };
         /**
          * Comparison
          * @description Two runs side by side; what one of them does not determine is not compared.
-         *
-         *     Args:
-         *         parameters: in the frame in which both were given, in the paper's order.
-         *         com: centre of mass; `inertia_com` about it.
-         *         offset: of the sensor, N and N m: how it drifted from one run to the other.
-         *         chance: of a difference at least as large in all parameters together, were the payload the same; null without any in common.
-         *         differ: whether that is too small to believe.
          */
         Comparison: {
-            /** Parameters */
+            /**
+             * Parameters
+             * @description The ten parameters in the paper's order, in the frame in which both were given.
+             */
             parameters: components["schemas"]["Difference"][];
-            /** Com */
+            /**
+             * Com
+             * @description Centre of mass, m.
+             */
             com: components["schemas"]["Difference"][];
-            /** Inertia Com */
+            /**
+             * Inertia Com
+             * @description Inertia about the centre of mass, kg m2.
+             */
             inertia_com: components["schemas"]["Difference"][];
-            /** Offset */
+            /**
+             * Offset
+             * @description Offsets of the sensor, N and N m: how they drifted from one run to the other.
+             */
             offset: components["schemas"]["Difference"][];
-            /** Chance */
+            /**
+             * Chance
+             * @description Chance, 0 to 1, of a difference at least as large, were the payload the same; null without common parameters.
+             * @example 0.37
+             */
             chance: number | null;
-            /** Differ */
+            /**
+             * Differ
+             * @description Whether that is too small to believe (below 0.01).
+             */
             differ: boolean;
+            /** @description The same as a message. */
             verdict: components["schemas"]["Message"];
         };
         /**
-         * ComparisonAnswer
+         * ComparisonPublic
          * @description The run `other` minus the run `run`; both in the sensor's frame, or in the flange's where they were made in two cells.
          */
-        ComparisonAnswer: {
-            /** Run */
+        ComparisonPublic: {
+            /**
+             * Run
+             * @description Identifier of the first run.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
             run: string;
-            /** Other */
+            /**
+             * Other
+             * @description Identifier of the second run, from which the first is taken away.
+             * @example 019ab1c9aa210f6be35d08
+             */
             other: string;
             /**
              * Frame
+             * @description Frame of the comparison: the sensor's, or the flange's where the runs were made in two cells.
              * @enum {string}
              */
             frame: "sensor" | "flange";
+            /** @description What differs. */
             comparison: components["schemas"]["Comparison"];
         };
         /**
          * Control
          * @description How the robot depends on whoever is in control of it.
          *
-         *     Args:
-         *         lease_s: how long the robot moves on without an answer from the console; then it brakes and keeps its place. Shorter than 0.3 s no
-         *             Wi-Fi lasts; longer than 5 s nobody would take it for supervision. It is no emergency stop.
-         *         hold_limit_s: how long a robot on hold waits for somebody to be in control again before its run ends.
+         *     Shorter than 0.3 s no Wi-Fi lasts; longer than 5 s nobody would take it for supervision. It is no emergency stop.
          */
         Control: {
             /**
              * Lease S
+             * @description How long the robot moves on without an answer from the console, s; then it holds. No emergency stop.
              * @default 1
+             * @example 1
              */
             lease_s?: number;
             /**
              * Hold Limit S
+             * @description How long a robot on hold waits for somebody to be in control again before its run ends, s.
              * @default 120
+             * @example 120
              */
             hold_limit_s?: number;
         };
         /**
-         * ControlAnswer
-         * @description Who is in control.
-         *
-         *     Args:
-         *         fence: to be sent with every answered stamp and every command; null where nobody is.
-         *         lease_s: how long one answered stamp lasts; `hold_limit_s` how long a run on hold waits for somebody to be in control again.
-         *         link: null until there are enough answers to say anything.
+         * ControlCreate
+         * @description The cell to take control of.
          */
-        ControlAnswer: {
-            /** Cell */
+        ControlCreate: {
+            /**
+             * Cell
+             * @description Name of the cell to take control of.
+             * @example lwr4_bench
+             */
             cell: string;
-            /** Holder */
+            /**
+             * Device
+             * @description Name of the screen, for others to know it by.
+             * @default
+             * @example Tablet 2
+             */
+            device?: string;
+        };
+        /**
+         * ControlPublic
+         * @description Who is in control.
+         */
+        ControlPublic: {
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
+            cell: string;
+            /**
+             * Holder
+             * @description Who is in control; null where nobody is.
+             * @example account:anna
+             */
             holder: string | null;
-            /** Fence */
+            /**
+             * Fence
+             * @description To be sent with every answered stamp and every command; null where nobody is in control.
+             * @example 17
+             */
             fence: number | null;
-            /** Lease S */
+            /**
+             * Device
+             * @description Name of the holder's screen; null where nobody is in control.
+             * @example Tablet 1
+             */
+            device: string | null;
+            /**
+             * Since
+             * @description Since when; null where nobody is in control.
+             * @example 2026-11-23T08:00:00Z
+             */
+            since: string | null;
+            /**
+             * Lease S
+             * @description How long one answered stamp lasts, s.
+             * @example 1
+             */
             lease_s: number;
-            /** Hold Limit S */
+            /**
+             * Hold Limit S
+             * @description How long a run on hold waits for somebody to be in control again, s.
+             * @example 120
+             */
             hold_limit_s: number;
             /**
              * Stamp Period S
+             * @description Time between two stamps, s.
              * @default 0.05
+             * @example 0.05
              */
             stamp_period_s?: number;
-            link: components["schemas"]["LinkAnswer"] | null;
+            /** @description The connection of whoever is in control; null until there are enough answers to say anything. */
+            link: components["schemas"]["LinkPublic"] | null;
+            /** @description Who asks for control now; null where nobody does. */
+            request: components["schemas"]["ControlRequestPublic"] | null;
+            /** @description How the last request ended; null where nobody has asked yet. */
+            last_request: components["schemas"]["EndedRequestPublic"] | null;
         };
         /**
-         * ControlBody
-         * @description The cell to take control of.
+         * ControlRequestCreate
+         * @description Who asks is known; on which screen stands here.
          */
-        ControlBody: {
-            /** Cell */
-            cell: string;
+        ControlRequestCreate: {
+            /**
+             * Device
+             * @description Name of the screen, for others to know it by.
+             * @default
+             * @example Tablet 2
+             */
+            device?: string;
+        };
+        /**
+         * ControlRequestPublic
+         * @description Somebody asks for control that somebody else has.
+         */
+        ControlRequestPublic: {
+            /**
+             * Fence
+             * @description Of whoever asks; names the request, and is that of the holder once control has passed.
+             * @example 42
+             */
+            fence: number;
+            /**
+             * Who
+             * @description Who asks.
+             * @example account:ben
+             */
+            who: string;
+            /**
+             * Device
+             * @description On which screen; empty where it has no name.
+             * @example Tablet 2
+             */
+            device: string;
+            /**
+             * Asked At
+             * Format: date-time
+             * @description When it was asked for; ISO 8601 with offset.
+             * @example 2026-11-23T08:15:00Z
+             */
+            asked_at: string;
+            /**
+             * Passes At
+             * Format: date-time
+             * @description When control passes where nobody answers; ISO 8601.
+             * @example 2026-11-23T08:15:30Z
+             */
+            passes_at: string;
+            /**
+             * Accepted
+             * @description Whether control passes with the next sign of life of whoever asks.
+             * @example false
+             */
+            accepted: boolean;
+        };
+        /**
+         * ControlRequestUpdate
+         * @description What whoever is in control decides about a request.
+         */
+        ControlRequestUpdate: {
+            /**
+             * Fence
+             * @description Of whoever is in control.
+             * @example 41
+             */
+            fence: number;
+            /**
+             * Request
+             * @description Fence of the request, as it was told.
+             * @example 42
+             */
+            request: number;
+            /**
+             * Accept
+             * @description True passes control on, false keeps it.
+             * @example true
+             */
+            accept: boolean;
         };
         /**
          * Credentials
          * @description Who signs in.
          */
         Credentials: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the account.
+             * @example anna
+             */
             name: string;
             /**
              * Password
              * Format: password
+             * @description Its password.
+             * @example a long sentence of your own
              */
             password: string;
         };
@@ -1502,15 +2369,24 @@ export interface components {
          */
         Cylinder: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which shape it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "cylinder";
-            /** Radius M */
+            /**
+             * Radius M
+             * @description Radius, m.
+             * @example 0.3
+             */
             radius_m: number;
-            /** Length M */
+            /**
+             * Length M
+             * @description Length along z of `pose`, m.
+             * @example 1.8
+             */
             length_m: number;
             /**
+             * @description Where its centre is.
              * @default {
              *       "xyz_m": [
              *         0,
@@ -1527,23 +2403,48 @@ export interface components {
             pose?: components["schemas"]["Pose"];
         };
         /**
-         * DeliveryAnswer
-         * @description One message. `due_at` is null once it is delivered or given up.
+         * DeliveryPublic
+         * @description One message. `due_at` is null once it is delivered or given up; a test is sent once.
          */
-        DeliveryAnswer: {
-            /** Id */
+        DeliveryPublic: {
+            /**
+             * Id
+             * @description Identifier of the message, as in the header `Heft-Delivery`.
+             * @example 019ab1c2ffe0d1c2b3a495
+             */
             id: string;
-            /** Attempts */
+            /**
+             * Run
+             * @description The run whose end it tells of; null for a test.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            run: string | null;
+            /**
+             * Attempts
+             * @description How often it was tried.
+             * @example 1
+             */
             attempts: number;
             /**
              * Made At
              * Format: date-time
+             * @description When the run ended.
+             * @example 2026-03-01T08:00:24Z
              */
             made_at: string;
-            /** Due At */
+            /**
+             * Due At
+             * @description When it is tried again; null once it is delivered or given up.
+             * @example 2026-03-01T08:00:26Z
+             */
             due_at: string | null;
-            /** Delivered At */
+            /**
+             * Delivered At
+             * @description When it was taken; null before.
+             * @example 2026-03-01T08:00:24Z
+             */
             delivered_at: string | null;
+            /** @description Why the last try failed; null where it did not. */
             last_error: components["schemas"]["Message"] | null;
         };
         /**
@@ -1553,111 +2454,328 @@ export interface components {
         Diagnosis: {
             /**
              * Verdict
+             * @description The answer in one word.
              * @enum {string}
              */
             verdict: "no_gap" | "explained" | "ambiguous" | "unknown" | "not_enough";
+            /** @description The answer in a sentence. */
             summary: components["schemas"]["Message"];
-            /** Effects */
+            /**
+             * Effects
+             * @description Single effects that explain the gap, the most probable first.
+             */
             effects: components["schemas"]["Explanation"][];
-            /** None Probability */
+            /**
+             * None Probability
+             * @description Probability that there is no gap worth a name, 0 to 1.
+             * @example 0.01
+             */
             none_probability: number;
-            /** Unknown Probability */
+            /**
+             * Unknown Probability
+             * @description Probability that it is something the library does not have, 0 to 1.
+             * @example 0.04
+             */
             unknown_probability: number;
-            /** Pairs */
+            /**
+             * Pairs
+             * @description Two effects at once, the most probable first.
+             */
             pairs: components["schemas"]["Pair"][];
-            /** Minor */
+            /**
+             * Minor
+             * @description Effects on the wrench that were detected, but are not material.
+             */
             minor: components["schemas"]["Minor"][];
             /**
              * Also
-             * @default []
+             * @description What is seen elsewhere than in the wrench.
              */
             also?: components["schemas"]["Also"][];
-            /** Indistinguishable */
+            /**
+             * Indistinguishable
+             * @description What this recording cannot tell apart.
+             */
             indistinguishable: components["schemas"]["Tied"][];
+            /** @description Where the gap lies; null where there is too little to compare. */
             where: components["schemas"]["Where"] | null;
+            /** @description How large it is; null where there is too little to compare. */
             gap: components["schemas"]["GapPart"] | null;
+            /** @description The payload before and after; null where it was not identified. */
             payload: components["schemas"]["PayloadPart"] | null;
+            /** @description What the gap means for the payload; null where it means nothing. */
             consequence: components["schemas"]["Message"] | null;
+            /** @description What to measure next; null where nothing would help. */
             next_experiment: components["schemas"]["Experiment"] | null;
-            /** Limits */
+            /**
+             * Limits
+             * @description What has to be known of the answer.
+             */
             limits: components["schemas"]["Message"][];
+            /** @description Why nothing can be said, where the recording is not enough. */
             lacking?: components["schemas"]["Message"] | null;
-            /** Seconds */
+            /**
+             * Seconds
+             * @description Time of the diagnosis, s.
+             * @example 21.5
+             */
             seconds: number;
             /**
              * Twin
-             * @default []
+             * @description Effects of the cell's twin, which were on from the beginning.
+             * @example [
+             *       "time_delay"
+             *     ]
              */
             twin?: string[];
+            /** @description What was diagnosed; null in answers of earlier versions, and where the recording is in no folder. */
             origin?: components["schemas"]["Origin"] | null;
+            /** @description What the person at the robot has to do, in a sentence and a next step. */
+            readonly instruction: components["schemas"]["Instruction"];
         };
         /**
-         * DiagnosisAnswer
-         * @description A diagnosis.
-         *
-         *     Args:
-         *         cell: where the recording was made, null where that is none of ours.
-         *         verdict, named: the answer, and the effect that is most probable, or two joined by a plus sign; null where it names none.
-         *         also: what is material beside the verdict, elsewhere than in the wrench.
-         *         summary: the same in sentences; `result` is what `heft diagnose --json` writes. Null until it is done.
+         * DiagnosisCreate
+         * @description The run whose recording is to be diagnosed.
          */
-        DiagnosisAnswer: {
+        DiagnosisCreate: {
+            /**
+             * Run
+             * @description Identifier of the run whose recording is to be diagnosed.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            run: string;
+        };
+        /**
+         * DiagnosisPublic
+         * @description A diagnosis.
+         */
+        DiagnosisPublic: {
+            /** @description How far it is. */
             state: components["schemas"]["JobStatus"];
-            /** Progress */
+            /**
+             * Progress
+             * @description Share that is done, 0 to 1.
+             * @example 0.4
+             */
             progress: number;
+            /** @description Why it failed or was cancelled; null where it did not. */
             reason: components["schemas"]["Message"] | null;
-            /** Reason Kind */
+            /**
+             * Reason Kind
+             * @description Kind of `reason`, see docs/runs.md.
+             * @example cancelled
+             */
             reason_kind: string | null;
-            /** Requested By */
+            /**
+             * Requested By
+             * @description Who asked for it.
+             * @example account:anna
+             */
             requested_by: string;
             /**
              * Requested At
              * Format: date-time
+             * @description When it was asked for.
+             * @example 2026-03-01T09:00:00Z
              */
             requested_at: string;
-            /** Ended At */
+            /**
+             * Ended At
+             * @description When it ended; null before.
+             * @example 2026-03-01T09:00:24Z
+             */
             ended_at: string | null;
-            /** Diagnosis */
+            /**
+             * Diagnosis
+             * @description Identifier of the diagnosis; sorts by the time of its making.
+             * @example 019ab1c2e0a17d34a06c11
+             */
             diagnosis: string;
-            /** Run */
+            /**
+             * Run
+             * @description The run whose recording it is of; null for one that was uploaded.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
             run: string | null;
-            /** Cell */
+            /**
+             * Cell
+             * @description Where the recording was made; null where that is none of ours.
+             * @example lwr4_bench
+             */
             cell: string | null;
-            /** Verdict */
+            /**
+             * Tool
+             * @description What the robot carried; null where that is not known.
+             * @example steel_block
+             */
+            tool: string | null;
+            /**
+             * Name
+             * @description Name that an uploaded recording was given; null for one of a run.
+             * @example Friday, new cable
+             */
+            name: string | null;
+            /**
+             * Verdict
+             * @description The answer in one word; null until it is done.
+             */
             verdict: ("no_gap" | "explained" | "ambiguous" | "unknown" | "not_enough") | null;
-            /** Named */
+            /**
+             * Named
+             * @description The effect that is most probable, or two joined by a plus sign; null where it names none.
+             * @example time_delay
+             */
             named: string | null;
-            /** Also */
+            /**
+             * Also
+             * @description What is material beside the verdict, elsewhere than in the wrench.
+             * @example [
+             *       "joint_backlash"
+             *     ]
+             */
             also: string[];
+            /** @description What the person at the robot has to do; null until it is done. */
+            instruction: components["schemas"]["Instruction"] | null;
+            /** @description The answer in a sentence; null until it is done. */
             summary: components["schemas"]["Message"] | null;
+            /** @description What `heft diagnose --json` writes; null until it is done, and in lists. */
             result: components["schemas"]["Diagnosis"] | null;
-        };
-        /**
-         * DiagnosisBody
-         * @description The run whose recording is to be diagnosed.
-         */
-        DiagnosisBody: {
-            /** Run */
-            run: string;
         };
         /**
          * Difference
          * @description The second minus the first, in `unit`.
-         *
-         *     Args:
-         *         std: standard uncertainty of the difference; `times_std` is the difference in multiples of it, with its sign.
          */
         Difference: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the parameter or the channel.
+             * @example m
+             */
             name: string;
-            /** Value */
+            /**
+             * Value
+             * @description The second minus the first, in `unit`.
+             * @example 0.012
+             */
             value: number;
-            /** Std */
+            /**
+             * Std
+             * @description Standard uncertainty of the difference, in `unit`.
+             * @example 0.004
+             */
             std: number;
-            /** Times Std */
+            /**
+             * Times Std
+             * @description The difference in multiples of its standard uncertainty, with its sign.
+             * @example 3
+             */
             times_std: number;
-            /** Unit */
+            /**
+             * Unit
+             * @description Unit of `value` and `std`.
+             * @example kg
+             */
             unit: string;
+        };
+        /**
+         * Disk
+         * @description Room for what runs leave behind. A run is refused its release where the disk has too little for it (`runs-disk-too-full`).
+         */
+        Disk: {
+            /**
+             * Free Bytes
+             * @description Room on the disk that the data folder lies on, bytes.
+             * @example 81604378624
+             */
+            free_bytes: number;
+            /**
+             * Total Bytes
+             * @description Size of that disk, bytes.
+             * @example 250685575168
+             */
+            total_bytes: number;
+            /**
+             * Robot S
+             * @description Robot time, s, that still can be recorded.
+             * @example 81000
+             */
+            robot_s: number;
+            /**
+             * Little
+             * @description Whether that is less than 3600 s.
+             */
+            little: boolean;
+            /**
+             * Parts
+             * @description What takes room in the data folder, the largest first.
+             */
+            parts: components["schemas"]["DiskPart"][];
+        };
+        /**
+         * DiskPart
+         * @description What takes room in the data folder.
+         */
+        DiskPart: {
+            /**
+             * Name
+             * @description What it is; `other` is whatever else lies in the data folder.
+             * @enum {string}
+             */
+            name: "recordings" | "reports" | "trials" | "cells" | "database" | "other";
+            /**
+             * Size Bytes
+             * @description Of all its files, bytes.
+             * @example 52428800
+             */
+            size_bytes: number;
+            /**
+             * Files
+             * @description How many.
+             * @example 12
+             */
+            files: number;
+        };
+        /**
+         * EndedRequestPublic
+         * @description How the last request for control ended.
+         */
+        EndedRequestPublic: {
+            /**
+             * Fence
+             * @description Names the request.
+             * @example 42
+             */
+            fence: number;
+            /**
+             * Who
+             * @description Who asked.
+             * @example account:ben
+             */
+            who: string;
+            /**
+             * Device
+             * @description On which screen; empty where it has no name.
+             * @example Tablet 2
+             */
+            device: string;
+            /**
+             * Holder
+             * @description Who was in control until then; null where nobody was.
+             * @example account:anna
+             */
+            holder: string | null;
+            /**
+             * @description Control has passed: accepted, unanswered (by time), vacant (nobody was in control any more), own (to another screen of the same person). It has not: declined, withdrawn, silent (the screen that asked), overtaken (somebody took control).
+             * @example accepted
+             */
+            outcome: components["schemas"]["RequestOutcome"];
+            /**
+             * Ended At
+             * Format: date-time
+             * @description When; ISO 8601 with offset.
+             * @example 2026-11-23T08:15:12Z
+             */
+            ended_at: string;
         };
         /**
          * EventMessage
@@ -1665,55 +2783,87 @@ export interface components {
          */
         EventMessage: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which message it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "event";
-            /** Sequence */
+            /**
+             * Sequence
+             * @description Counts from 1 without gaps.
+             * @example 12
+             */
             sequence: number;
             /**
              * At
              * Format: date-time
+             * @description When it happened, by the service's clock.
+             * @example 2026-03-01T08:00:00.120Z
              */
             at: string;
-            /** Event */
+            /**
+             * Event
+             * @description What happened.
+             */
             event: components["schemas"]["StateChanged"] | components["schemas"]["PlanShown"] | components["schemas"]["WaitingForZone"] | components["schemas"]["StartConfigurationFound"] | components["schemas"]["TransferPlanned"] | components["schemas"]["Planned"] | components["schemas"]["PhaseStarted"] | components["schemas"]["RobotStopped"] | components["schemas"]["StepFinished"] | components["schemas"]["RecordingWritten"] | components["schemas"]["Finished"];
         };
         /**
          * Experiment
          * @description What to measure next, and what it is going to tell.
-         *
-         *     Args:
-         *         id, motion: what to do, in one word and as a message.
-         *         stops: the same for planning; empty where it is no motion.
-         *         splits: what it tells apart, the worst tie first.
-         *         sigma_before, sigma_after: distance of that tie now, and as predicted for both recordings together.
-         *         seconds: of the robot, by kinematics alone, or as planned.
-         *         planned: whether a cell was at hand and the motion is planned in it; `refused` says why not.
          */
         Experiment: {
-            /** Id */
+            /**
+             * Id
+             * @description What to do, in one word.
+             * @example swings_about_horizontal_x
+             */
             id: string;
+            /** @description What to do. */
             motion: components["schemas"]["Message"];
-            /** Stops */
+            /**
+             * Stops
+             * @description The same for planning; empty where it is no motion.
+             */
             stops: components["schemas"]["Stop"][];
-            /** Splits */
+            /**
+             * Splits
+             * @description Pairs of explanations that it tells apart, the worst tie first.
+             * @example [
+             *       [
+             *         "payload_mismatch",
+             *         "sensor_gain"
+             *       ]
+             *     ]
+             */
             splits: [
                 string,
                 string
             ][];
-            /** Sigma Before */
+            /**
+             * Sigma Before
+             * @description Distance of that tie now, in multiples of the noise.
+             * @example 1.3
+             */
             sigma_before: number;
-            /** Sigma After */
+            /**
+             * Sigma After
+             * @description The same as predicted for both recordings together.
+             * @example 8.1
+             */
             sigma_after: number;
-            /** Seconds */
+            /**
+             * Seconds
+             * @description Time of the robot, s: by kinematics alone, or as planned.
+             * @example 42
+             */
             seconds: number;
             /**
              * Planned
+             * @description Whether a cell was at hand and the motion is planned in it.
              * @default false
              */
             planned?: boolean;
             /**
+             * @description Why it is not planned; null where it is.
              * @default {
              *       "code": "gap-no-cell",
              *       "parameters": {},
@@ -1721,96 +2871,231 @@ export interface components {
              *     }
              */
             refused?: components["schemas"]["Message"] | null;
-            /** Refused Kind */
+            /**
+             * Refused Kind
+             * @description Kind of the error that refused it, see `core.errors`; null where there was no cell, or where it is no motion.
+             * @example no-path
+             */
             refused_kind?: string | null;
         };
         /**
          * Explanation
          * @description One effect with what it would do to the gap.
-         *
-         *     Args:
-         *         addable: whether the cell's twin would take it, as this recording shows it; `why_not` says what stands against it.
-         *         covariance: of the parameters, in their order, each row up to the diagonal; nothing where no twin would take it.
          */
         Explanation: {
-            /** Id */
+            /**
+             * Id
+             * @description Name of the effect.
+             * @example time_delay
+             */
             id: string;
+            /** @description What it is called. */
             title: components["schemas"]["Message"];
-            /** Stage */
+            /**
+             * Stage
+             * @description Where on the way from payload to reading it acts.
+             * @example reading
+             */
             stage: string;
-            /** Probability */
+            /**
+             * Probability
+             * @description Probability of this explanation, 0 to 1.
+             * @example 0.93
+             */
             probability: number;
-            /** Parameters */
+            /**
+             * Parameters
+             * @description Its fitted parameters by name.
+             */
             parameters: {
                 [key: string]: components["schemas"]["Value"];
             };
-            /** Gap After */
+            /**
+             * Gap After
+             * @description What is left of the gap with it, in multiples of the noise (rms).
+             * @example 1.1
+             */
             gap_after: number;
-            /** Closure */
+            /**
+             * Closure
+             * @description Share of the gap that goes away with it, 0 to 1.
+             * @example 0.97
+             */
             closure: number;
-            /** Closure Interval */
+            /**
+             * Closure Interval
+             * @description 95 % interval of `closure`.
+             * @example [
+             *       0.95,
+             *       0.98
+             *     ]
+             */
             closure_interval: [
                 number,
                 number
             ];
+            /** @description What to do about it. */
             advice: components["schemas"]["Message"];
             /**
              * Addable
+             * @description Whether the cell's twin would take it, as this recording shows it.
              * @default false
              */
             addable?: boolean;
+            /** @description What stands against that; null where nothing does. */
             why_not?: components["schemas"]["Message"] | null;
             /**
              * Covariance
-             * @default []
+             * @description Of the parameters, in their order, each row up to the diagonal; empty where no twin would take it.
+             * @example [
+             *       [
+             *         4e-8
+             *       ]
+             *     ]
              */
             covariance?: number[][];
         };
         /**
-         * ExportListed
-         * @description A way to write the result.
-         *
-         *     Args:
-         *         file: its name; `says` tells units, frame and order of what is in it.
-         *         refused: why it cannot be written; null where it can.
-         *         lost: what it cannot hold.
+         * ExportLoss
+         * @description A number that a target has no place for; `times_std` is its size in multiples of its uncertainty.
          */
-        ExportListed: {
-            /** Target */
-            target: string;
-            /** Title */
-            title: string;
-            /** File */
-            file: string;
-            says: components["schemas"]["Message"];
-            refused: components["schemas"]["Message"] | null;
-            /** Lost */
-            lost: components["schemas"]["Lost"][];
+        ExportLoss: {
+            /**
+             * Name
+             * @description Name of the number that the target has no place for.
+             * @example Ixy
+             */
+            name: string;
+            /**
+             * Value
+             * @description Its value, in `unit`.
+             * @example 0.00012
+             */
+            value: number;
+            /**
+             * Std
+             * @description Its standard uncertainty, in `unit`.
+             * @example 0.00002
+             */
+            std: number;
+            /**
+             * Unit
+             * @description Unit of both.
+             * @example kg m2
+             */
+            unit: string;
+            /**
+             * Times Std
+             * @description Its size in multiples of its uncertainty.
+             * @example 6
+             */
+            times_std: number;
         };
         /**
-         * ExportsAnswer
+         * ExportPublic
+         * @description A way to write the result.
+         */
+        ExportPublic: {
+            /**
+             * Target
+             * @description Name of the target.
+             * @example ur
+             */
+            target: string;
+            /**
+             * Title
+             * @description What people call it.
+             * @example Universal Robots
+             */
+            title: string;
+            /**
+             * File
+             * @description Name of the file.
+             * @example payload.script
+             */
+            file: string;
+            /** @description Units, frame and order of what is in it. */
+            says: components["schemas"]["Message"];
+            /** @description Why it cannot be written; null where it can. */
+            refused: components["schemas"]["Message"] | null;
+            /**
+             * Lost
+             * @description What it cannot hold.
+             */
+            lost: components["schemas"]["ExportLoss"][];
+        };
+        /**
+         * ExportsPublic
          * @description All targets; `frame` says in which frame they get the payload.
          */
-        ExportsAnswer: {
+        ExportsPublic: {
+            /** @description In which frame the targets get the payload. */
             frame: components["schemas"]["Message"];
-            /** Targets */
-            targets: components["schemas"]["ExportListed"][];
+            /**
+             * Targets
+             * @description All ways to write the result.
+             */
+            targets: components["schemas"]["ExportPublic"][];
         };
         /**
          * FastestCorner
          * @description The fastest corner of a link, a tool or the payload, or of a box round it where that keeps the limit, for JSON.
          */
         FastestCorner: {
-            /** Body */
+            /**
+             * Body
+             * @description The body whose corner it is.
+             * @example payload
+             */
             body: string;
-            /** Speed M S */
+            /**
+             * Speed M S
+             * @description Its speed, m/s.
+             * @example 0.231
+             */
             speed_m_s: number;
-            /** Limit M S */
+            /**
+             * Limit M S
+             * @description What it may be, m/s.
+             * @example 0.25
+             */
             limit_m_s: number;
-            /** Part */
+            /**
+             * Part
+             * @description Part of the plan: `transfer x+`, `rotation x`, `home`.
+             * @example rotation x
+             */
             part: string;
-            /** Time S */
+            /**
+             * Time S
+             * @description When, from the beginning of that part, s.
+             * @example 0.8
+             */
             time_s: number;
+        };
+        /**
+         * FencingToken
+         * @description What makes a command of whoever is in control count once and now.
+         */
+        FencingToken: {
+            /**
+             * Fence
+             * @description Of the control that was taken, as `POST /api/control` answered it.
+             * @example 17
+             */
+            fence: number;
+            /**
+             * Number
+             * @description Counts the commands of this control up; one that came already counts for nothing.
+             * @example 4
+             */
+            number: number;
+            /**
+             * Stamp S
+             * @description The newest stamp that the service has sent over `/api/control/{cell}/lease`, s by its clock.
+             * @example 81234.56
+             */
+            stamp_s: number;
         };
         /**
          * Finished
@@ -1818,30 +3103,49 @@ export interface components {
          */
         Finished: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "finished";
+            /** @description What the run found, in a sentence. */
             verdict: components["schemas"]["Message"];
         };
         /**
          * Flaw
          * @description One thing that cannot be used: in the request, or in a cell.
-         *
-         *     Args:
-         *         where: the file, with the key in it; `found` and `expected` are English.
-         *         code, parameters: the same for every language: `GET /problems/{code}` describes it.
          */
         Flaw: {
-            /** Where */
+            /**
+             * Where
+             * @description The file, with the key in it; or the part of the request.
+             * @example cell.toml: zones
+             */
             where: string;
-            /** Found */
+            /**
+             * Found
+             * @description What was found, in English.
+             * @example operator contains the robot's base
+             */
             found: string;
-            /** Expected */
+            /**
+             * Expected
+             * @description What was expected, in English.
+             * @example a zone beside the robot
+             */
             expected: string;
-            /** Code */
+            /**
+             * Code
+             * @description The same for every language; `GET /problems/{code}` describes it.
+             * @example cell-base-inside
+             */
             code: string;
-            /** Parameters */
+            /**
+             * Parameters
+             * @description What the code's words name: numbers in SI with the unit in their name.
+             * @example {
+             *       "zone": "operator"
+             *     }
+             */
             parameters?: {
                 [key: string]: unknown;
             };
@@ -1851,9 +3155,33 @@ export interface components {
          * @description Friction that the drives are known to have, one value for each joint: no news where a diagnosis finds it.
          */
         Friction: {
-            /** Coulomb N M */
+            /**
+             * Coulomb N M
+             * @description Coulomb friction of each joint, N m.
+             * @example [
+             *       5,
+             *       5,
+             *       3,
+             *       3,
+             *       2,
+             *       2,
+             *       1
+             *     ]
+             */
             coulomb_n_m: number[];
-            /** Viscous N M S */
+            /**
+             * Viscous N M S
+             * @description Viscous friction of each joint, N m per rad/s.
+             * @example [
+             *       8,
+             *       8,
+             *       5,
+             *       5,
+             *       3,
+             *       3,
+             *       2
+             *     ]
+             */
             viscous_n_m_s: number[];
         };
         /**
@@ -1861,23 +3189,44 @@ export interface components {
          * @description Root mean square of (measured - simulated) over its noise, on motions that the fit did not see.
          */
         GapPart: {
-            /** Before */
+            /**
+             * Before
+             * @description Measured minus simulated with the twin as it was, rms over its noise, on motions that the fit did not see.
+             * @example 4.2
+             */
             before: number;
-            /** After */
+            /**
+             * After
+             * @description The same with the explanation.
+             * @example 1.1
+             */
             after: number;
             /**
              * Floor
+             * @description What noise alone makes of it.
              * @default 1
+             * @example 1
              */
             floor?: number;
             /**
              * Unit
+             * @description Unit of these numbers.
              * @default noise sigma, rms
+             * @example noise sigma, rms
              */
             unit?: string;
-            /** Held Out */
+            /**
+             * Held Out
+             * @description Motions that the fit did not see.
+             * @example [
+             *       "rotate:z"
+             *     ]
+             */
             held_out: string[];
-            /** By Channel */
+            /**
+             * By Channel
+             * @description The same by channel of the wrench.
+             */
             by_channel: {
                 [key: string]: components["schemas"]["Change"];
             };
@@ -1889,17 +3238,50 @@ export interface components {
         Health: {
             /**
              * Status
+             * @description The service and its store answer.
              * @constant
              */
             status: "ok";
-            /** Version */
+            /**
+             * Version
+             * @description Release of the service.
+             * @example 0.1.0
+             */
             version: string;
             /**
              * Safety Rated
+             * @description Always false: it is not a safety function.
              * @default false
              * @constant
              */
             safety_rated?: false;
+        };
+        /**
+         * Instruction
+         * @description What the person at the robot has to do.
+         */
+        Instruction: {
+            /**
+             * Level
+             * @description Whose it is: nothing to do, act at the robot, measure once more, or ask an engineer.
+             * @enum {string}
+             */
+            level: "nothing" | "act" | "measure" | "ask";
+            /** @description The verdict, for everybody. */
+            sentence: components["schemas"]["Message"];
+            /** @description What to do, and what then. */
+            next: components["schemas"]["Message"];
+            /**
+             * Further
+             * @description What has to be done besides.
+             */
+            further?: components["schemas"]["Message"][];
+            /**
+             * At S
+             * @description When it happened, from the beginning of the recording, s; null where it did not happen at one time.
+             * @example 31.4
+             */
+            at_s?: number | null;
         };
         /**
          * JobState
@@ -1919,81 +3301,196 @@ export interface components {
          *     account for. None where it was not recorded, or the arm's masses are not known.
          */
         JointGap: {
-            /** Joint */
+            /**
+             * Joint
+             * @description Name of the joint.
+             * @example joint_4
+             */
             joint: string;
-            /** Tracking Rms Rad */
+            /**
+             * Tracking Rms Rad
+             * @description Error of tracking while it moves, rms, rad; null where it was not recorded.
+             * @example 0.0006
+             */
             tracking_rms_rad: number | null;
-            /** Tracking Noise Rad */
+            /**
+             * Tracking Noise Rad
+             * @description Noise of one sample of it, rad.
+             * @example 0.0001
+             */
             tracking_noise_rad: number | null;
-            /** Torque Rms N M */
+            /**
+             * Torque Rms N M
+             * @description Torque that arm and payload do not account for, rms, N m; null where it was not recorded or the masses are not known.
+             * @example 1.9
+             */
             torque_rms_n_m: number | null;
         };
         /**
-         * KeyMade
+         * KeyCreate
+         * @description A machine that is to be let in.
+         */
+        KeyCreate: {
+            /**
+             * Name
+             * @description Name of the machine.
+             * @example line-3
+             */
+            name: string;
+            /**
+             * @description What it may do; a machine is never operator or admin.
+             * @enum {unknown}
+             */
+            role: components["schemas"]["Role"];
+            /**
+             * Valid Days
+             * @description Days until it ends; without end where null.
+             * @example 365
+             */
+            valid_days?: number | null;
+        };
+        /**
+         * KeyIssued
          * @description A new key; this is the only time that it is shown.
          */
-        KeyMade: {
-            /** Name */
+        KeyIssued: {
+            /**
+             * Name
+             * @description Name of the machine.
+             * @example line-3
+             */
             name: string;
-            /** Prefix */
+            /**
+             * Prefix
+             * @description First characters of the key, to recognise it by.
+             * @example heft_a1b2
+             */
             prefix: string;
+            /** @description What it may do. */
             role: components["schemas"]["Role"];
-            /** Created By */
+            /**
+             * Created By
+             * @description Who made it.
+             * @example account:admin
+             */
             created_by: string;
             /**
              * Created At
              * Format: date-time
+             * @description When it was made.
+             * @example 2026-03-01T07:00:00Z
              */
             created_at: string;
-            /** Expires At */
+            /**
+             * Expires At
+             * @description When it ends; null where it does not.
+             * @example 2027-03-01T07:00:00Z
+             */
             expires_at: string | null;
-            /** Key */
+            /**
+             * Used At
+             * @description When it was shown last, to the minute; null for one that nothing has shown yet.
+             * @example 2026-03-01T09:12:00Z
+             */
+            used_at: string | null;
+            /**
+             * Key
+             * @description The key itself. This is the only time that it is shown.
+             * @example heft_a1b2c3d4e5f6...
+             */
             key: string;
         };
         /**
-         * KeyShown
+         * KeyPublic
          * @description A machine's key; the key itself is not kept.
          */
-        KeyShown: {
-            /** Name */
+        KeyPublic: {
+            /**
+             * Name
+             * @description Name of the machine.
+             * @example line-3
+             */
             name: string;
-            /** Prefix */
+            /**
+             * Prefix
+             * @description First characters of the key, to recognise it by.
+             * @example heft_a1b2
+             */
             prefix: string;
+            /** @description What it may do. */
             role: components["schemas"]["Role"];
-            /** Created By */
+            /**
+             * Created By
+             * @description Who made it.
+             * @example account:admin
+             */
             created_by: string;
             /**
              * Created At
              * Format: date-time
+             * @description When it was made.
+             * @example 2026-03-01T07:00:00Z
              */
             created_at: string;
-            /** Expires At */
+            /**
+             * Expires At
+             * @description When it ends; null where it does not.
+             * @example 2027-03-01T07:00:00Z
+             */
             expires_at: string | null;
+            /**
+             * Used At
+             * @description When it was shown last, to the minute; null for one that nothing has shown yet.
+             * @example 2026-03-01T09:12:00Z
+             */
+            used_at: string | null;
         };
         /**
          * LargestTorque
          * @description Where a joint has to give the largest share of its torque, for JSON.
-         *
-         *     Args:
-         *         torque_n_m: dynamic, friction as far as the cell states it; `holding_n_m` of it hold arm and load still there.
-         *         limit_n_m: `effort` of the URDF.
-         *         ratio: torque over limit.
-         *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
          */
         LargestTorque: {
-            /** Joint */
+            /**
+             * Joint
+             * @description Name of the joint.
+             * @example joint_2
+             */
             joint: string;
-            /** Torque N M */
+            /**
+             * Torque N M
+             * @description Torque that it has to give, dynamic, friction as far as the cell states it, N m.
+             * @example 48
+             */
             torque_n_m: number;
-            /** Holding N M */
+            /**
+             * Holding N M
+             * @description What of it holds arm and load still there, N m.
+             * @example 41
+             */
             holding_n_m: number;
-            /** Limit N M */
+            /**
+             * Limit N M
+             * @description What it has (`effort` of the URDF), N m.
+             * @example 176
+             */
             limit_n_m: number;
-            /** Ratio */
+            /**
+             * Ratio
+             * @description Torque over limit, without a unit.
+             * @example 0.27
+             */
             ratio: number;
-            /** Part */
+            /**
+             * Part
+             * @description Part of the plan: `transfer x+`, `rotation x`, `home`.
+             * @example transfer z-
+             */
             part: string;
-            /** Time S */
+            /**
+             * Time S
+             * @description When, from the beginning of that part, s.
+             * @example 2.1
+             */
             time_s: number;
         };
         /**
@@ -2001,10 +3498,19 @@ export interface components {
          * @description How late it was, and what was allowed.
          */
         Lateness: {
+            /** @description What was late. */
             cause: components["schemas"]["Cause"];
-            /** Late S */
+            /**
+             * Late S
+             * @description How late it was, s.
+             * @example 0.42
+             */
             late_s: number;
-            /** Limit S */
+            /**
+             * Limit S
+             * @description How late it might have been, s.
+             * @example 0.22
+             */
             limit_s: number;
         };
         /**
@@ -2012,137 +3518,240 @@ export interface components {
          * @description Two bodies of which nothing is asked, and why, for JSON.
          */
         LeftOutPair: {
-            /** First */
+            /**
+             * First
+             * @description The one body.
+             * @example link_1
+             */
             first: string;
-            /** Second */
+            /**
+             * Second
+             * @description The other body.
+             * @example floor
+             */
             second: string;
+            /** @description Why nothing is asked of them. */
             why: components["schemas"]["Message"];
         };
         /**
          * Limits
          * @description What no point of the robot may exceed.
          *
-         *     Args:
-         *         cartesian_speed_m_s: of every point of every link and every corner of the boxes of payload and tools. At most four times what
-         *             ISO 10218-1 calls reduced speed, 0.25 m/s: room for cells whose own safety functions allow more, none for 25 or 250 by a slip
-         *             of the unit. Below 5 mm/s a plan takes hours.
-         *         clearance_m: smallest distance to obstacles, protected zones and the floor. At most 0.5 m, all round: no arm has room for more.
-         *         self_clearance_m: smallest distance between links. At most 0.2 m: links of one arm are no farther apart.
+         *     The speed is at most four times what ISO 10218-1 calls reduced speed, 0.25 m/s: room for cells whose own safety functions allow more,
+         *     none for 25 or 250 by a slip of the unit; below 5 mm/s a plan takes hours. No arm has room for a clearance of more than 0.5 m all
+         *     round, nor are links of one arm more than 0.2 m apart.
          */
         Limits: {
             /**
              * Cartesian Speed M S
+             * @description No point of links, payload or tools moves faster, m/s; 0.25 is ISO 10218-1's reduced speed.
              * @default 0.25
+             * @example 0.25
              */
             cartesian_speed_m_s?: number;
             /**
              * Clearance M
+             * @description Smallest distance to obstacles, protected zones and the floor, m.
              * @default 0.03
+             * @example 0.03
              */
             clearance_m?: number;
             /**
              * Self Clearance M
+             * @description Smallest distance between links, m.
              * @default 0.01
+             * @example 0.01
              */
             self_clearance_m?: number;
         };
         /**
-         * LinkAnswer
+         * LinkPublic
          * @description The connection of whoever is in control, in the last 60 s.
-         *
-         *     Args:
-         *         lost_share: of the stamps, those not answered within the lease.
-         *         longest_gap_s: the longest time that control rested on one answer; the lease is what it may be.
-         *         advised: whether the link is good enough for a release; over one that is not, a run is likely to be put on hold.
          */
-        LinkAnswer: {
-            /** Round Trip P50 S */
+        LinkPublic: {
+            /**
+             * Round Trip P50 S
+             * @description Half of the stamps came back within this time, s.
+             * @example 0.012
+             */
             round_trip_p50_s: number;
-            /** Round Trip P99 S */
+            /**
+             * Round Trip P99 S
+             * @description 99 % of the stamps came back within this time, s.
+             * @example 0.14
+             */
             round_trip_p99_s: number;
-            /** Lost Share */
+            /**
+             * Lost Share
+             * @description Share of the stamps that were not answered within the lease, 0 to 1.
+             * @example 0.002
+             */
             lost_share: number;
-            /** Longest Gap S */
+            /**
+             * Longest Gap S
+             * @description The longest time that control rested on one answer, s; the lease is what it may be.
+             * @example 0.31
+             */
             longest_gap_s: number;
-            /** Answers */
+            /**
+             * Answers
+             * @description How many stamps were answered.
+             * @example 1180
+             */
             answers: number;
-            /** Window S */
+            /**
+             * Window S
+             * @description Over how long this was measured, s.
+             * @example 60
+             */
             window_s: number;
-            /** Advised */
+            /**
+             * Advised
+             * @description Whether the link is good enough for a release; over one that is not, a run is likely to be put on hold.
+             */
             advised: boolean;
         };
         /**
          * LiveBatch
          * @description Newest samples of a run.
-         *
-         *     Args:
-         *         t_s: robot's clock, one per row of `wrench`.
-         *         wrench: rows of fx fy fz (N) tx ty tz (N m), raw, sensor frame.
-         *         reconstructed: what the estimate so far says the last row should be; null while nothing is known.
-         *         phi, phi_std: the estimate so far in the paper's order, with its standard uncertainty.
-         *         q_rad: joint positions at the last row.
-         *         progress: share of the robot time, 0 to 1; `eta_s` what is left of it by the wall clock.
          */
         LiveBatch: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which message it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "samples";
-            /** Phase */
+            /**
+             * Phase
+             * @description What the robot does: `transfer`, `hold:x+`, `rotate:x`, `home`.
+             * @example rotate:x
+             */
             phase: string;
-            /** T S */
+            /**
+             * T S
+             * @description Times of the samples by the robot's clock, s, one for each row of `wrench`.
+             * @example [
+             *       12.004,
+             *       12.006
+             *     ]
+             */
             t_s: number[];
-            /** Wrench */
+            /**
+             * Wrench
+             * @description Rows of fx fy fz (N) tx ty tz (N m), raw, sensor frame.
+             * @example [
+             *       [
+             *         -27.3,
+             *         0.4,
+             *         1.2,
+             *         0.01,
+             *         -1.31,
+             *         0.44
+             *       ]
+             *     ]
+             */
             wrench: number[][];
-            /** Reconstructed */
+            /**
+             * Reconstructed
+             * @description What the estimate so far says the last row should be, N and N m; null while nothing is known.
+             * @example [
+             *       -27.2,
+             *       0.3,
+             *       1.2,
+             *       0.01,
+             *       -1.3,
+             *       0.44
+             *     ]
+             */
             reconstructed: number[] | null;
-            /** Phi */
+            /**
+             * Phi
+             * @description The estimate so far: mass (kg), first moment (kg m), inertia (kg m2); null is what is not known yet.
+             * @example [
+             *       2.78,
+             *       0,
+             *       -0.047,
+             *       0.1,
+             *       null,
+             *       null,
+             *       null,
+             *       null,
+             *       null,
+             *       null
+             *     ]
+             */
             phi: (number | null)[];
-            /** Phi Std */
+            /**
+             * Phi Std
+             * @description Its standard uncertainties, in the same units.
+             * @example [
+             *       0.01,
+             *       0.001,
+             *       0.001,
+             *       0.001,
+             *       null,
+             *       null,
+             *       null,
+             *       null,
+             *       null,
+             *       null
+             *     ]
+             */
             phi_std: (number | null)[];
-            /** Q Rad */
+            /**
+             * Q Rad
+             * @description Joint positions at the last row, rad.
+             * @example [
+             *       0.1,
+             *       0.9,
+             *       0,
+             *       -1.4,
+             *       0.2,
+             *       1.1,
+             *       0
+             *     ]
+             */
             q_rad: number[];
+            /** @description The nearest pair of the robot and what stands around it; null where nothing does. */
             nearest: components["schemas"]["NearestPart"] | null;
-            /** Progress */
+            /**
+             * Progress
+             * @description Share of the robot's time that is over, 0 to 1.
+             * @example 0.42
+             */
             progress: number;
-            /** Eta S */
+            /**
+             * Eta S
+             * @description Time that is left by the wall clock, s; null where it is not known.
+             * @example 33.9
+             */
             eta_s: number | null;
-        };
-        /**
-         * Lost
-         * @description A number that a target has no place for; `times_std` is its size in multiples of its uncertainty.
-         */
-        Lost: {
-            /** Name */
-            name: string;
-            /** Value */
-            value: number;
-            /** Std */
-            std: number;
-            /** Unit */
-            unit: string;
-            /** Times Std */
-            times_std: number;
         };
         /**
          * Message
          * @description A code of the catalogue and what its words name.
-         *
-         *     Args:
-         *         code: which message; it begins with the name of the catalogue's file that has its words.
-         *         parameters: what it names: numbers in SI with the unit in their name (`distance_m`), names, lists, other messages.
          */
         Message: {
-            /** Code */
+            /**
+             * Code
+             * @description Which message of the catalogue; `GET /problems/{code}` describes it.
+             * @example runs-cancelled
+             */
             code: string;
-            /** Parameters */
+            /**
+             * Parameters
+             * @description What its words name: numbers in SI with the unit in their name, texts, lists, other messages.
+             * @example {
+             *       "who": "key:line-3"
+             *     }
+             */
             parameters?: {
                 [key: string]: unknown;
             };
             /**
              * Text
              * @description It in English, for those who read no codes.
+             * @example cancelled by key:line-3.
              */
             readonly text: string;
         };
@@ -2151,36 +3760,49 @@ export interface components {
          * @description An effect on the wrench that was detected, but is not material.
          */
         Minor: {
-            /** Id */
+            /**
+             * Id
+             * @description Name of the effect.
+             * @example sensor_drift
+             */
             id: string;
-            /** Parameters */
+            /**
+             * Parameters
+             * @description Its fitted parameters by name.
+             */
             parameters: {
                 [key: string]: components["schemas"]["Value"];
             };
+            /** @description What was seen. */
             message: components["schemas"]["Message"];
         };
         /**
-         * MotionBody
+         * MotionCreate
          * @description How the proposed motion is to be made.
-         *
-         *     Args:
-         *         payload: what the robot carries now; another one than the diagnosed one is refused. The diagnosed one where absent.
-         *         planner, pace: as for any run.
-         *         seed: one more than that of the run that is continued where absent, so that the simulated noise is another one.
          */
-        MotionBody: {
-            /** Payload */
+        MotionCreate: {
+            /**
+             * Payload
+             * @description What the robot carries now: another one than the diagnosed one is refused; the diagnosed one where null.
+             * @example steel_block
+             */
             payload?: string | null;
             /**
              * Planner
+             * @description Algorithm that looks for paths.
              * @default rrt_connect
              * @enum {string}
              */
             planner?: "rrt_connect" | "rrt_star";
-            /** Seed */
+            /**
+             * Seed
+             * @description Makes planning and the simulated noise repeatable; one more than that of the continued run where null.
+             * @example 1
+             */
             seed?: number | null;
             /**
              * Pace
+             * @description Of the simulated robot.
              * @default real_time
              * @enum {string}
              */
@@ -2191,31 +3813,59 @@ export interface components {
          * @description An effect that the diagnosis named; `closure` is the share of the gap that goes away with it.
          */
         NamedEffect: {
-            /** Id */
+            /**
+             * Id
+             * @description Name of the effect.
+             * @example time_delay
+             */
             id: string;
-            /** Probability */
+            /**
+             * Probability
+             * @description Its probability, 0 to 1.
+             * @example 0.93
+             */
             probability: number;
-            /** Closure */
+            /**
+             * Closure
+             * @description Share of the gap that goes away with it, 0 to 1.
+             * @example 0.97
+             */
             closure: number;
         };
         /**
          * NearestFlight
          * @description The flight of a load that comes off on the way which comes nearest to a protected zone, for JSON.
-         *
-         *     Args:
-         *         speed_m_s: of the fastest point as it comes off.
-         *         part: `transfer x+`, `rotation x`, `home`; `time_s` counts from its beginning.
          */
         NearestFlight: {
-            /** Zone */
+            /**
+             * Zone
+             * @description Name of the protected zone.
+             * @example operator
+             */
             zone: string;
-            /** Distance M */
+            /**
+             * Distance M
+             * @description How near the flight comes to it, m.
+             * @example 0.42
+             */
             distance_m: number;
-            /** Speed M S */
+            /**
+             * Speed M S
+             * @description Of the fastest point as it comes off, m/s.
+             * @example 0.21
+             */
             speed_m_s: number;
-            /** Part */
+            /**
+             * Part
+             * @description Part of the plan: `transfer x+`, `rotation x`, `home`.
+             * @example rotation y
+             */
             part: string;
-            /** Time S */
+            /**
+             * Time S
+             * @description When the load comes off, from the beginning of that part, s.
+             * @example 1.7
+             */
             time_s: number;
         };
         /**
@@ -2223,153 +3873,393 @@ export interface components {
          * @description The nearest pair of the robot and what stands around it.
          */
         NearestPart: {
-            /** Distance M */
-            distance_m: number;
-            /** First */
-            first: string;
-            /** Second */
-            second: string;
-            /** Point First M */
-            point_first_m: number[];
-            /** Point Second M */
-            point_second_m: number[];
-        };
-        /**
-         * NewAccount
-         * @description Somebody who is to sign in.
-         */
-        NewAccount: {
-            /** Name */
-            name: string;
             /**
-             * Password
-             * Format: password
+             * Distance M
+             * @description Their distance, m.
+             * @example 0.131
              */
-            password: string;
-            /** Roles */
-            roles: components["schemas"]["Role"][];
-        };
-        /**
-         * NewKey
-         * @description A machine that is to be let in.
-         */
-        NewKey: {
-            /** Name */
-            name: string;
-            /** @enum {unknown} */
-            role: components["schemas"]["Role"];
-            /** Valid Days */
-            valid_days?: number | null;
+            distance_m: number;
+            /**
+             * First
+             * @description The body of the robot.
+             * @example link_5
+             */
+            first: string;
+            /**
+             * Second
+             * @description What stands around it.
+             * @example bench
+             */
+            second: string;
+            /**
+             * Point First M
+             * @description Nearest point of `first`, m, world frame.
+             * @example [
+             *       0.41,
+             *       0.02,
+             *       0.63
+             *     ]
+             */
+            point_first_m: number[];
+            /**
+             * Point Second M
+             * @description Nearest point of `second`, m, world frame.
+             * @example [
+             *       0.41,
+             *       0.02,
+             *       0.5
+             *     ]
+             */
+            point_second_m: number[];
         };
         /**
          * Obstacle
          * @description Something solid that stands in the cell.
          */
         Obstacle: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the obstacle.
+             * @example bench
+             */
             name: string;
-            /** Shape */
+            /**
+             * Shape
+             * @description Its shape and place, world frame.
+             */
             shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
         };
         /**
          * OpenedTrial
          * @description A finished trial.
-         *
-         *     Args:
-         *         sealed: the text whose SHA-256 is the seal: cell, payload, faults and their parameters.
-         *         planted: the faults in words, `size` in plausible sizes of them.
-         *         verdict, named: what the diagnosis said; `named` is its first effect, `effects` are all of them, the most probable first.
-         *         also: what it saw beside the verdict, elsewhere than in the wrench, and called material.
-         *         gap_before, gap_after: root mean square of measured minus simulated, in multiples of the noise, on motions that no fit saw.
-         *         mark: whether that was right, in words.
          */
         OpenedTrial: {
-            /** Seed */
+            /**
+             * Seed
+             * @description Seed of the trial.
+             * @example 0
+             */
             seed: number;
-            /** Sealed */
+            /**
+             * Sealed
+             * @description The text whose SHA-256 is the seal: cell, payload, faults and their parameters.
+             * @example {"cell": "lwr4_bench"}
+             */
             sealed: string;
+            /** @description The faults in words. */
             planted: components["schemas"]["Message"];
-            /** Size */
+            /**
+             * Size
+             * @description Their size, in plausible sizes of them.
+             * @example 1.4
+             */
             size: number;
-            /** Verdict */
+            /**
+             * Verdict
+             * @description What the diagnosis said, in one word.
+             * @example explained
+             */
             verdict: string;
-            /** Named */
+            /**
+             * Named
+             * @description The first effect that it named; null where it named none.
+             * @example time_delay
+             */
             named: string | null;
-            /** Effects */
+            /**
+             * Effects
+             * @description All that it named, the most probable first.
+             */
             effects: components["schemas"]["NamedEffect"][];
             /**
              * Also
+             * @description What it saw beside the verdict, elsewhere than in the wrench, and called material.
              * @default []
+             * @example [
+             *       "joint_backlash"
+             *     ]
              */
             also?: string[];
-            /** None Probability */
+            /**
+             * None Probability
+             * @description Probability that there is no gap worth a name, 0 to 1.
+             * @example 0.01
+             */
             none_probability: number;
-            /** Unknown Probability */
+            /**
+             * Unknown Probability
+             * @description Probability that it is something the library does not have, 0 to 1.
+             * @example 0.04
+             */
             unknown_probability: number;
-            /** Gap Before */
+            /**
+             * Gap Before
+             * @description Measured minus simulated, rms in multiples of the noise, on motions that no fit saw; null where there was too little.
+             * @example 4.2
+             */
             gap_before: number | null;
-            /** Gap After */
+            /**
+             * Gap After
+             * @description The same with what it named.
+             * @example 1.1
+             */
             gap_after: number | null;
+            /** @description Whether that was right, in words. */
             mark: components["schemas"]["Message"];
+        };
+        /**
+         * OrderPublic
+         * @description A run that is not over, in the queue of its cell.
+         */
+        OrderPublic: {
+            /**
+             * Cell
+             * @description Whose queue.
+             * @example lwr4_bench
+             */
+            cell: string;
+            /**
+             * Position
+             * @description In the queue; 0 has the cell.
+             * @example 0
+             */
+            position: number;
+            /**
+             * @description The order before it (order), its plan, a person's release, Resume, a free path, or that the aborted run is cleared; null while it goes on by itself.
+             * @example release
+             */
+            waits_for: components["schemas"]["WaitsFor"] | null;
+            /**
+             * Ended By Stop
+             * @description Whether STOP at this cell would end it now; those behind it stay.
+             * @example true
+             */
+            ended_by_stop: boolean;
+            /** @description The run itself, with who sent it. */
+            run: components["schemas"]["RunPublic"];
+        };
+        /**
+         * OrderReference
+         * @description An order as the plant names it; null is what nobody said.
+         */
+        OrderReference: {
+            /**
+             * Order Id
+             * @description Identifier of the job order (ISA-95).
+             * @example JO-2026-004711
+             */
+            order_id?: string | null;
+            /**
+             * Work Order
+             * @description The work order that it belongs to.
+             * @example WO-88120
+             */
+            work_order?: string | null;
+            /**
+             * Serial Number
+             * @description Of what the robot carries.
+             * @example SN-000482
+             */
+            serial_number?: string | null;
         };
         /**
          * Origin
          * @description What was diagnosed, as far as the twin is concerned that takes something from it.
-         *
-         *     Args:
-         *         recording: name of its folder; `sha256`: of its files.
-         *         cell: that it names.
-         *         joints: how many it has; 0 where it has poses only.
-         *         twin: what the diagnosis began with, see `core.twin.twin.Twin.hashes`; also what could not be evaluated in this recording.
          */
         Origin: {
-            /** Recording */
+            /**
+             * Recording
+             * @description Name of the recording's folder.
+             * @example recording
+             */
             recording: string;
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description SHA-256 of the recording's files, hexadecimal.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
             sha256: string;
-            /** Cell */
+            /**
+             * Cell
+             * @description Cell that the recording names.
+             * @example lwr4_bench
+             */
             cell: string | null;
-            /** Joints */
+            /**
+             * Joints
+             * @description How many joints it has; 0 where it has poses only.
+             * @example 7
+             */
             joints: number;
-            /** Twin */
+            /**
+             * Robot
+             * @description Direction and moment (m) of each joint's axis, base frame, joints at zero; null where the recording does not say, and in answers of earlier versions.
+             * @example [
+             *       [
+             *         0,
+             *         0,
+             *         1,
+             *         0,
+             *         0,
+             *         0
+             *       ],
+             *       [
+             *         0,
+             *         1,
+             *         0,
+             *         -0.31,
+             *         0,
+             *         0
+             *       ]
+             *     ]
+             */
+            robot?: number[][] | null;
+            /**
+             * Begins S
+             * @description Time of its first sample, s.
+             * @default 0
+             * @example 0
+             */
+            begins_s?: number;
+            /**
+             * Twin
+             * @description Effects that the diagnosis began with and their digests; also what could not be evaluated in this recording.
+             * @example {
+             *       "time_delay": "3f9c2ab17d"
+             *     }
+             */
             twin: {
                 [key: string]: string;
             };
         };
         /**
-         * OverlayAnswer
+         * OverlayPublic
          * @description What a diagnosis compared, thinned out: of each stretch of time the moment in which measured and simulated lie furthest apart.
-         *
-         *     Args:
-         *         t_s: times; `phase` is the motion at each.
          */
-        OverlayAnswer: {
-            /** T S */
+        OverlayPublic: {
+            /**
+             * T S
+             * @description Times, s: of each stretch the moment in which measured and simulated lie furthest apart.
+             * @example [
+             *       12,
+             *       12.5
+             *     ]
+             */
             t_s: number[];
-            /** Phase */
+            /**
+             * Phase
+             * @description The motion at each time.
+             * @example [
+             *       "rotate:x",
+             *       "rotate:x"
+             *     ]
+             */
             phase: string[];
-            /** Channels */
+            /**
+             * Channels
+             * @description The six channels of the wrench.
+             */
             channels: components["schemas"]["ChannelOverlay"][];
+        };
+        /**
+         * OwnSession
+         * @description A browser that the caller is signed in with.
+         */
+        OwnSession: {
+            /**
+             * Id
+             * @description Names the session; it opens nothing.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            id: string;
+            /**
+             * Browser
+             * @description As the browser names itself; null where it does not.
+             * @example Firefox 145 on Linux
+             */
+            browser: string | null;
+            /**
+             * Address
+             * @description That it signed in from.
+             * @example 10.20.0.31
+             */
+            address: string;
+            /**
+             * Created At
+             * Format: date-time
+             * @description When it signed in.
+             * @example 2026-03-01T06:00:00Z
+             */
+            created_at: string;
+            /**
+             * Used At
+             * Format: date-time
+             * @description When it was used last, to the minute.
+             * @example 2026-03-01T08:00:00Z
+             */
+            used_at: string;
+            /**
+             * Current
+             * @description Whether it is the one that asks.
+             */
+            current: boolean;
+        };
+        /**
+         * Package
+         * @description A library that is installed beside the service.
+         */
+        Package: {
+            /**
+             * Name
+             * @description As the package index has it.
+             * @example mujoco
+             */
+            name: string;
+            /**
+             * Version
+             * @description As it says itself.
+             * @example 3.3.1
+             */
+            version: string;
         };
         /**
          * Pair
          * @description Two effects at once; `addable` and `why_not` as of one, `covariance` of the parameters of each.
          */
         Pair: {
-            /** Ids */
+            /**
+             * Ids
+             * @description Names of the two effects.
+             * @example [
+             *       "time_delay",
+             *       "base_tilt"
+             *     ]
+             */
             ids: [
                 string,
                 string
             ];
-            /** Probability */
+            /**
+             * Probability
+             * @description Probability of this explanation, 0 to 1.
+             * @example 0.71
+             */
             probability: number;
-            /** Gap After */
+            /**
+             * Gap After
+             * @description What is left of the gap with both, in multiples of the noise (rms).
+             * @example 1.05
+             */
             gap_after: number;
-            /** Closure */
+            /**
+             * Closure
+             * @description Share of the gap that goes away with both, 0 to 1.
+             * @example 0.98
+             */
             closure: number;
             /**
              * Parameters
-             * @default {}
+             * @description Fitted parameters by effect and name.
              */
             parameters?: {
                 [key: string]: {
@@ -2378,13 +4268,22 @@ export interface components {
             };
             /**
              * Addable
+             * @description Whether the cell's twin would take both.
              * @default false
              */
             addable?: boolean;
+            /** @description What stands against that; null where nothing does. */
             why_not?: components["schemas"]["Message"] | null;
             /**
              * Covariance
-             * @default {}
+             * @description Of the parameters of each effect, each row up to the diagonal.
+             * @example {
+             *       "time_delay": [
+             *         [
+             *           4e-8
+             *         ]
+             *       ]
+             *     }
              */
             covariance?: {
                 [key: string]: number[][];
@@ -2395,24 +4294,58 @@ export interface components {
          * @description Algorithms 1-5 with Eq. (8)-(10).
          */
         PaperPart: {
-            /** Phi */
+            /**
+             * Phi
+             * @description The paper's estimate: mass (kg), first moment (kg m), inertia (kg m2); null is what it leaves out.
+             * @example [
+             *       2.79,
+             *       0.001,
+             *       -0.047,
+             *       0.102,
+             *       0.007,
+             *       null,
+             *       null,
+             *       0.0067,
+             *       null,
+             *       0.0034
+             *     ]
+             */
             phi: (number | null)[];
-            /** Std */
+            /**
+             * Std
+             * @description Its standard deviations by Eq. (8) to (10), in the same units.
+             * @example [
+             *       0.002,
+             *       0.0003,
+             *       0.0003,
+             *       0.0003,
+             *       0.0001,
+             *       null,
+             *       null,
+             *       0.0001,
+             *       null,
+             *       0.0001
+             *     ]
+             */
             std: (number | null)[];
         };
         /**
-         * PasswordChange
+         * PasswordUpdate
          * @description The password until now, and from now on.
          */
-        PasswordChange: {
+        PasswordUpdate: {
             /**
              * Password
              * Format: password
+             * @description The password until now.
+             * @example a long sentence of your own
              */
             password: string;
             /**
              * New Password
              * Format: password
+             * @description The password from now on, at least 12 characters.
+             * @example another long sentence
              */
             new_password: string;
         };
@@ -2421,30 +4354,81 @@ export interface components {
          * @description Channel x motion x band.
          */
         PatchPart: {
-            /** Channel */
+            /**
+             * Channel
+             * @description Channel of the wrench.
+             * @example ty
+             */
             channel: string;
-            /** Phase */
+            /**
+             * Phase
+             * @description The motion.
+             * @example rotate:x
+             */
             phase: string;
-            /** Band Hz */
+            /**
+             * Band Hz
+             * @description Band of frequencies, Hz.
+             * @example [
+             *       0.5,
+             *       2
+             *     ]
+             */
             band_hz: [
                 number,
                 number
             ];
-            /** Times Noise */
+            /**
+             * Times Noise
+             * @description Gap there, in multiples of the noise (rms).
+             * @example 4.2
+             */
             times_noise: number;
-            /** Share */
+            /**
+             * Share
+             * @description Share of the whole gap that lies there, 0 to 1.
+             * @example 0.31
+             */
             share: number;
         };
         /**
          * PathPart
-         * @description A planned transfer: joint positions every `period_s`, to look at; what is commanded lies between them.
+         * @description A planned motion: joint positions every `period_s`, to look at; what is commanded lies between them.
          */
         PathPart: {
-            /** Toward */
+            /**
+             * Part
+             * @description What it is, as the summary names it: `transfer x+`, `rotation x`, `wave free`, `home`.
+             * @example transfer x+
+             */
+            part: string;
+            /**
+             * Toward
+             * @description `x+` or `home` of a transfer, the sensor axis of a rotation.
+             * @example x+
+             */
             toward: string;
-            /** Period S */
+            /**
+             * Period S
+             * @description Time between two rows of `q_rad`, the last of which may come sooner, s.
+             * @example 0.05
+             */
             period_s: number;
-            /** Q Rad */
+            /**
+             * Q Rad
+             * @description Joint positions, rad, one row for each moment, the first and the last exactly where the motion begins and ends.
+             * @example [
+             *       [
+             *         0,
+             *         0.5,
+             *         0,
+             *         -1.2,
+             *         0,
+             *         0.8,
+             *         0
+             *       ]
+             *     ]
+             */
             q_rad: number[][];
         };
         /**
@@ -2452,17 +4436,44 @@ export interface components {
          * @description A payload that the cell knows: what the simulated robot carries, and the reference to compare with.
          */
         Payload: {
-            /** Title */
+            /**
+             * Title
+             * @description What people call it.
+             * @example Steel block
+             */
             title: string;
-            /** Mass Kg */
+            /**
+             * Mass Kg
+             * @description Mass, kg.
+             * @example 2.783
+             */
             mass_kg: number;
-            /** First Moment Kg M */
+            /**
+             * First Moment Kg M
+             * @description Mass times centre of mass, kg m, sensor frame.
+             * @example [
+             *       0,
+             *       -0.0468,
+             *       0.1015
+             *     ]
+             */
             first_moment_kg_m: [
                 number,
                 number,
                 number
             ];
-            /** Inertia Kg M2 */
+            /**
+             * Inertia Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the sensor's origin, kg m2.
+             * @example [
+             *       0.0069,
+             *       0,
+             *       0,
+             *       0.0066,
+             *       0.0017,
+             *       0.0033
+             *     ]
+             */
             inertia_kg_m2: [
                 number,
                 number,
@@ -2471,79 +4482,43 @@ export interface components {
                 number,
                 number
             ];
+            /** @description What certainly contains it, sensor frame. */
             box: components["schemas"]["Box"];
             /**
              * Source
+             * @description Where the numbers are from.
              * @default unknown
+             * @example CAD
              */
             source?: string;
-        };
-        /**
-         * PayloadAnswer
-         * @description The payload in the sensor frame; null is what is not determined, `reasons` says why.
-         *
-         *     Args:
-         *         com_m: centre of mass.
-         *         inertia_com_kg_m2: Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass; `inertia_sensor_kg_m2` about the sensor's origin.
-         *         parameters: mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2), in this order; `covariance` is theirs.
-         *         workpiece: without the tools that the cell knows, which everything else contains; null where it knows none.
-         */
-        PayloadAnswer: {
-            /** Run */
-            run: string;
-            /** Cell */
-            cell: string | null;
-            /** Payload */
-            payload: string | null;
-            verdict: components["schemas"]["Message"];
-            /** Warnings */
-            warnings: components["schemas"]["Message"][];
-            /** Mass Kg */
-            mass_kg: number | null;
-            /** Mass Std Kg */
-            mass_std_kg: number | null;
-            /** Com M */
-            com_m: (number | null)[];
-            /** Com Std M */
-            com_std_m: (number | null)[];
-            /** Inertia Com Kg M2 */
-            inertia_com_kg_m2: (number | null)[];
-            /** Inertia Com Std Kg M2 */
-            inertia_com_std_kg_m2: (number | null)[];
-            /** Inertia Sensor Kg M2 */
-            inertia_sensor_kg_m2: (number | null)[];
-            /** Inertia Sensor Std Kg M2 */
-            inertia_sensor_std_kg_m2: (number | null)[];
-            /** Parameters */
-            parameters: (number | null)[];
-            /** Covariance */
-            covariance: (number | null)[][];
-            /** Reasons */
-            reasons: {
-                [key: string]: components["schemas"]["Message"];
-            };
-            reference: components["schemas"]["ReferencePart"] | null;
-            paper: components["schemas"]["PaperPart"];
-            residual: components["schemas"]["ResidualPart"] | null;
-            /** Verification */
-            verification: components["schemas"]["VerificationPart"][];
-            safety: components["schemas"]["SafetyPart"] | null;
-            seconds: components["schemas"]["SecondsPart"];
-            /**
-             * Safety Rated
-             * @default false
-             * @constant
-             */
-            safety_rated?: false;
-            workpiece?: components["schemas"]["WorkpiecePart"] | null;
         };
         /**
          * PayloadPart
          * @description The payload before and after the effect was added.
          */
         PayloadPart: {
+            /** @description The payload as it was identified without the effect. */
             before: components["schemas"]["PhiPart"];
+            /** @description The payload as it is identified with it. */
             after: components["schemas"]["PhiPart"];
+            /**
+             * Change Over Interval
+             * @description After less before, of each parameter, in half widths of the 95 % interval that both uncertainties together give: a difference
+             *     inside either of the two intervals stays below 1. Null where no uncertainty is stated.
+             * @example [
+             *       0.4,
+             *       -1.2,
+             *       0.1,
+             *       3.6,
+             *       0,
+             *       0.2,
+             *       -0.1,
+             *       0.5,
+             *       0,
+             *       0.3
+             *     ]
+             */
+            readonly change_over_interval: (number | null)[];
         };
         /**
          * PhaseStarted
@@ -2551,17 +4526,33 @@ export interface components {
          */
         PhaseStarted: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "phase_started";
-            /** Phase */
+            /**
+             * Phase
+             * @description What the robot does: `transfer`, `hold:x+`, `rotate:x`, `home`.
+             * @example rotate:x
+             */
             phase: string;
-            /** Toward */
+            /**
+             * Toward
+             * @description Sensor axis and its sign at the end of the step, or `home`.
+             * @example x+
+             */
             toward: string;
-            /** Step */
+            /**
+             * Step
+             * @description Number of the step, from 1.
+             * @example 3
+             */
             step: number;
-            /** Steps */
+            /**
+             * Steps
+             * @description Steps of the plan, the way home included.
+             * @example 7
+             */
             steps: number;
         };
         /**
@@ -2569,25 +4560,65 @@ export interface components {
          * @description Phi in the paper's order, with standard uncertainties.
          */
         PhiPart: {
-            /** Phi */
+            /**
+             * Phi
+             * @description Mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2), in the paper's order.
+             * @example [
+             *       2.783,
+             *       0,
+             *       -0.0468,
+             *       0.1015,
+             *       0.0069,
+             *       0,
+             *       0,
+             *       0.0066,
+             *       0.0017,
+             *       0.0033
+             *     ]
+             */
             phi: number[];
-            /** Std */
+            /**
+             * Std
+             * @description Standard uncertainties of `phi`, in the same units.
+             * @example [
+             *       0.002,
+             *       0.0003,
+             *       0.0003,
+             *       0.0003,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
             std: number[];
         };
         /**
-         * PlanAnswer
+         * PlanPublic
          * @description A plan that waits for its release.
-         *
-         *     Args:
-         *         offer: comes back with the release; good for `expires_s` seconds.
          */
-        PlanAnswer: {
-            /** Run */
+        PlanPublic: {
+            /**
+             * Run
+             * @description Identifier of the run.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
             run: string;
+            /** @description What is going to happen. */
             plan: components["schemas"]["RunPlan"];
-            /** Offer */
+            /**
+             * Offer
+             * @description Comes back with the release.
+             * @example 81234.560.5f0c
+             */
             offer: string;
-            /** Expires S */
+            /**
+             * Expires S
+             * @description How long the offer is good, s.
+             * @example 60
+             */
             expires_s: number;
         };
         /**
@@ -2596,63 +4627,98 @@ export interface components {
          */
         PlanShown: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "plan_shown";
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description SHA-256 of the plan that waits, hexadecimal, see `GET /api/runs/{run}/plan`.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
             sha256: string;
-            /** Robot S */
+            /**
+             * Robot S
+             * @description Time that the robot will need, s.
+             * @example 58.4
+             */
             robot_s: number;
         };
         /**
          * PlanSummary
          * @description A plan for JSON.
-         *
-         *     Args:
-         *         least_margin_m: smallest distance beyond what is required, of everything that moves and along all of the plan.
-         *         least_distance_m: smallest distance of anything that moves to obstacles and zones; `second_opinion.closest` says of what, and what
-         *             it is without the links that only the first joint moves. None where there is neither, or in older plans.
-         *         left_out: pairs of which nothing is asked.
          */
         PlanSummary: {
-            /** Cell */
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
             cell: string;
-            /** Poses */
+            /**
+             * Poses
+             * @description The poses in the order of the procedure.
+             */
             poses: components["schemas"]["PlannedPose"][];
-            /** Home S */
+            /**
+             * Home S
+             * @description Time of the way home, s.
+             * @example 3.2
+             */
             home_s: number;
-            /** Robot S */
+            /**
+             * Robot S
+             * @description Time that the robot needs for all of it, s.
+             * @example 58.4
+             */
             robot_s: number;
-            /** Plan S */
+            /**
+             * Plan S
+             * @description Time that planning took, s.
+             * @example 4.2
+             */
             plan_s: number;
-            /** Least Margin M */
+            /**
+             * Least Margin M
+             * @description Smallest distance beyond what is required, of everything that moves and along all of the plan, m.
+             * @example 0.013
+             */
             least_margin_m: number;
+            /** @description What a check that shares no code with the planner measured; null in plans from before there was one. */
             second_opinion?: components["schemas"]["SecondOpinion"] | null;
+            /** @description What the plan asks of the joints; null in plans from before they were judged. */
             torques?: components["schemas"]["PlanTorques"] | null;
-            /** Least Distance M */
+            /**
+             * Least Distance M
+             * @description Smallest distance of anything that moves to obstacles and zones, m; null where there is neither, or in older plans.
+             * @example 0.043
+             */
             least_distance_m?: number | null;
             /**
              * Left Out
-             * @default []
+             * @description Pairs of bodies of which nothing is asked.
              */
             left_out?: components["schemas"]["LeftOutPair"][];
         };
         /**
          * PlanTorques
          * @description What a plan asks of the joints with the load that is stated, for JSON.
-         *
-         *     Args:
-         *         load: where mass and inertia of the load are from.
-         *         largest: None where no joint can be judged.
-         *         not_judged: joints with the reason.
          */
         PlanTorques: {
+            /** @description Where mass and inertia of the load are from. */
             load: components["schemas"]["Message"];
-            /** Mass Kg */
+            /**
+             * Mass Kg
+             * @description Mass of the load that was counted with, kg.
+             * @example 2.783
+             */
             mass_kg: number;
+            /** @description The joint that gives the largest share of its torque; null where none can be judged. */
             largest: components["schemas"]["LargestTorque"] | null;
-            /** Not Judged */
+            /**
+             * Not Judged
+             * @description Joints that cannot be judged, with the reason.
+             */
             not_judged: components["schemas"]["Message"][];
         };
         /**
@@ -2661,15 +4727,27 @@ export interface components {
          */
         Planned: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "planned";
-            /** Robot S */
+            /**
+             * Robot S
+             * @description Time that the robot will need, s.
+             * @example 58.4
+             */
             robot_s: number;
-            /** Plan S */
+            /**
+             * Plan S
+             * @description Time that planning took, s.
+             * @example 4.2
+             */
             plan_s: number;
-            /** Least Margin M */
+            /**
+             * Least Margin M
+             * @description Smallest distance beyond what is required, along all of the plan, m.
+             * @example 0.013
+             */
             least_margin_m: number;
         };
         /**
@@ -2677,23 +4755,67 @@ export interface components {
          * @description One pose of a plan, for JSON.
          */
         PlannedPose: {
-            /** Axis */
+            /**
+             * Axis
+             * @description Sensor axis and its sign: `x+` lies along gravity, `x-` against it; `free` where none does.
+             * @example x+
+             */
             axis: string;
-            /** Q Rad */
+            /**
+             * Q Rad
+             * @description Joint positions, rad.
+             * @example [
+             *       0.1,
+             *       0.9,
+             *       0,
+             *       -1.4,
+             *       0.2,
+             *       1.1,
+             *       0
+             *     ]
+             */
             q_rad: number[];
-            /** Clearance M */
+            /**
+             * Clearance M
+             * @description Distance to obstacles and zones there, m.
+             * @example 0.184
+             */
             clearance_m: number;
-            /** Least Clearance M */
+            /**
+             * Least Clearance M
+             * @description The smallest over the whole rotation, m.
+             * @example 0.121
+             */
             least_clearance_m: number;
-            /** Nearest */
+            /**
+             * Nearest
+             * @description Name of the obstacle or zone that is nearest.
+             * @example bench
+             */
             nearest: string;
-            /** Manipulability */
+            /**
+             * Manipulability
+             * @description Smallest over largest singular value of the Jacobian, without a unit.
+             * @example 0.12
+             */
             manipulability: number;
-            /** Transfer S */
+            /**
+             * Transfer S
+             * @description Time of the way there, s.
+             * @example 3.8
+             */
             transfer_s: number;
-            /** Transfer Least Margin M */
+            /**
+             * Transfer Least Margin M
+             * @description Smallest distance beyond what is required on the way there, m.
+             * @example 0.021
+             */
             transfer_least_margin_m: number;
-            /** Rotation S */
+            /**
+             * Rotation S
+             * @description Time of the rotation, s; null where there is none.
+             * @example 4.1
+             */
             rotation_s: number | null;
         };
         /**
@@ -2703,10 +4825,16 @@ export interface components {
         Pose: {
             /**
              * Xyz M
+             * @description Translation x y z, m.
              * @default [
              *       0,
              *       0,
              *       0
+             *     ]
+             * @example [
+             *       1.2,
+             *       0,
+             *       0.6
              *     ]
              */
             xyz_m?: [
@@ -2716,10 +4844,16 @@ export interface components {
             ];
             /**
              * Rpy Rad
+             * @description Roll, pitch, yaw about the fixed axes, rad: yaw after pitch after roll.
              * @default [
              *       0,
              *       0,
              *       0
+             *     ]
+             * @example [
+             *       0,
+             *       0,
+             *       1.5708
              *     ]
              */
             rpy_rad?: [
@@ -2729,29 +4863,56 @@ export interface components {
             ];
         };
         /**
-         * ProblemDescribed
+         * ProblemDescription
          * @description A problem, or a kind of problems.
-         *
-         *     Args:
-         *         kinds: of which kind it may be; empty where the engine raises it, whose problems say so themselves.
-         *         status: of the answer; null where the kind decides.
-         *         words: in English, as the catalogue has them (projectfluent.org); null for a kind.
-         *         parameters: names of what the words name.
          */
-        ProblemDescribed: {
-            /** Type */
+        ProblemDescription: {
+            /**
+             * Type
+             * @description Address of this description, as in a problem's `type`.
+             * @example /problems/runs-offer-old
+             */
             type: string;
-            /** Kinds */
+            /**
+             * Kinds
+             * @description Of which kind it may be; empty where the engine raises it, whose problems say so themselves.
+             * @example [
+             *       "conflict"
+             *     ]
+             */
             kinds: string[];
-            /** Title */
+            /**
+             * Title
+             * @description What kind of thing it is.
+             * @example It does not go with the present state
+             */
             title: string;
-            /** Status */
+            /**
+             * Status
+             * @description HTTP status of the answer; null where the kind decides.
+             * @example 409
+             */
             status: number | null;
-            /** Meaning */
+            /**
+             * Meaning
+             * @description What the kind means.
+             * @example It does not go with the state that things are in.
+             */
             meaning: string;
-            /** Words */
+            /**
+             * Words
+             * @description In English, as the catalogue has them (projectfluent.org); null for a kind.
+             * @example runs-unknown = run: there is none called "{ $run }"
+             */
             words: string | null;
-            /** Parameters */
+            /**
+             * Parameters
+             * @description Names of what the words name.
+             * @example [
+             *       "age_s",
+             *       "limit_s"
+             *     ]
+             */
             parameters: string[];
         };
         /**
@@ -2760,13 +4921,21 @@ export interface components {
          */
         RecordingWritten: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "recording_written";
-            /** Folder */
+            /**
+             * Folder
+             * @description Folder of the recording on the service's disk.
+             * @example data/recordings/019ab1c2d3e44f1c2a9be7/recording
+             */
             folder: string;
-            /** Samples */
+            /**
+             * Samples
+             * @description How many samples it has.
+             * @example 28400
+             */
             samples: number;
         };
         /**
@@ -2774,56 +4943,349 @@ export interface components {
          * @description The payload as somebody else knows it; beside the whole with the tools, beside the workpiece alone without them.
          */
         ReferencePart: {
-            /** Phi */
+            /**
+             * Phi
+             * @description Mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2), in the paper's order.
+             * @example [
+             *       2.783,
+             *       0,
+             *       -0.0468,
+             *       0.1015,
+             *       0.0069,
+             *       0,
+             *       0,
+             *       0.0066,
+             *       0.0017,
+             *       0.0033
+             *     ]
+             */
             phi: (number | null)[];
-            /** Source */
+            /**
+             * Source
+             * @description Where it is from.
+             * @example CAD
+             */
             source: string | null;
         };
         /**
-         * ReleaseBody
+         * ReleaseCreate
          * @description What is released: exactly the plan that was shown.
          */
-        ReleaseBody: {
-            /** Plan Sha256 */
+        ReleaseCreate: {
+            /**
+             * Plan Sha256
+             * @description `plan.sha256` of the plan that was shown.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
             plan_sha256: string;
-            /** Offer */
+            /**
+             * Offer
+             * @description The `offer` that came with the plan.
+             * @example 81234.560.5f0c
+             */
             offer: string;
-            sent: components["schemas"]["Sent"];
+            /** @description Shows that it comes from whoever is in control, once and now. */
+            sent: components["schemas"]["FencingToken"];
         };
+        /**
+         * RequestOutcome
+         * @description How a request for control ended. Control has passed in the first four.
+         * @enum {string}
+         */
+        RequestOutcome: "accepted" | "unanswered" | "vacant" | "own" | "declined" | "withdrawn" | "silent" | "overtaken";
         /**
          * ResidualPart
          * @description Measured minus reconstructed wrench, force then torque.
          */
         ResidualPart: {
-            /** Rms */
+            /**
+             * Rms
+             * @description Root mean square of measured minus reconstructed, force (N), then torque (N m).
+             * @example [
+             *       0.056,
+             *       0.049,
+             *       0.074,
+             *       0.0029,
+             *       0.0031,
+             *       0.003
+             *     ]
+             */
             rms: (number | null)[];
-            /** Noise Std */
+            /**
+             * Noise Std
+             * @description Standard deviation of the sensor's noise, force (N), then torque (N m).
+             * @example [
+             *       0.055,
+             *       0.048,
+             *       0.073,
+             *       0.0028,
+             *       0.003,
+             *       0.003
+             *     ]
+             */
             noise_std: (number | null)[];
+        };
+        /**
+         * ResultPublic
+         * @description The payload in the sensor frame; null is what is not determined, `reasons` says why.
+         */
+        ResultPublic: {
+            /**
+             * Run
+             * @description Identifier of the run.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            run: string;
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
+            cell: string | null;
+            /**
+             * Payload
+             * @description Name of the payload.
+             * @example steel_block
+             */
+            payload: string | null;
+            /** @description The order that it was found out for, as the plant names it; null where nobody named one. */
+            order: components["schemas"]["OrderReference"] | null;
+            /**
+             * Version
+             * @description Release and digest of the code that made it; null in results from before it was kept.
+             * @example 0.1.0+3f9c2ab17d
+             */
+            version: string | null;
+            /** @description The result in a sentence. */
+            verdict: components["schemas"]["Message"];
+            /**
+             * Warnings
+             * @description What has to be known before the numbers are used.
+             */
+            warnings: components["schemas"]["Message"][];
+            /**
+             * Mass Kg
+             * @description Mass, kg; null where it is not determined.
+             * @example 2.783
+             */
+            mass_kg: number | null;
+            /**
+             * Mass Std Kg
+             * @description Its standard uncertainty, kg.
+             * @example 0.002
+             */
+            mass_std_kg: number | null;
+            /**
+             * Com M
+             * @description Centre of mass, m, sensor frame.
+             * @example [
+             *       0,
+             *       -0.0168,
+             *       0.0365
+             *     ]
+             */
+            com_m: (number | null)[];
+            /**
+             * Com Std M
+             * @description Its standard uncertainties, m.
+             * @example [
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
+            com_std_m: (number | null)[];
+            /**
+             * Inertia Com Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass, kg m2.
+             * @example [
+             *       0.0024,
+             *       0,
+             *       0,
+             *       0.0029,
+             *       0,
+             *       0.0025
+             *     ]
+             */
+            inertia_com_kg_m2: (number | null)[];
+            /**
+             * Inertia Com Std Kg M2
+             * @description Their standard uncertainties, kg m2.
+             * @example [
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
+            inertia_com_std_kg_m2: (number | null)[];
+            /**
+             * Inertia Sensor Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the sensor's origin, kg m2.
+             * @example [
+             *       0.0069,
+             *       0,
+             *       0,
+             *       0.0066,
+             *       0.0017,
+             *       0.0033
+             *     ]
+             */
+            inertia_sensor_kg_m2: (number | null)[];
+            /**
+             * Inertia Sensor Std Kg M2
+             * @description Their standard uncertainties, kg m2.
+             * @example [
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
+            inertia_sensor_std_kg_m2: (number | null)[];
+            /**
+             * Parameters
+             * @description Mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2); null is what is not determined.
+             * @example [
+             *       2.783,
+             *       0,
+             *       -0.0468,
+             *       0.1015,
+             *       0.0069,
+             *       0,
+             *       0,
+             *       0.0066,
+             *       0.0017,
+             *       0.0033
+             *     ]
+             */
+            parameters: (number | null)[];
+            /**
+             * Covariance
+             * @description Covariance of `parameters`, ten rows of ten, products of their units.
+             * @example [
+             *       [
+             *         0.000004,
+             *         0
+             *       ],
+             *       [
+             *         0,
+             *         9e-8
+             *       ]
+             *     ]
+             */
+            covariance: (number | null)[][];
+            /**
+             * Reasons
+             * @description By parameter, why it is not determined.
+             */
+            reasons: {
+                [key: string]: components["schemas"]["Message"];
+            };
+            /** @description The payload as somebody else knows it; null where nobody does. */
+            reference: components["schemas"]["ReferencePart"] | null;
+            /** @description The paper's own estimate, for comparison. */
+            paper: components["schemas"]["PaperPart"];
+            /** @description How well the estimate reconstructs the wrench. */
+            residual: components["schemas"]["ResidualPart"] | null;
+            /**
+             * Verification
+             * @description Each rotation left out once and predicted by a fit to all the rest.
+             */
+            verification: components["schemas"]["VerificationPart"][];
+            /** @description What the guard saw; null for a recording from elsewhere. */
+            safety: components["schemas"]["SafetyPart"] | null;
+            /** @description Times of planning, motion and estimation. */
+            seconds: components["schemas"]["SecondsPart"];
+            /**
+             * Safety Rated
+             * @description Always false: it is not a safety function.
+             * @default false
+             * @constant
+             */
+            safety_rated?: false;
+            /** @description Without the tools that the cell knows, which everything else contains; null where it knows none. */
+            workpiece?: components["schemas"]["WorkpiecePart"] | null;
+            /**
+             * Twin
+             * @description Entries of the cell's twin that the estimate takes into account, and what each of them changes.
+             */
+            twin?: components["schemas"]["TwinSharePart"][];
         };
         /**
          * ResultSummary
          * @description What a run found; null is what is not determined.
-         *
-         *     Args:
-         *         determined: how many of the ten parameters are.
-         *         com_m: centre of mass, sensor frame.
-         *         offset: of the sensor, fx fy fz (N) tx ty tz (N m), with its standard uncertainty.
          */
         ResultSummary: {
+            /** @description The result in a sentence. */
             verdict: components["schemas"]["Message"];
-            /** Determined */
+            /**
+             * Determined
+             * @description How many of the ten parameters are determined.
+             * @example 10
+             */
             determined: number;
-            /** Mass Kg */
+            /**
+             * Mass Kg
+             * @description Mass, kg; null where it is not determined.
+             * @example 2.783
+             */
             mass_kg: number | null;
-            /** Mass Std Kg */
+            /**
+             * Mass Std Kg
+             * @description Its standard uncertainty, kg.
+             * @example 0.002
+             */
             mass_std_kg: number | null;
-            /** Com M */
+            /**
+             * Com M
+             * @description Centre of mass, m, sensor frame.
+             * @example [
+             *       0,
+             *       -0.0168,
+             *       0.0365
+             *     ]
+             */
             com_m: (number | null)[];
-            /** Com Std M */
+            /**
+             * Com Std M
+             * @description Its standard uncertainties, m.
+             * @example [
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
             com_std_m: (number | null)[];
-            /** Offset */
+            /**
+             * Offset
+             * @description Offset of the sensor, fx fy fz (N) tx ty tz (N m).
+             * @example [
+             *       1.2,
+             *       -0.4,
+             *       3.1,
+             *       0.02,
+             *       0.01,
+             *       -0.03
+             *     ]
+             */
             offset: (number | null)[];
-            /** Offset Std */
+            /**
+             * Offset Std
+             * @description Its standard uncertainties, N and N m.
+             * @example [
+             *       0.01,
+             *       0.01,
+             *       0.02,
+             *       0.001,
+             *       0.001,
+             *       0.001
+             *     ]
+             */
             offset_std: (number | null)[];
         };
         /**
@@ -2833,23 +5295,75 @@ export interface components {
         Robot: {
             /**
              * Urdf
+             * @description The robot's URDF, a file in the cell's folder.
              * @default robot.urdf
+             * @example robot.urdf
              */
             urdf?: string;
-            /** Base Frame */
+            /**
+             * Base Frame
+             * @description Link that the arm begins with.
+             * @example base
+             */
             base_frame: string;
-            /** Sensor Frame */
+            /**
+             * Sensor Frame
+             * @description Link in whose frame the sensor measures.
+             * @example ft_sensor
+             */
             sensor_frame: string;
-            /** Home Rad */
+            /**
+             * Home Rad
+             * @description Joint positions at home, rad, in the order from base to sensor.
+             * @example [
+             *       0,
+             *       0.5,
+             *       0,
+             *       -1.2,
+             *       0,
+             *       0.8,
+             *       0
+             *     ]
+             */
             home_rad: number[];
-            /** Acceleration Rad S2 */
+            /**
+             * Acceleration Rad S2
+             * @description Largest acceleration of each joint, rad/s2. Joints of arms have 5 to 50; with less than 0.1 a plan takes hours.
+             * @example [
+             *       10,
+             *       10,
+             *       10,
+             *       10,
+             *       10,
+             *       10,
+             *       10
+             *     ]
+             */
             acceleration_rad_s2: number[];
-            /** Velocity Rad S */
+            /**
+             * Velocity Rad S
+             * @description Largest speed of each joint, rad/s; the URDF's limits where null. Joints of arms have 1 to 10.
+             * @example [
+             *       1.9,
+             *       1.9,
+             *       2.2,
+             *       2.2,
+             *       3.5,
+             *       3.2,
+             *       3.2
+             *     ]
+             */
             velocity_rad_s?: number[] | null;
+            /** @description Friction of the joints; null where nobody has said. */
             friction?: components["schemas"]["Friction"] | null;
-            /** Payload Limit Kg */
+            /**
+             * Payload Limit Kg
+             * @description What the arm may carry by its maker's word, kg; null where nobody has said.
+             * @example 7
+             */
             payload_limit_kg?: number | null;
             /**
+             * @description Where the base stands, world frame.
              * @default {
              *       "xyz_m": [
              *         0,
@@ -2866,7 +5380,14 @@ export interface components {
             base?: components["schemas"]["Pose"];
             /**
              * Adjacent
+             * @description Pairs of links that are close to each other by construction: no distance between them is watched.
              * @default []
+             * @example [
+             *       [
+             *         "link_1",
+             *         "link_3"
+             *       ]
+             *     ]
              */
             adjacent?: [
                 string,
@@ -2874,37 +5395,50 @@ export interface components {
             ][];
             /**
              * Visual Shapes
+             * @description Links whose <visual> counts as their shape, since the URDF gives them no <collision>.
              * @default []
+             * @example [
+             *       "link_5"
+             *     ]
              */
             visual_shapes?: string[];
         };
         /**
          * RobotStopped
          * @description The robot was stopped.
-         *
-         *     Args:
-         *         held: it keeps its place until it is told to go on, and goes on along the same plan. Otherwise the procedure goes on from a new
-         *             start configuration unless `final`.
-         *         lateness: what was late, where that stopped it.
          */
         RobotStopped: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "robot_stopped";
-            /** Error */
+            /**
+             * Error
+             * @description Name of the error that stopped it.
+             * @example TooClose
+             */
             error: string;
+            /** @description Why it was stopped. */
             message: components["schemas"]["Message"];
-            /** Restart */
+            /**
+             * Restart
+             * @description How often the guard has stopped this run so far.
+             * @example 1
+             */
             restart: number;
-            /** Final */
+            /**
+             * Final
+             * @description The run does not go on.
+             */
             final: boolean;
             /**
              * Held
+             * @description It keeps its place until it is told to go on, along the same plan; otherwise the rest is planned anew unless `final`.
              * @default false
              */
             held?: boolean;
+            /** @description What was late, where that stopped it. */
             lateness?: components["schemas"]["Lateness"] | null;
         };
         /**
@@ -2914,198 +5448,515 @@ export interface components {
          */
         Role: "viewer" | "operator" | "engineer" | "mes" | "admin";
         /**
-         * RunAnswer
-         * @description A run as it stands now.
-         *
-         *     Args:
-         *         state: PackML; `job_state` is the same as the MES sees it (ISA-95).
-         *         commands: what may be asked of it now.
-         *         reason: why it did not come through, or why it stands; `reason_kind` is the kind of it, see docs/runs.md.
-         *         lateness: what was late, where that put it on hold or ended it.
-         *         held_since: when it was put on hold; `ends_at` when it ends by itself, because nobody is in control of it.
-         *         steps: of its plan, the way home included; `finished_steps` are recorded.
-         *         may_continue: it has ended, and `POST /api/runs/{run}/continuation` makes the rest of it as a new run.
-         *         progress: share of the robot time, 0 to 1; `eta_s` what is left of it.
-         *         result: what it found, in a few numbers; null until it is known.
-         *         accepted_by: who took the result for good.
-         *         diagnosis: whose proposed motion it makes, null for the procedure; its recording begins with that of the run that it `continues`.
-         */
-        RunAnswer: {
-            /** Run */
-            run: string;
-            /** Cell */
-            cell: string;
-            /** Payload */
-            payload: string | null;
-            order: components["schemas"]["RunOrder"];
-            state: components["schemas"]["State"];
-            job_state: components["schemas"]["JobState"];
-            /** Commands */
-            commands: string[];
-            /** Released */
-            released: boolean;
-            reason: components["schemas"]["Message"] | null;
-            /** Reason Kind */
-            reason_kind: string | null;
-            lateness: components["schemas"]["Lateness"] | null;
-            /** Held Since */
-            held_since: string | null;
-            /** Ends At */
-            ends_at: string | null;
-            /** Steps */
-            steps: number;
-            /** Finished Steps */
-            finished_steps: number;
-            /** May Continue */
-            may_continue: boolean;
-            /** In The Way */
-            in_the_way: string | null;
-            /** Progress */
-            progress: number;
-            /** Eta S */
-            eta_s: number | null;
-            /** Sequence */
-            sequence: number;
-            /** Requested By */
-            requested_by: string;
-            /**
-             * Requested At
-             * Format: date-time
-             */
-            requested_at: string;
-            /** Released By */
-            released_by: string | null;
-            /** Released At */
-            released_at: string | null;
-            /** Ended At */
-            ended_at: string | null;
-            result: components["schemas"]["ResultSummary"] | null;
-            /** Accepted By */
-            accepted_by: string | null;
-            /** Accepted At */
-            accepted_at: string | null;
-            /** Continues */
-            continues: string | null;
-            /** Diagnosis */
-            diagnosis: string | null;
-            /**
-             * Safety Rated
-             * @default false
-             * @constant
-             */
-            safety_rated?: false;
-        };
-        /**
          * RunCommand
          * @description What may be asked of a run.
          * @enum {string}
          */
         RunCommand: "hold" | "resume" | "stop" | "abort" | "clear";
         /**
-         * RunOrder
+         * RunCreate
          * @description What is to be identified.
-         *
-         *     Args:
-         *         payload: one that the cell knows; what the simulated robot carries, and the reference that the result is compared with. The
-         *             cell's first where absent.
-         *         payload_box: what certainly contains the payload, sensor frame; that of the payload where absent.
-         *         seed: makes planning and the simulated noise repeatable.
-         *         hold_s, settle_s, robot_s, inertia_std: as in `core.planning.settings.Timing`.
-         *         pace: of the simulated robot.
-         *         axes: sensor axes to hold along gravity and to turn about, in the order x, y, z; fewer where one has no room.
-         *         rotations: false for holds alone, which tell mass and centre of mass.
-         *         speed_m_s: no point moves faster; at most the cell's limit, that where absent.
-         *         effort: so many times the candidates and iterations before a plan is refused.
-         *         start_rad: where the robot stands; at home where absent.
          */
-        RunOrder: {
-            /** Cell */
+        RunCreate: {
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
             cell: string;
-            /** Payload */
-            payload?: string | null;
+            /**
+             * Payload
+             * @description Payload that the cell knows: what the simulated robot carries, and the reference to compare with.
+             * @example steel_block
+             */
+            payload: string;
+            /**
+             * Order Id
+             * @description Identifier of the job order in the MES (ISA-95); returned with the run, its webhook, recording, result, report.
+             * @example JO-2026-004711
+             */
+            order_id?: string | null;
+            /**
+             * Work Order
+             * @description The work order that it belongs to; returned likewise.
+             * @example WO-88120
+             */
+            work_order?: string | null;
+            /**
+             * Serial Number
+             * @description Serial number of what the robot carries; returned likewise.
+             * @example SN-000482
+             */
+            serial_number?: string | null;
+            /** @description What certainly contains the payload, sensor frame; that of the payload where null. */
             payload_box?: components["schemas"]["Box"] | null;
             /**
              * Mass Guess Kg
+             * @description About how heavy it is, kg; sets how long the procedure turns.
              * @default 1
+             * @example 2.8
              */
             mass_guess_kg?: number;
             /**
              * Planner
+             * @description Algorithm that looks for paths.
              * @default rrt_connect
              * @enum {string}
              */
             planner?: "rrt_connect" | "rrt_star";
             /**
              * Seed
+             * @description Makes planning and the simulated noise repeatable.
              * @default 0
+             * @example 0
              */
             seed?: number;
             /**
              * Hold S
+             * @description Length of each hold, s.
              * @default 1.5
+             * @example 1.5
              */
             hold_s?: number;
             /**
              * Settle S
+             * @description Length of the pause after each rotation, s.
              * @default 1
+             * @example 1
              */
             settle_s?: number;
             /**
              * Robot S
+             * @description Robot time that the procedure may take, s.
              * @default 115
+             * @example 115
              */
             robot_s?: number;
             /**
              * Inertia Std
+             * @description Standard uncertainty of the inertia that is aimed at, kg m2.
              * @default 0.004
+             * @example 0.004
              */
             inertia_std?: number;
             /**
              * Pace
+             * @description Of the simulated robot.
              * @default real_time
              * @enum {string}
              */
             pace?: "real_time" | "as_fast_as_possible";
             /**
              * Axes
+             * @description Sensor axes to hold along gravity and to turn about, in the order x, y, z; fewer where one has no room.
              * @default xyz
+             * @example xyz
              */
             axes?: string;
             /**
              * Rotations
+             * @description False for holds alone, which tell mass and centre of mass.
              * @default true
              */
             rotations?: boolean;
-            /** Speed M S */
+            /**
+             * Speed M S
+             * @description No point moves faster, m/s: at most the cell's limit, which holds where null.
+             * @example 0.15
+             */
             speed_m_s?: number | null;
             /**
              * Effort
+             * @description So many times the candidates and iterations before a plan is refused.
              * @default 1
+             * @example 1
              */
             effort?: number;
-            /** Start Rad */
+            /**
+             * Start Rad
+             * @description Joint positions where the robot stands, rad; at home where null.
+             * @example [
+             *       0,
+             *       0.5,
+             *       0,
+             *       -1.2,
+             *       0,
+             *       0.8,
+             *       0
+             *     ]
+             */
             start_rad?: number[] | null;
         };
         /**
+         * RunOrder
+         * @description What is to be identified, as it is kept.
+         */
+        RunOrder: {
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
+            cell: string;
+            /**
+             * Payload
+             * @description Payload that the cell knows; null in orders of older services that named none.
+             * @example steel_block
+             */
+            payload?: string | null;
+            /**
+             * Order Id
+             * @description Identifier of the job order in the MES (ISA-95); returned with the run, its webhook, recording, result, report.
+             * @example JO-2026-004711
+             */
+            order_id?: string | null;
+            /**
+             * Work Order
+             * @description The work order that it belongs to; returned likewise.
+             * @example WO-88120
+             */
+            work_order?: string | null;
+            /**
+             * Serial Number
+             * @description Serial number of what the robot carries; returned likewise.
+             * @example SN-000482
+             */
+            serial_number?: string | null;
+            /** @description What certainly contains the payload, sensor frame; that of the payload where null. */
+            payload_box?: components["schemas"]["Box"] | null;
+            /**
+             * Mass Guess Kg
+             * @description About how heavy it is, kg; sets how long the procedure turns.
+             * @default 1
+             * @example 2.8
+             */
+            mass_guess_kg?: number;
+            /**
+             * Planner
+             * @description Algorithm that looks for paths.
+             * @default rrt_connect
+             * @enum {string}
+             */
+            planner?: "rrt_connect" | "rrt_star";
+            /**
+             * Seed
+             * @description Makes planning and the simulated noise repeatable.
+             * @default 0
+             * @example 0
+             */
+            seed?: number;
+            /**
+             * Hold S
+             * @description Length of each hold, s.
+             * @default 1.5
+             * @example 1.5
+             */
+            hold_s?: number;
+            /**
+             * Settle S
+             * @description Length of the pause after each rotation, s.
+             * @default 1
+             * @example 1
+             */
+            settle_s?: number;
+            /**
+             * Robot S
+             * @description Robot time that the procedure may take, s.
+             * @default 115
+             * @example 115
+             */
+            robot_s?: number;
+            /**
+             * Inertia Std
+             * @description Standard uncertainty of the inertia that is aimed at, kg m2.
+             * @default 0.004
+             * @example 0.004
+             */
+            inertia_std?: number;
+            /**
+             * Pace
+             * @description Of the simulated robot.
+             * @default real_time
+             * @enum {string}
+             */
+            pace?: "real_time" | "as_fast_as_possible";
+            /**
+             * Axes
+             * @description Sensor axes to hold along gravity and to turn about, in the order x, y, z; fewer where one has no room.
+             * @default xyz
+             * @example xyz
+             */
+            axes?: string;
+            /**
+             * Rotations
+             * @description False for holds alone, which tell mass and centre of mass.
+             * @default true
+             */
+            rotations?: boolean;
+            /**
+             * Speed M S
+             * @description No point moves faster, m/s: at most the cell's limit, which holds where null.
+             * @example 0.15
+             */
+            speed_m_s?: number | null;
+            /**
+             * Effort
+             * @description So many times the candidates and iterations before a plan is refused.
+             * @default 1
+             * @example 1
+             */
+            effort?: number;
+            /**
+             * Start Rad
+             * @description Joint positions where the robot stands, rad; at home where null.
+             * @example [
+             *       0,
+             *       0.5,
+             *       0,
+             *       -1.2,
+             *       0,
+             *       0.8,
+             *       0
+             *     ]
+             */
+            start_rad?: number[] | null;
+        };
+        /**
+         * RunOutcome
+         * @description How a run ended, which `Stopped` and `Aborted` alone do not tell.
+         * @enum {string}
+         */
+        RunOutcome: "completed" | "cancelled" | "refused" | "stopped" | "aborted";
+        /**
          * RunPlan
          * @description A plan as it is shown before its release.
-         *
-         *     Args:
-         *         sha256: of all that is going to happen: the plan's every set point, the cell with its zones and limits, the payload box.
-         *         plan_digest: of the set points alone.
          */
         RunPlan: {
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description SHA-256, hexadecimal, of every set point, the cell with its zones and limits, the payload box.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
             sha256: string;
-            /** Plan Digest */
+            /**
+             * Plan Digest
+             * @description SHA-256 of the set points alone, hexadecimal.
+             * @example 60303ae22b998861bce3b28f33eec1be758a213c86c93c076dbe9f558c11c752
+             */
             plan_digest: string;
+            /** @description The plan in numbers. */
             summary: components["schemas"]["PlanSummary"];
-            /** Paths */
+            /**
+             * Paths
+             * @description All its motions, to look at.
+             */
             paths: components["schemas"]["PathPart"][];
-            /** Throws */
+            /**
+             * Throws
+             * @description Where the load would fly if it let go during a rotation.
+             */
             throws: components["schemas"]["ThrowPart"][];
             /**
              * Safety Rated
+             * @description Always false: it is not a safety function.
+             * @default false
+             * @constant
+             */
+            safety_rated?: false;
+        };
+        /**
+         * RunPublic
+         * @description A run as it stands now.
+         */
+        RunPublic: {
+            /**
+             * Run
+             * @description Identifier of the run; sorts by the time of its making.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            run: string;
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
+            cell: string;
+            /**
+             * Payload
+             * @description Name of the payload; null in runs of older services that named none.
+             * @example steel_block
+             */
+            payload: string | null;
+            /**
+             * Order Id
+             * @description Identifier of the job order, as it was ordered.
+             * @example JO-2026-004711
+             */
+            order_id: string | null;
+            /**
+             * Work Order
+             * @description The work order, as it was ordered.
+             * @example WO-88120
+             */
+            work_order: string | null;
+            /**
+             * Serial Number
+             * @description Serial number of what the robot carries, as it was ordered.
+             * @example SN-000482
+             */
+            serial_number: string | null;
+            /** @description All that was ordered. */
+            order: components["schemas"]["RunOrder"];
+            /** @description State of the machine (PackML). */
+            state: components["schemas"]["State"];
+            /** @description The same as the MES sees it (ISA-95): Ended where it came through, Aborted where it did not. */
+            job_state: components["schemas"]["JobState"];
+            /** @description How it ended: completed, cancelled, refused, stopped or aborted; null before. */
+            outcome: components["schemas"]["RunOutcome"] | null;
+            /**
+             * Commands
+             * @description What may be asked of it now.
+             * @example [
+             *       "hold",
+             *       "stop",
+             *       "abort"
+             *     ]
+             */
+            commands: string[];
+            /**
+             * Released
+             * @description Whether an operator has let it begin.
+             */
+            released: boolean;
+            /** @description Why it stands or did not come through; null where neither holds. */
+            reason: components["schemas"]["Message"] | null;
+            /**
+             * Reason Kind
+             * @description Kind of `reason`, see docs/runs.md.
+             * @example stop-asked
+             */
+            reason_kind: string | null;
+            /** @description What was late, where that put it on hold or ended it. */
+            lateness: components["schemas"]["Lateness"] | null;
+            /**
+             * Held Since
+             * @description When it was put on hold; null where it is not.
+             * @example 2026-03-01T08:00:00.120Z
+             */
+            held_since: string | null;
+            /**
+             * Ends At
+             * @description When it ends by itself, because nobody is in control of it; null where it does not.
+             * @example 2026-03-01T08:02:00Z
+             */
+            ends_at: string | null;
+            /**
+             * Steps
+             * @description Steps of its plan, the way home included; 0 before there is one.
+             * @example 7
+             */
+            steps: number;
+            /**
+             * Finished Steps
+             * @description How many of them are recorded.
+             * @example 3
+             */
+            finished_steps: number;
+            /**
+             * May Continue
+             * @description Whether `POST /api/runs/{run}/continuation` makes the rest of it as a new run.
+             */
+            may_continue: boolean;
+            /**
+             * In The Way
+             * @description Name of what is in its way; null where nothing is.
+             * @example operator
+             */
+            in_the_way: string | null;
+            /**
+             * Progress
+             * @description Share of the robot's time that is over, 0 to 1.
+             * @example 0.42
+             */
+            progress: number;
+            /**
+             * Eta S
+             * @description Time that is left, s; null where it is not known.
+             * @example 33.9
+             */
+            eta_s: number | null;
+            /**
+             * Sequence
+             * @description Number of its last event.
+             * @example 12
+             */
+            sequence: number;
+            /**
+             * Requested By
+             * @description Who asked for it.
+             * @example key:line-3
+             */
+            requested_by: string;
+            /**
+             * Requested At
+             * Format: date-time
+             * @description When it was asked for.
+             * @example 2026-03-01T07:58:00Z
+             */
+            requested_at: string;
+            /**
+             * Released By
+             * @description Who let it begin; null before.
+             * @example account:anna
+             */
+            released_by: string | null;
+            /**
+             * Released At
+             * @description When it was let begin; null before.
+             * @example 2026-03-01T07:59:10Z
+             */
+            released_at: string | null;
+            /**
+             * Ended At
+             * @description When it ended; null before.
+             * @example 2026-03-01T08:00:24Z
+             */
+            ended_at: string | null;
+            /**
+             * Plan Sha256
+             * @description SHA-256 of the newest plan that was shown for it, hexadecimal; null before there is one.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
+            plan_sha256: string | null;
+            /** @description What it found, in a few numbers; null until it is known. */
+            result: components["schemas"]["ResultSummary"] | null;
+            /**
+             * Accepted By
+             * @description Who took the result for good; null before.
+             * @example account:anna
+             */
+            accepted_by: string | null;
+            /**
+             * Accepted At
+             * @description When it was taken for good; null before.
+             * @example 2026-03-01T08:03:00Z
+             */
+            accepted_at: string | null;
+            /**
+             * Continues
+             * @description The run whose recording its own begins with; null where it begins anew.
+             * @example 019ab1c0a1b2c3d4e5f607
+             */
+            continues: string | null;
+            /**
+             * Diagnosis
+             * @description The diagnosis whose proposed motion it makes; null for the procedure.
+             * @example 019ab1c2e0a17d34a06c11
+             */
+            diagnosis: string | null;
+            /**
+             * Safety Rated
+             * @description Always false: it is not a safety function.
              * @default false
              * @constant
              */
@@ -3114,27 +5965,44 @@ export interface components {
         /**
          * SafetyPart
          * @description What the guard saw. Not a safety function: `safety_rated` is always false.
-         *
-         *     Args:
-         *         min_distance_m: of everything that moves to obstacles and zones, `nearest` is what was that near.
-         *         min_distance_beyond_first_joint_m: the same without the links that only the first joint moves, whose distance hardly changes.
          */
         SafetyPart: {
-            /** Min Distance M */
+            /**
+             * Min Distance M
+             * @description Smallest distance of everything that moved to obstacles and zones, m; null where there is neither.
+             * @example 0.043
+             */
             min_distance_m: number | null;
-            /** Nearest */
+            /**
+             * Nearest
+             * @description What was that near.
+             * @example bench
+             */
             nearest: string | null;
-            /** Max Speed M S */
+            /**
+             * Max Speed M S
+             * @description Largest speed of any point of robot or payload box, m/s.
+             * @example 0.231
+             */
             max_speed_m_s: number;
-            /** Restarts */
+            /**
+             * Restarts
+             * @description How often the guard stopped the robot.
+             * @example 0
+             */
             restarts: number;
             /**
              * Safety Rated
+             * @description Always false: the guard is not a safety function.
              * @default false
              * @constant
              */
             safety_rated?: false;
-            /** Min Distance Beyond First Joint M */
+            /**
+             * Min Distance Beyond First Joint M
+             * @description The smallest distance without the links that only the first joint moves, m.
+             * @example 0.052
+             */
             min_distance_beyond_first_joint_m?: number | null;
         };
         /**
@@ -3142,9 +6010,17 @@ export interface components {
          * @description What was planted in a trial, as a hash that was published before the trial began.
          */
         Seal: {
-            /** Seed */
+            /**
+             * Seed
+             * @description Seed of the trial.
+             * @example 0
+             */
             seed: number;
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description SHA-256 of what was planted, hexadecimal, published before the trial began.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
             sha256: string;
         };
         /**
@@ -3152,11 +6028,20 @@ export interface components {
          * @description What a check that shares no code with the planner measured at every set point, for JSON.
          */
         SecondOpinion: {
-            /** Closest */
+            /**
+             * Closest
+             * @description For each kind of pair, where it comes closest to what it has to keep.
+             */
             closest: components["schemas"]["ClosestPair"][];
+            /** @description The fastest corner of links, tools and payload. */
             fastest: components["schemas"]["FastestCorner"];
-            /** Samples */
+            /**
+             * Samples
+             * @description Set points that were measured.
+             * @example 58400
+             */
             samples: number;
+            /** @description Flight of a load that comes off, nearest to a protected zone; null without zones, and in older plans. */
             lost_load?: components["schemas"]["NearestFlight"] | null;
         };
         /**
@@ -3164,11 +6049,23 @@ export interface components {
          * @description Where the time went.
          */
         SecondsPart: {
-            /** Plan */
+            /**
+             * Plan
+             * @description Time of planning, s.
+             * @example 4.2
+             */
             plan?: number | null;
-            /** Robot */
+            /**
+             * Robot
+             * @description Time of the motion, s.
+             * @example 58.4
+             */
             robot?: number | null;
-            /** Estimate */
+            /**
+             * Estimate
+             * @description Time of the estimation, s.
+             * @example 1.1
+             */
             estimate: number;
         };
         /**
@@ -3176,9 +6073,24 @@ export interface components {
          * @description The wrist force/torque sensor; six values each, force (N), then torque (N m).
          */
         Sensor: {
-            /** Name */
+            /**
+             * Name
+             * @description Make and model.
+             * @example ATI Gamma SI-130-10
+             */
             name: string;
-            /** Noise Std */
+            /**
+             * Noise Std
+             * @description Standard deviation of one sample, force (N), then torque (N m).
+             * @example [
+             *       0.055,
+             *       0.048,
+             *       0.073,
+             *       0.0028,
+             *       0.003,
+             *       0.003
+             *     ]
+             */
             noise_std: [
                 number,
                 number,
@@ -3187,7 +6099,18 @@ export interface components {
                 number,
                 number
             ];
-            /** Range */
+            /**
+             * Range
+             * @description Measuring range, force (N), then torque (N m).
+             * @example [
+             *       130,
+             *       130,
+             *       400,
+             *       10,
+             *       10,
+             *       10
+             *     ]
+             */
             range: [
                 number,
                 number,
@@ -3196,7 +6119,18 @@ export interface components {
                 number,
                 number
             ];
-            /** Resolution */
+            /**
+             * Resolution
+             * @description Smallest step, force (N), then torque (N m).
+             * @example [
+             *       0.05,
+             *       0.05,
+             *       0.05,
+             *       0.0013,
+             *       0.0013,
+             *       0.0013
+             *     ]
+             */
             resolution: [
                 number,
                 number,
@@ -3205,48 +6139,59 @@ export interface components {
                 number,
                 number
             ];
+            /** @description The sensor frame in the flange from which the robot's controller counts; null where nobody has said. */
             mount?: components["schemas"]["Pose"] | null;
         };
         /**
-         * Sent
-         * @description What makes a command of whoever is in control count once and now.
-         *
-         *     Args:
-         *         fence: of their control; `number` counts their commands up; `stamp_s` is the newest stamp that the server sent them.
-         */
-        Sent: {
-            /** Fence */
-            fence: number;
-            /** Number */
-            number: number;
-            /** Stamp S */
-            stamp_s: number;
-        };
-        /**
-         * Session
+         * SessionPublic
          * @description Who is asking; a browser sends the CSRF token back with every request that changes something.
          */
-        Session: {
-            /** Name */
+        SessionPublic: {
+            /**
+             * Name
+             * @description Name of the account or key.
+             * @example anna
+             */
             name: string;
-            /** Roles */
+            /**
+             * Roles
+             * @description What it may do.
+             * @example [
+             *       "operator"
+             *     ]
+             */
             roles: components["schemas"]["Role"][];
-            /** Csrf Token */
+            /**
+             * Csrf Token
+             * @description Sent back as `X-CSRF-Token` with every request of a browser that changes something; null for a key.
+             * @example pX3s9uQ0vEo
+             */
             csrf_token: string | null;
         };
+        /**
+         * Severity
+         * @description How soon a person is needed: now, soon, or when there is time.
+         * @enum {string}
+         */
+        Severity: "high" | "medium" | "low";
         /**
          * Sphere
          * @description A ball with its centre at `pose`.
          */
         Sphere: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which shape it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "sphere";
-            /** Radius M */
+            /**
+             * Radius M
+             * @description Radius, m.
+             * @example 0.25
+             */
             radius_m: number;
             /**
+             * @description Where its centre is.
              * @default {
              *       "xyz_m": [
              *         0,
@@ -3268,19 +6213,39 @@ export interface components {
          */
         StartConfigurationFound: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "start_configuration_found";
-            /** Axis */
+            /**
+             * Axis
+             * @description Sensor axis and its sign: `x+` lies along gravity, `x-` against it; `free` where none does.
+             * @example x+
+             */
             axis: string;
-            /** Clearance M */
+            /**
+             * Clearance M
+             * @description Distance to obstacles and protected zones there, m.
+             * @example 0.184
+             */
             clearance_m: number;
-            /** Nearest */
+            /**
+             * Nearest
+             * @description Name of the nearest obstacle or zone.
+             * @example bench
+             */
             nearest: string;
-            /** Manipulability */
+            /**
+             * Manipulability
+             * @description Smallest over largest singular value of the Jacobian there, without a unit.
+             * @example 0.12
+             */
             manipulability: number;
-            /** Candidates */
+            /**
+             * Candidates
+             * @description How many configurations were tried.
+             * @example 240
+             */
             candidates: number;
         };
         /**
@@ -3295,16 +6260,33 @@ export interface components {
          */
         StateChanged: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "state_changed";
+            /** @description State of the machine (PackML) from now on. */
             state: components["schemas"]["State"];
+            /** @description The same as the MES sees it (ISA-95). */
             job_state: components["schemas"]["JobState"];
-            /** Commands */
+            /** @description How the run ended; null before. */
+            outcome?: components["schemas"]["RunOutcome"] | null;
+            /**
+             * Commands
+             * @description What may be asked of it now.
+             * @example [
+             *       "hold",
+             *       "stop",
+             *       "abort"
+             *     ]
+             */
             commands: string[];
+            /** @description Why it stands or did not come through; null where neither holds. */
             reason?: components["schemas"]["Message"] | null;
-            /** Reason Kind */
+            /**
+             * Reason Kind
+             * @description Kind of `reason`, see docs/runs.md.
+             * @example stop-asked
+             */
             reason_kind?: string | null;
         };
         /**
@@ -3313,76 +6295,138 @@ export interface components {
          */
         StepFinished: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "step_finished";
-            /** Step */
+            /**
+             * Step
+             * @description Number of the step whose hold and rotation are recorded, from 1.
+             * @example 3
+             */
             step: number;
-            /** Steps */
+            /**
+             * Steps
+             * @description Steps of the plan, the way home included.
+             * @example 7
+             */
             steps: number;
         };
         /**
          * Stop
          * @description One attitude: the way there, a hold, and what is done from it before the next hold.
-         *
-         *     Args:
-         *         down: direction of gravity in the sensor frame, unit length.
-         *         swings, wave: at most one of them; only the hold where both are absent.
-         *         away_from_rad: joint positions of another posture of the arm with the same attitude, to keep far from.
          */
         Stop: {
-            /** Down */
+            /**
+             * Down
+             * @description Direction of gravity in the sensor frame, unit length.
+             * @example [
+             *       1,
+             *       0,
+             *       0
+             *     ]
+             */
             down: [
                 number,
                 number,
                 number
             ];
+            /** @description Rotation from there; at most one of `swings` and `wave`, only the hold where both are null. */
             swings?: components["schemas"]["Swings"] | null;
+            /** @description Motion of all joints from there. */
             wave?: components["schemas"]["Wave"] | null;
-            /** Away From Rad */
+            /**
+             * Away From Rad
+             * @description Joint positions, rad, of another posture of the arm with the same attitude, to keep far from.
+             * @example [
+             *       0.1,
+             *       0.9,
+             *       0,
+             *       -1.4,
+             *       0.2,
+             *       1.1,
+             *       0
+             *     ]
+             */
             away_from_rad?: number[] | null;
         };
         /**
          * Swings
          * @description Rotation about a sensor axis through the sensor origin, out and back, trapezoids of angular velocity.
+         *
+         *     Args:
+         *         repetitions: None for as often as the wanted accuracy needs, within the robot time of the plan.
          */
         Swings: {
             /**
              * About
+             * @description Sensor axis that is turned about.
              * @enum {string}
              */
             about: "x" | "y" | "z";
             /**
              * Excursion Rad
+             * @description How far, rad.
              * @default 0.25
+             * @example 0.25
              */
             excursion_rad?: number;
             /**
              * Repetitions
+             * @description How often out and back; null for as often as the wanted accuracy needs.
              * @default 10
+             * @example 10
              */
-            repetitions?: number;
+            repetitions?: number | null;
         };
         /**
          * ThrowPart
          * @description Where the load would come nearest to a protected zone if it let go during a rotation.
-         *
-         *     Args:
-         *         point_m, velocity_m_s: of its fastest corner at that moment; `speed_m_s` is the same as one number.
          */
         ThrowPart: {
-            /** Axis */
+            /**
+             * Axis
+             * @description Sensor axis of the rotation.
+             * @example x
+             */
             axis: string;
-            /** Zone */
+            /**
+             * Zone
+             * @description Name of the protected zone.
+             * @example operator
+             */
             zone: string;
-            /** Distance M */
+            /**
+             * Distance M
+             * @description How near the load would come to it if it let go, m.
+             * @example 0.42
+             */
             distance_m: number;
-            /** Speed M S */
+            /**
+             * Speed M S
+             * @description Speed of its fastest corner at that moment, m/s.
+             * @example 0.21
+             */
             speed_m_s: number;
-            /** Point M */
+            /**
+             * Point M
+             * @description That corner, m, world frame.
+             * @example [
+             *       0.6,
+             *       0.1,
+             *       0.7
+             *     ]
+             */
             point_m: number[];
-            /** Velocity M S */
+            /**
+             * Velocity M S
+             * @description Its velocity, m/s, world frame.
+             * @example [
+             *       0.2,
+             *       0,
+             *       0.06
+             *     ]
+             */
             velocity_m_s: number[];
         };
         /**
@@ -3390,11 +6434,24 @@ export interface components {
          * @description What this recording cannot tell apart.
          */
         Tied: {
-            /** Ids */
+            /**
+             * Ids
+             * @description Effects that this recording cannot tell apart.
+             * @example [
+             *       "payload_mismatch",
+             *       "sensor_gain"
+             *     ]
+             */
             ids: string[];
-            /** Distance Sigma */
+            /**
+             * Distance Sigma
+             * @description How far apart their predictions are, in multiples of the noise.
+             * @example 1.3
+             */
             distance_sigma: number;
+            /** @description Why they look alike. */
             why: components["schemas"]["Message"];
+            /** @description What would tell them apart. */
             splits: components["schemas"]["Message"];
         };
         /**
@@ -3403,23 +6460,46 @@ export interface components {
          *
          *     Either its inertia stands here, about the sensor origin in sensor axes as for payloads, or it is made of links of the URDF behind the
          *     sensor frame, whose inertia and shape count with the joints between them at zero.
-         *
-         *     Args:
-         *         mass_std_kg, first_moment_std_kg_m, inertia_std_kg_m2: standard deviations, independent of each other; absent where nobody knows.
-         *         box: in the sensor frame; a tool without box and links has none of its own, and the payload's box must contain it.
          */
         Tool: {
-            /** Title */
+            /**
+             * Title
+             * @description What people call it.
+             * @example Gripper
+             */
             title: string;
-            /** Mass Kg */
+            /**
+             * Mass Kg
+             * @description Mass, kg; absent where it is made of links.
+             * @example 0.92
+             */
             mass_kg?: number | null;
-            /** First Moment Kg M */
+            /**
+             * First Moment Kg M
+             * @description Mass times centre of mass, kg m, sensor frame.
+             * @example [
+             *       0,
+             *       0,
+             *       0.041
+             *     ]
+             */
             first_moment_kg_m?: [
                 number,
                 number,
                 number
             ] | null;
-            /** Inertia Kg M2 */
+            /**
+             * Inertia Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the sensor's origin, kg m2.
+             * @example [
+             *       0.0031,
+             *       0,
+             *       0,
+             *       0.0031,
+             *       0,
+             *       0.0011
+             *     ]
+             */
             inertia_kg_m2?: [
                 number,
                 number,
@@ -3428,15 +6508,38 @@ export interface components {
                 number,
                 number
             ] | null;
-            /** Mass Std Kg */
+            /**
+             * Mass Std Kg
+             * @description Standard deviation of the mass, kg; absent where nobody knows.
+             * @example 0.005
+             */
             mass_std_kg?: number | null;
-            /** First Moment Std Kg M */
+            /**
+             * First Moment Std Kg M
+             * @description Standard deviations of the first moment, kg m, independent of each other.
+             * @example [
+             *       0.0005,
+             *       0.0005,
+             *       0.0005
+             *     ]
+             */
             first_moment_std_kg_m?: [
                 number,
                 number,
                 number
             ] | null;
-            /** Inertia Std Kg M2 */
+            /**
+             * Inertia Std Kg M2
+             * @description Standard deviations of the inertia, kg m2, independent of each other.
+             * @example [
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
             inertia_std_kg_m2?: [
                 number,
                 number,
@@ -3445,8 +6548,16 @@ export interface components {
                 number,
                 number
             ] | null;
+            /** @description What contains it, sensor frame; without box and links the payload's box must contain it. */
             box?: components["schemas"]["Box"] | null;
-            /** Links */
+            /**
+             * Links
+             * @description Links of the URDF behind the sensor frame that it is made of, with the joints between them at zero.
+             * @example [
+             *       "gripper_base",
+             *       "finger"
+             *     ]
+             */
             links?: string[] | null;
         };
         /**
@@ -3454,13 +6565,51 @@ export interface components {
          * @description A tool that was taken off; `std` is null where nobody has stated it.
          */
         ToolPart: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the tool.
+             * @example gripper
+             */
             name: string;
-            /** Title */
+            /**
+             * Title
+             * @description What people call it.
+             * @example Gripper
+             */
             title: string;
-            /** Phi */
+            /**
+             * Phi
+             * @description Its ten parameters: mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2).
+             * @example [
+             *       0.92,
+             *       0,
+             *       0,
+             *       0.041,
+             *       0.0031,
+             *       0,
+             *       0,
+             *       0.0031,
+             *       0,
+             *       0.0011
+             *     ]
+             */
             phi: number[];
-            /** Std */
+            /**
+             * Std
+             * @description Their standard deviations; null where nobody has stated them.
+             * @example [
+             *       0.005,
+             *       null,
+             *       null,
+             *       null,
+             *       null,
+             *       null,
+             *       null,
+             *       null,
+             *       null,
+             *       null
+             *     ]
+             */
             std: (number | null)[];
         };
         /**
@@ -3469,139 +6618,293 @@ export interface components {
          */
         TransferPlanned: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "transfer_planned";
-            /** Axis */
+            /**
+             * Axis
+             * @description Sensor axis and its sign at the end of the way.
+             * @example x+
+             */
             axis: string;
-            /** Robot S */
+            /**
+             * Robot S
+             * @description Time of the motion, s.
+             * @example 3.8
+             */
             robot_s: number;
-            /** Least Margin M */
+            /**
+             * Least Margin M
+             * @description Smallest distance beyond what is required, m.
+             * @example 0.021
+             */
             least_margin_m: number;
         };
         /**
-         * TrialsAnswer
-         * @description Some trials.
-         *
-         *     Args:
-         *         seals: SHA-256 of what is planted in each, from the moment it is drawn; null before. The audit log has the SHA-256 of them all.
-         *         opened, sheet: what was planted and what the diagnosis said of it, and the score sheet (Markdown); null until all are done.
-         */
-        TrialsAnswer: {
-            state: components["schemas"]["JobStatus"];
-            /** Progress */
-            progress: number;
-            reason: components["schemas"]["Message"] | null;
-            /** Reason Kind */
-            reason_kind: string | null;
-            /** Requested By */
-            requested_by: string;
-            /**
-             * Requested At
-             * Format: date-time
-             */
-            requested_at: string;
-            /** Ended At */
-            ended_at: string | null;
-            /** Trials */
-            trials: string;
-            /** Count */
-            count: number;
-            /** Seed */
-            seed: number;
-            /** Seals */
-            seals: components["schemas"]["Seal"][] | null;
-            /** Opened */
-            opened: components["schemas"]["OpenedTrial"][] | null;
-            /** Sheet */
-            sheet: string | null;
-        };
-        /**
-         * TrialsBody
+         * TrialsCreate
          * @description So many trials, with the seeds from `seed` on.
          */
-        TrialsBody: {
+        TrialsCreate: {
             /**
              * Count
+             * @description How many trials.
              * @default 1
+             * @example 10
              */
             count?: number;
             /**
              * Seed
+             * @description Seed of the first; each further one has the next.
              * @default 0
+             * @example 0
              */
             seed?: number;
         };
         /**
-         * TwinAnswer
-         * @description What a cell's simulation has beyond the nominal one; nothing where `effects` is empty.
+         * TrialsPublic
+         * @description Some trials.
          */
-        TwinAnswer: {
+        TrialsPublic: {
+            /** @description How far it is. */
+            state: components["schemas"]["JobStatus"];
             /**
-             * Effects
-             * @default []
+             * Progress
+             * @description Share that is done, 0 to 1.
+             * @example 0.4
              */
-            effects?: components["schemas"]["TwinEffect"][];
+            progress: number;
+            /** @description Why it failed or was cancelled; null where it did not. */
+            reason: components["schemas"]["Message"] | null;
+            /**
+             * Reason Kind
+             * @description Kind of `reason`, see docs/runs.md.
+             * @example cancelled
+             */
+            reason_kind: string | null;
+            /**
+             * Requested By
+             * @description Who asked for it.
+             * @example account:anna
+             */
+            requested_by: string;
+            /**
+             * Requested At
+             * Format: date-time
+             * @description When it was asked for.
+             * @example 2026-03-01T09:00:00Z
+             */
+            requested_at: string;
+            /**
+             * Ended At
+             * @description When it ended; null before.
+             * @example 2026-03-01T09:00:24Z
+             */
+            ended_at: string | null;
+            /**
+             * Trials
+             * @description Identifier of the job; sorts by the time of its making.
+             * @example 019ab1c2f7b2a6e01d5c33
+             */
+            trials: string;
+            /**
+             * Count
+             * @description How many trials.
+             * @example 10
+             */
+            count: number;
+            /**
+             * Seed
+             * @description Seed of the first.
+             * @example 0
+             */
+            seed: number;
+            /**
+             * Seals
+             * @description SHA-256 of what is planted in each, from the moment it is drawn; null before, and in lists.
+             */
+            seals: components["schemas"]["Seal"][] | null;
+            /**
+             * Opened
+             * @description What was planted and what the diagnosis said of it; null until all are done, and in lists.
+             */
+            opened: components["schemas"]["OpenedTrial"][] | null;
+            /**
+             * Sheet
+             * @description The score sheet (Markdown); null until all are done, and in lists.
+             * @example # Blind trials
+             */
+            sheet: string | null;
         };
         /**
          * TwinEffect
          * @description An effect of a twin and where it comes from.
-         *
-         *     Args:
-         *         recording: name of the recording that it was fitted to; `sha256` of that recording's files.
-         *         gap_before, gap_after: root mean square of measured minus simulated, in multiples of the noise, on motions that the fit did not see.
          */
         TwinEffect: {
-            /** Effect */
+            /**
+             * Effect
+             * @description Name of the effect.
+             * @example time_delay
+             */
             effect: string;
-            /** Parameters */
+            /**
+             * Parameters
+             * @description Its parameters by name.
+             */
             parameters: {
                 [key: string]: components["schemas"]["TwinParameter"];
             };
-            /** Recording */
+            /**
+             * Recording
+             * @description Name of the recording that it was fitted to.
+             * @example recording
+             */
             recording: string;
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description SHA-256 of that recording's files, hexadecimal.
+             * @example 9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+             */
             sha256: string;
             /**
              * Added
              * Format: date-time
+             * @description When it was added.
+             * @example 2026-03-01T09:30:00Z
              */
             added: string;
-            /** Gap Before */
+            /**
+             * Gap Before
+             * @description Measured minus simulated without it, rms in multiples of the noise, on motions that the fit did not see.
+             * @example 4.2
+             */
             gap_before: number;
-            /** Gap After */
+            /**
+             * Gap After
+             * @description The same with it.
+             * @example 1.1
+             */
             gap_after: number;
+        };
+        /**
+         * TwinEffectCreate
+         * @description An effect that a diagnosis names, or two joined by a plus sign.
+         */
+        TwinEffectCreate: {
+            /**
+             * Diagnosis
+             * @description Identifier of the diagnosis that found it.
+             * @example 019ab1c2e0a17d34a06c11
+             */
+            diagnosis: string;
+            /**
+             * Effect
+             * @description An effect that the diagnosis names, or two joined by a plus sign.
+             * @example time_delay
+             */
+            effect: string;
         };
         /**
          * TwinParameter
          * @description A parameter of an effect with its standard uncertainty, in `unit`.
          */
         TwinParameter: {
-            /** Value */
+            /**
+             * Value
+             * @description The value, in `unit`.
+             * @example 0.0042
+             */
             value: number;
-            /** Std */
+            /**
+             * Std
+             * @description Its standard uncertainty, in `unit`.
+             * @example 0.0002
+             */
             std: number;
-            /** Unit */
+            /**
+             * Unit
+             * @description Unit of both.
+             * @example s
+             */
             unit: string;
+        };
+        /**
+         * TwinPublic
+         * @description What a cell's simulation has beyond the nominal one; nothing where `effects` is empty.
+         */
+        TwinPublic: {
+            /**
+             * Effects
+             * @description What the cell's simulation has beyond the nominal one.
+             * @default []
+             */
+            effects?: components["schemas"]["TwinEffect"][];
+        };
+        /**
+         * TwinSharePart
+         * @description What one entry of the cell's twin does to the estimate.
+         */
+        TwinSharePart: {
+            /**
+             * Effect
+             * @description Identifier of the effect.
+             * @example time_delay
+             */
+            effect: string;
+            /** @description What the effect is called. */
+            title: components["schemas"]["Message"];
+            /**
+             * Recording
+             * @description Digest of the recording that the entry was fitted to.
+             * @example sha256:5f1d
+             */
+            recording: string;
+            /**
+             * Change
+             * @description Estimate with the entry less without it: mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2); null where the estimate is not determined.
+             * @example [
+             *       0.002,
+             *       0.0001,
+             *       0,
+             *       -0.0003,
+             *       0,
+             *       0,
+             *       0,
+             *       0.00001,
+             *       0,
+             *       0.00002
+             *     ]
+             */
+            change: (number | null)[];
         };
         /**
          * Value
          * @description A fitted parameter.
-         *
-         *     Args:
-         *         title: what it is called.
          */
         Value: {
+            /** @description What it is called. */
             title?: components["schemas"]["Message"] | null;
-            /** Value */
+            /**
+             * Value
+             * @description The fitted value, in `unit`.
+             * @example 0.0042
+             */
             value: number;
-            /** Std */
+            /**
+             * Std
+             * @description Its standard uncertainty, in `unit`; null where it has none.
+             * @example 0.0002
+             */
             std: number | null;
-            /** Unit */
+            /**
+             * Unit
+             * @description Unit of `value` and `std`.
+             * @example s
+             */
             unit: string;
             /**
              * At Bound
+             * @description Whether the fit ended at a bound of what is plausible.
              * @default false
              */
             at_bound?: boolean;
@@ -3609,25 +6912,152 @@ export interface components {
         /**
          * VerificationPart
          * @description A motion that was left out, predicted by a fit to all the rest.
-         *
-         *     Args:
-         *         windows: short averages that were compared; `rms` of measured minus predicted, force (N), then torque (N m).
-         *         noise_std: what noise alone makes of it; `expected` with the uncertainty of the prediction.
-         *         ratio: what is seen against what is expected, over all channels: near 1 where the estimate holds on something new.
          */
         VerificationPart: {
-            /** Phase */
+            /**
+             * Phase
+             * @description The motion that was left out.
+             * @example rotate:x
+             */
             phase: string;
-            /** Windows */
+            /**
+             * Windows
+             * @description Short averages that were compared.
+             * @example 120
+             */
             windows: number;
-            /** Rms */
+            /**
+             * Rms
+             * @description Of measured minus predicted, force (N), then torque (N m).
+             * @example [
+             *       0.012,
+             *       0.011,
+             *       0.015,
+             *       0.0006,
+             *       0.0007,
+             *       0.0006
+             *     ]
+             */
             rms: number[];
-            /** Noise Std */
+            /**
+             * Noise Std
+             * @description What noise alone makes of it, force (N), then torque (N m).
+             * @example [
+             *       0.011,
+             *       0.01,
+             *       0.014,
+             *       0.0006,
+             *       0.0006,
+             *       0.0006
+             *     ]
+             */
             noise_std: number[];
-            /** Expected */
+            /**
+             * Expected
+             * @description The same with the uncertainty of the prediction, force (N), then torque (N m).
+             * @example [
+             *       0.012,
+             *       0.011,
+             *       0.015,
+             *       0.0006,
+             *       0.0006,
+             *       0.0006
+             *     ]
+             */
             expected: number[];
-            /** Ratio */
+            /**
+             * Ratio
+             * @description Seen against expected over all channels, without a unit: near 1 where the estimate holds on something new.
+             * @example 1.04
+             */
             ratio: number;
+        };
+        /**
+         * Versions
+         * @description What this service is made of.
+         */
+        Versions: {
+            /**
+             * Release
+             * @description Of Heft.
+             * @example 0.1.0
+             */
+            release: string;
+            /**
+             * Engine
+             * @description Release, and a digest of the engine's sources: the same made the same results.
+             * @example 0.1.0+3f9a1c2e
+             */
+            engine: string;
+            /**
+             * Python
+             * @description Of the interpreter.
+             * @example 3.11.2
+             */
+            python: string;
+            /**
+             * System
+             * @description Operating system and processor.
+             * @example Linux-6.1.0-x86_64
+             */
+            system: string;
+            /**
+             * Processors
+             * @description Processors that the service may use.
+             * @example 4
+             */
+            processors: number;
+            /**
+             * Database
+             * @description Kind and version of the database.
+             * @example SQLite 3.40.1
+             */
+            database: string;
+            /**
+             * Schema Revision
+             * @description Of the database's tables: the newest migration that it has seen.
+             * @example 0009
+             */
+            schema_revision: string;
+            /**
+             * Started At
+             * Format: date-time
+             * @description When the service started.
+             * @example 2026-03-01T05:58:12Z
+             */
+            started_at: string;
+            /**
+             * Packages
+             * @description Libraries, by name.
+             */
+            packages: components["schemas"]["Package"][];
+        };
+        /**
+         * ViewWish
+         * @description What a page wants to see besides the cell as it is.
+         */
+        ViewWish: {
+            /** @description Box drawn in the place of the run's, sensor frame; null shows the run's. */
+            payload_box?: components["schemas"]["Box"] | null;
+            /**
+             * Q Rad
+             * @description Joint positions at which the planned robot is drawn, rad; null draws none. A robot that moves takes it away.
+             * @example [
+             *       0,
+             *       0.52,
+             *       0,
+             *       -1.57,
+             *       0,
+             *       1.05,
+             *       0
+             *     ]
+             */
+            q_rad?: number[] | null;
+            /**
+             * Look
+             * @description Turns the camera once: `operator` from where people stand, `fit` so that all is seen, `reset` as at first; null leaves it.
+             */
+            look?: ("front" | "top" | "operator" | "fit" | "reset") | null;
         };
         /**
          * WaitingForZone
@@ -3635,14 +7065,25 @@ export interface components {
          */
         WaitingForZone: {
             /**
-             * @description discriminator enum property added by openapi-typescript
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
              * @enum {string}
              */
             kind: "waiting_for_zone";
+            /** @description Why there is no safe way on. */
             message: components["schemas"]["Message"];
-            /** In The Way */
+            /**
+             * In The Way
+             * @description Name of what is in the way; null where planning does not know it.
+             * @example operator
+             */
             in_the_way?: string | null;
         };
+        /**
+         * WaitsFor
+         * @description What has to happen before an order goes on.
+         * @enum {string}
+         */
+        WaitsFor: "order" | "plan" | "release" | "resume" | "path" | "clear";
         /**
          * Wave
          * @description All joints at once, sines between two frequencies whose speeds are alike; how large, planning decides.
@@ -3650,55 +7091,87 @@ export interface components {
         Wave: {
             /**
              * Seconds
+             * @description How long, s.
              * @default 10
+             * @example 10
              */
             seconds?: number;
             /**
              * Lowest Hz
+             * @description Lowest frequency, Hz.
              * @default 0.3
+             * @example 0.3
              */
             lowest_hz?: number;
             /**
              * Highest Hz
+             * @description Highest frequency, Hz.
              * @default 6
+             * @example 6
              */
             highest_hz?: number;
             /**
              * Seed
+             * @description Of the sines' phases.
              * @default 0
+             * @example 0
              */
             seed?: number;
         };
         /**
-         * WebhookAnswer
+         * WebhookCreate
+         * @description Where to send; a secret is made where none is given.
+         */
+        WebhookCreate: {
+            /**
+             * Url
+             * Format: uri
+             * @description Where the end of every run is sent, `http` or `https`.
+             * @example https://mes.plant/hooks/heft
+             */
+            url: string;
+            /**
+             * Secret
+             * @description Signs what is sent, 16 to 128 characters; made where null.
+             * @example a secret of sixteen or more
+             */
+            secret?: string | null;
+        };
+        /**
+         * WebhookPublic
          * @description A webhook; its secret is shown once, when it is made.
          */
-        WebhookAnswer: {
-            /** Id */
+        WebhookPublic: {
+            /**
+             * Id
+             * @description Identifier of the webhook.
+             * @example 019ab1b0c0d1e2f3a4b5c6
+             */
             id: string;
-            /** Url */
+            /**
+             * Url
+             * @description Where the end of every run is sent.
+             * @example https://mes.plant/hooks/heft
+             */
             url: string;
-            /** Made By */
+            /**
+             * Made By
+             * @description Who made it.
+             * @example account:admin
+             */
             made_by: string;
             /**
              * Made At
              * Format: date-time
+             * @description When it was made.
+             * @example 2026-03-01T07:00:00Z
              */
             made_at: string;
-            /** Secret */
-            secret?: string | null;
-        };
-        /**
-         * WebhookBody
-         * @description Where to send; a secret is made where none is given.
-         */
-        WebhookBody: {
             /**
-             * Url
-             * Format: uri
+             * Secret
+             * @description Signs what is sent; shown once, when it is made.
+             * @example Yw5Qm0bXb1l2Vx3k
              */
-            url: string;
-            /** Secret */
             secret?: string | null;
         };
         /**
@@ -3706,62 +7179,197 @@ export interface components {
          * @description Where the gap lies; mean squares by direction and by pose (the sensor axis that points up or down) are against noise 1.
          */
         Where: {
-            /** Cells */
+            /**
+             * Cells
+             * @description The gap by channel, motion and band of frequencies.
+             */
             cells: components["schemas"]["PatchPart"][];
-            /** Channel */
+            /**
+             * Channel
+             * @description The channel with most of it.
+             * @example ty
+             */
             channel: string;
-            /** Phase */
+            /**
+             * Phase
+             * @description The motion with most of it.
+             * @example rotate:x
+             */
             phase: string;
-            /** Stage */
+            /**
+             * Stage
+             * @description Where on the way from payload to reading it seems to arise.
+             * @example reading
+             */
             stage: string;
-            /** By Time */
+            /**
+             * By Time
+             * @description Share of the excess in each tenth of the recording.
+             * @example [
+             *       0.1,
+             *       0.1,
+             *       0.8
+             *     ]
+             */
             by_time: number[];
-            /** By Direction */
+            /**
+             * Worst S
+             * @description Begin and end of the worst stretch, s; null in answers of earlier versions.
+             * @example [
+             *       31,
+             *       33.5
+             *     ]
+             */
+            worst_s?: [
+                number,
+                number
+            ] | null;
+            /**
+             * By Direction
+             * @description Mean squares by direction of motion, against noise 1.
+             * @example {
+             *       "back": 4.1,
+             *       "forward": 3.9
+             *     }
+             */
             by_direction: {
                 [key: string]: number;
             };
             /**
              * By Pose
-             * @default {}
+             * @description Mean squares by the sensor axis that points up or down, against noise 1.
+             * @example {
+             *       "x+": 1.2,
+             *       "x-": 1.1
+             *     }
              */
             by_pose?: {
                 [key: string]: number;
             };
             /**
              * Joints
-             * @default []
+             * @description The same seen at the joints.
              */
             joints?: components["schemas"]["JointGap"][];
+            /** @description The same as a message. */
             message: components["schemas"]["Message"];
         };
         /**
          * WorkpiecePart
          * @description The workpiece alone: the estimate without the tools, its covariance with theirs.
-         *
-         *     Args:
-         *         remarks: what has to be known of the numbers.
          */
         WorkpiecePart: {
-            /** Phi */
+            /**
+             * Phi
+             * @description Mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2); null is what is not determined.
+             * @example [
+             *       1.86,
+             *       0,
+             *       -0.0468,
+             *       0.0605,
+             *       0.0038,
+             *       0,
+             *       0,
+             *       0.0035,
+             *       0.0017,
+             *       0.0022
+             *     ]
+             */
             phi: (number | null)[];
-            /** Std */
+            /**
+             * Std
+             * @description Standard uncertainties of `phi`, in the same units.
+             * @example [
+             *       0.006,
+             *       0.0005,
+             *       0.0005,
+             *       0.0005,
+             *       0.0002,
+             *       0.0001,
+             *       0.0001,
+             *       0.0002,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
             std: (number | null)[];
-            /** Covariance */
+            /**
+             * Covariance
+             * @description Covariance of `phi`, ten rows of ten, that of the tools included.
+             * @example [
+             *       [
+             *         0.000036,
+             *         0
+             *       ],
+             *       [
+             *         0,
+             *         2.5e-7
+             *       ]
+             *     ]
+             */
             covariance: (number | null)[][];
-            /** Com M */
+            /**
+             * Com M
+             * @description Centre of mass, m, sensor frame.
+             * @example [
+             *       0,
+             *       -0.0252,
+             *       0.0325
+             *     ]
+             */
             com_m: (number | null)[];
-            /** Com Std M */
+            /**
+             * Com Std M
+             * @description Its standard uncertainties, m.
+             * @example [
+             *       0.0003,
+             *       0.0003,
+             *       0.0003
+             *     ]
+             */
             com_std_m: (number | null)[];
-            /** Inertia Com Kg M2 */
+            /**
+             * Inertia Com Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass, kg m2.
+             * @example [
+             *       0.0007,
+             *       0,
+             *       0,
+             *       0.0015,
+             *       0.0002,
+             *       0.001
+             *     ]
+             */
             inertia_com_kg_m2: (number | null)[];
-            /** Inertia Com Std Kg M2 */
+            /**
+             * Inertia Com Std Kg M2
+             * @description Their standard uncertainties, kg m2.
+             * @example [
+             *       0.0002,
+             *       0.0001,
+             *       0.0001,
+             *       0.0002,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
             inertia_com_std_kg_m2: (number | null)[];
-            /** Consistent */
+            /**
+             * Consistent
+             * @description Whether a rigid body can have these parameters.
+             */
             consistent: boolean;
+            /** @description The workpiece as somebody else knows it. */
             reference: components["schemas"]["ReferencePart"] | null;
-            /** Tools */
+            /**
+             * Tools
+             * @description What was taken off.
+             */
             tools: components["schemas"]["ToolPart"][];
-            /** Remarks */
+            /**
+             * Remarks
+             * @description What has to be known of the numbers.
+             */
             remarks: components["schemas"]["Message"][];
         };
         /**
@@ -3769,123 +7377,189 @@ export interface components {
          * @description A protected zone: people may be anywhere in it; neither the robot nor a load that comes off may get into it.
          */
         Zone: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the zone.
+             * @example operator
+             */
             name: string;
-            /** Shape */
+            /**
+             * Shape
+             * @description Its shape and place, world frame.
+             */
             shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
         };
         /**
-         * ZoneBack
-         * @description The way back.
-         *
-         *     Args:
-         *         to: where it was `before`, or where the cell's `file` has it.
-         *         moves: how often the zone had moved when whoever asks saw it; refused where it has moved on since.
+         * ZoneCheckCreate
+         * @description Where a zone's centre would be, in the world frame.
          */
-        ZoneBack: {
-            /**
-             * To
-             * @default before
-             * @enum {string}
-             */
-            to?: "before" | "file";
-            /** Moves */
-            moves?: number | null;
+        ZoneCheckCreate: {
+            /** @description Where its centre would be, world frame. */
+            pose: components["schemas"]["Pose"];
         };
         /**
-         * ZoneChecked
+         * ZoneCheckPublic
          * @description Why nothing could be planned with a zone at a place; nothing where `flaws` is empty. The zone has not moved.
          */
-        ZoneChecked: {
-            /** Cell */
+        ZoneCheckPublic: {
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
             cell: string;
-            /** Zone */
+            /**
+             * Zone
+             * @description Name of the zone.
+             * @example operator
+             */
             zone: string;
-            pose: components["schemas"]["Pose"];
-            /** Flaws */
-            flaws: components["schemas"]["Flaw"][];
-        };
-        /**
-         * ZoneMove
-         * @description Where a zone's centre was measured, in the world frame; its shape and size stay.
-         */
-        ZoneMove: {
+            /** @description Where its centre would be, world frame. */
             pose: components["schemas"]["Pose"];
             /**
-             * Measured At
-             * Format: date-time
+             * Flaws
+             * @description Why nothing could be planned with it there; empty where something could. It has not moved.
              */
-            measured_at: string;
+            flaws: components["schemas"]["Flaw"][];
         };
         /**
          * ZonePlace
          * @description When a zone was brought to where it is now, and by whom: measured by the clock of who measured it, received by ours.
-         *
-         *     Args:
-         *         previous: where it was before.
-         *         in_file: where the cell's file has it.
          */
         ZonePlace: {
-            /** Zone */
+            /**
+             * Zone
+             * @description Name of the zone.
+             * @example operator
+             */
             zone: string;
-            /** Moves */
+            /**
+             * Moves
+             * @description How often it has moved.
+             * @example 3
+             */
             moves: number;
-            /** Moved By */
+            /**
+             * Moved By
+             * @description Who brought it to where it is now.
+             * @example key:tracker
+             */
             moved_by: string;
             /**
              * Measured At
              * Format: date-time
+             * @description When it was measured, by the clock of who did.
+             * @example 2026-03-01T08:00:00Z
              */
             measured_at: string;
             /**
              * Received At
              * Format: date-time
+             * @description When the service heard of it, by its own clock.
+             * @example 2026-03-01T08:00:00.120Z
              */
             received_at: string;
+            /** @description Where it was before. */
             previous: components["schemas"]["Pose"];
+            /** @description Where the cell's file has it. */
             in_file: components["schemas"]["Pose"];
         };
         /**
-         * ZoneShown
+         * ZonePublic
          * @description A zone's latest place.
-         *
-         *     Args:
-         *         previous: where it was before that.
-         *         contradiction: why nothing can be planned while it is there; `flaws` says all of it.
          */
-        ZoneShown: {
-            /** Cell */
+        ZonePublic: {
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
             cell: string;
-            /** Zone */
+            /**
+             * Zone
+             * @description Name of the zone.
+             * @example operator
+             */
             zone: string;
+            /** @description Where its centre is, world frame. */
             pose: components["schemas"]["Pose"];
+            /** @description Where it was before that. */
             previous: components["schemas"]["Pose"];
-            /** Moves */
+            /**
+             * Moves
+             * @description How often it has moved.
+             * @example 3
+             */
             moves: number;
             /**
              * Measured At
              * Format: date-time
+             * @description When it was measured, by the clock of who did.
+             * @example 2026-03-01T08:00:00Z
              */
             measured_at: string;
             /**
              * Received At
              * Format: date-time
+             * @description When the service heard of it, by its own clock.
+             * @example 2026-03-01T08:00:00.120Z
              */
             received_at: string;
+            /** @description Why nothing can be planned while it is there; null where something can. */
             contradiction: components["schemas"]["Message"] | null;
-            /** Flaws */
+            /**
+             * Flaws
+             * @description All that speaks against planning while it is there.
+             */
             flaws: components["schemas"]["Flaw"][];
         };
         /**
-         * ZoneTry
-         * @description Where a zone's centre would be, in the world frame.
+         * ZoneUndoCreate
+         * @description The way back.
          */
-        ZoneTry: {
+        ZoneUndoCreate: {
+            /**
+             * To
+             * @description To where it was before, or to where the cell's file has it.
+             * @default before
+             * @enum {string}
+             */
+            to?: "before" | "file";
+            /**
+             * Moves
+             * @description How often it had moved when whoever asks saw it; refused where it has moved on since. Not compared where null.
+             * @example 3
+             */
+            moves?: number | null;
+        };
+        /**
+         * ZoneUpdate
+         * @description Where a zone's centre was measured, in the world frame; its shape and size stay.
+         */
+        ZoneUpdate: {
+            /** @description Where its centre was measured, world frame; shape and size stay. */
             pose: components["schemas"]["Pose"];
+            /**
+             * Measured At
+             * Format: date-time
+             * @description When, ISO 8601 with its offset from UTC; what is older than the latest known is refused.
+             * @example 2026-03-01T08:00:00Z
+             */
+            measured_at: string;
         };
         /** @description A message that another one names. */
         NestedMessage: {
+            /**
+             * @description Which message of the catalogue.
+             * @example runs-command
+             */
             code: string;
+            /**
+             * @description What its words name.
+             * @example {
+             *       "command": "stop"
+             *     }
+             */
             parameters: {
                 [key: string]: unknown;
             };
@@ -3893,12 +7567,6 @@ export interface components {
         /**
          * ProblemDetails
          * @description What went wrong.
-         *
-         *     Args:
-         *         type: address of what describes it, `/problems/{code}`: one for each situation.
-         *         detail: it in English.
-         *         kind: for programs that know no single situations: few, and stable.
-         *         parameters: what the words of the situation name; numbers in SI with the unit in their name.
          * @example {
          *       "detail": "zone \"operator\": is where the cell's file has it; there is nothing to undo",
          *       "kind": "conflict",
@@ -3912,50 +7580,100 @@ export interface components {
          *     }
          */
         ProblemDetails: {
-            /** Type */
+            /**
+             * Type
+             * @description Address of what describes the situation, `/problems/{code}`.
+             * @example /problems/zone-not-moved
+             */
             type: string;
-            /** Title */
+            /**
+             * Title
+             * @description What kind of thing it is, in English.
+             * @example It does not go with the present state
+             */
             title: string;
-            /** Status */
+            /**
+             * Status
+             * @description HTTP status.
+             * @example 409
+             */
             status: number;
-            /** Detail */
+            /**
+             * Detail
+             * @description What happened, the value against the limit, and the next step, in English.
+             * @example zone "operator": is where the cell's file has it; there is nothing to undo
+             */
             detail: string;
-            /** Kind */
+            /**
+             * Kind
+             * @description For programs that know no single situations: few, and stable.
+             * @example conflict
+             */
             kind: string;
-            /** Parameters */
+            /**
+             * Parameters
+             * @description What the words of the situation name: numbers in SI with the unit in their name.
+             * @example {
+             *       "zone": "operator"
+             *     }
+             */
             parameters?: {
                 [key: string]: unknown;
             };
-            /** Request Id */
+            /**
+             * Request Id
+             * @description Names the request in the service's log; also the header `X-Request-Id`.
+             * @example 4f1c2a9be7d34a06
+             */
             request_id: string;
-            /** Flaws */
+            /**
+             * Flaws
+             * @description All that cannot be used, where it is the request or a cell.
+             */
             flaws?: components["schemas"]["Flaw"][];
             /**
              * Value
+             * @description What was measured, in SI, where a limit was exceeded.
              * @default null
+             * @example 0.28
              */
             value?: number | null;
             /**
              * Limit
+             * @description That limit, in the same unit.
              * @default null
+             * @example 0.25
              */
             limit?: number | null;
             /**
              * Retry After S
+             * @description When to ask again, s; also the header `Retry-After`.
              * @default null
+             * @example 1
              */
             retry_after_s?: number | null;
             /**
              * Allowed
+             * @description What would be accepted instead: methods, commands.
              * @default null
+             * @example [
+             *       "stop",
+             *       "abort"
+             *     ]
              */
             allowed?: string[] | null;
         };
         /** @description people-key-refused = key: unknown, expired or revoked; ask whoever keeps the accounts for a new one */
         PeopleKeyRefusedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-key-refused";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-signed-in";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -3966,9 +7684,15 @@ export interface components {
         });
         /** @description people-session-over = session: ended or expired; sign in again */
         PeopleSessionOverProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-session-over";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-signed-in";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -3979,9 +7703,15 @@ export interface components {
         });
         /** @description people-sign-in-refused = name or password: not right; try again or ask whoever keeps the accounts */
         PeopleSignInRefusedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-sign-in-refused";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-signed-in";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -3992,11 +7722,19 @@ export interface components {
         });
         /** @description people-not-signed-in = { $endpoint }: sign in with POST /api/session, or send a key as `Authorization: Bearer` */
         PeopleNotSignedInProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-not-signed-in";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-signed-in";
+            /** @description What the words name. */
             parameters: {
+                /** @description Method and address. */
                 endpoint: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4008,11 +7746,19 @@ export interface components {
         });
         /** @description people-origin-foreign = origin: "{ $origin }" is no page of this service; set HEFT_ORIGINS if it is to be one */
         PeopleOriginForeignProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-origin-foreign";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-allowed";
+            /** @description What the words name. */
             parameters: {
+                /** @description Where the request comes from. */
                 origin: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4024,9 +7770,15 @@ export interface components {
         });
         /** @description people-origin-missing = origin: a browser's websocket has to say which page it belongs to */
         PeopleOriginMissingProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-origin-missing";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-allowed";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -4037,11 +7789,19 @@ export interface components {
         });
         /** @description people-csrf-token-wrong = { $header }: not the session's; GET /api/session tells it */
         PeopleCsrfTokenWrongProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-csrf-token-wrong";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-allowed";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the header. */
                 header: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4053,11 +7813,19 @@ export interface components {
         });
         /** @description people-endpoint-closed = { $endpoint }: not in the table of authority, so nobody may call it */
         PeopleEndpointClosedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-endpoint-closed";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-allowed";
+            /** @description What the words name. */
             parameters: {
+                /** @description Method and address. */
                 endpoint: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4069,14 +7837,25 @@ export interface components {
         });
         /** @description people-role-lacking = { $endpoint }: { $who } is { $roles }; it takes one of { $needed } */
         PeopleRoleLackingProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-role-lacking";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-allowed";
+            /** @description What the words name. */
             parameters: {
+                /** @description Method and address. */
                 endpoint: string;
+                /** @description Who asked, or who did it. */
                 who: string;
+                /** @description The roles. */
                 roles: (string | components["schemas"]["NestedMessage"])[];
+                /** @description Roles that may. */
                 needed: (string | components["schemas"]["NestedMessage"])[];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4088,13 +7867,23 @@ export interface components {
         });
         /** @description people-without-role = { $endpoint }: { $who } has no role; it takes one of { $needed } */
         PeopleWithoutRoleProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-without-role";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-allowed";
+            /** @description What the words name. */
             parameters: {
+                /** @description Method and address. */
                 endpoint: string;
+                /** @description Who asked, or who did it. */
                 who: string;
+                /** @description Roles that may. */
                 needed: (string | components["schemas"]["NestedMessage"])[];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4106,9 +7895,15 @@ export interface components {
         });
         /** @description people-key-without-password = password: a key has none; only an account changes its password */
         PeopleKeyWithoutPasswordProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-key-without-password";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-allowed";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -4119,9 +7914,15 @@ export interface components {
         });
         /** @description people-password-wrong = password: not the one until now */
         PeoplePasswordWrongProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-password-wrong";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-allowed";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -4132,11 +7933,19 @@ export interface components {
         });
         /** @description runs-unknown = run: there is none called "{ $run }". List what there is and ask again. */
         RunsUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4146,13 +7955,45 @@ export interface components {
              */
             type: "/problems/runs-unknown";
         });
+        /** @description alarms-unknown = alarm: none of the open ones is called "{ $alarm }". List what is open and ask again. */
+        AlarmsUnknownProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/alarms-unknown";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "not-found";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the alarm. */
+                alarm: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/alarms-unknown";
+        });
         /** @description runs-webhook-unknown = webhook: there is none called "{ $webhook }". List what there is and ask again. */
         RunsWebhookUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-webhook-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the webhook. */
                 webhook: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4164,11 +8005,19 @@ export interface components {
         });
         /** @description people-account-unknown = account: there is none called "{ $account }". List what there is and ask again. */
         PeopleAccountUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-account-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the account. */
                 account: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4180,11 +8029,19 @@ export interface components {
         });
         /** @description people-key-unknown = key: there is none called "{ $key }". List what there is and ask again. */
         PeopleKeyUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-key-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name or beginning of the key. */
                 key: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4194,14 +8051,47 @@ export interface components {
              */
             type: "/problems/people-key-unknown";
         });
+        /** @description people-session-unknown = session: you have none called "{ $session }". List what there is and ask again. */
+        PeopleSessionUnknownProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/people-session-unknown";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "not-found";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the browser's session. */
+                session: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/people-session-unknown";
+        });
         /** @description jobs-unknown = { jobs-kind }: there is none called "{ $job }". List what there is and ask again. */
         JobsUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Kind of the job or the file. */
                 kind: string;
+                /** @description Identifier of the job. */
                 job: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4213,11 +8103,19 @@ export interface components {
         });
         /** @description jobs-effect-not-in-twin = effect in the twin: there is none called "{ $effect }". List what there is and ask again. */
         JobsEffectNotInTwinProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-effect-not-in-twin";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the effect. */
                 effect: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4229,12 +8127,21 @@ export interface components {
         });
         /** @description zone-unknown = zone of cell "{ $cell }": there is none called "{ $zone }". List what there is and ask again. */
         ZoneUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/zone-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
+                /** @description Name of the zone. */
                 zone: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4246,11 +8153,19 @@ export interface components {
         });
         /** @description request-cell-unknown = cell: there is none called "{ $cell }". List what there is and ask again. */
         RequestCellUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-cell-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4262,11 +8177,19 @@ export interface components {
         });
         /** @description request-problem-unknown = problem: there is none called "{ $problem }". GET /openapi.json lists what there is. */
         RequestProblemUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-problem-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name that was asked for. */
                 problem: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4278,11 +8201,19 @@ export interface components {
         });
         /** @description request-console-file-unknown = file of the console: there is none called "{ $path }". Load the page again. */
         RequestConsoleFileUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-console-file-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Address of the request. */
                 path: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4294,12 +8225,21 @@ export interface components {
         });
         /** @description request-address-unknown = { $method } { $path }: there is nothing at this address; GET /openapi.json lists what there is */
         RequestAddressUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-address-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "not-found";
+            /** @description What the words name. */
             parameters: {
+                /** @description Method of the request. */
                 method: string;
+                /** @description Address of the request. */
                 path: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4311,14 +8251,25 @@ export interface components {
         });
         /** @description runs-command-not-possible = run { $run }: { runs-command } is not possible in { runs-state }; legal commands here: { $commands } */
         RunsCommandNotPossibleProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-command-not-possible";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description What was asked. */
                 command: string;
+                /** @description State of the run or the job. */
                 state: string;
+                /** @description What may be asked instead. */
                 commands: (string | components["schemas"]["NestedMessage"])[];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4330,13 +8281,23 @@ export interface components {
         });
         /** @description runs-command-impossible = run { $run }: { runs-command } is not possible in { runs-state }; legal commands here: none */
         RunsCommandImpossibleProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-command-impossible";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description What was asked. */
                 command: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4348,12 +8309,21 @@ export interface components {
         });
         /** @description runs-no-plan = run { $run }: there is no plan yet, it is in { runs-state }; wait until it is Idle */
         RunsNoPlanProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-no-plan";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4365,12 +8335,21 @@ export interface components {
         });
         /** @description runs-no-result = run { $run }: there is no result, it is in { runs-state } */
         RunsNoResultProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-no-result";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4382,13 +8361,23 @@ export interface components {
         });
         /** @description runs-no-result-because = run { $run }: there is no result, it is in { runs-state } ({ $cause }) */
         RunsNoResultBecauseProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-no-result-because";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description State of the run or the job. */
                 state: string;
+                /** @description Why the run has none. */
                 cause: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4400,12 +8389,21 @@ export interface components {
         });
         /** @description runs-no-recording = run { $run }: has no recording, it is in { runs-state }; one is there once a robot that has moved stands again */
         RunsNoRecordingProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-no-recording";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4417,12 +8415,21 @@ export interface components {
         });
         /** @description runs-no-report = run { $run }: has no report, it is in { runs-state }; a report comes with a run that is Complete */
         RunsNoReportProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-no-report";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4434,11 +8441,19 @@ export interface components {
         });
         /** @description runs-recording-open = run { $run }: its control process still closes the recording; ask again in some seconds */
         RunsRecordingOpenProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-recording-open";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4450,13 +8465,23 @@ export interface components {
         });
         /** @description runs-nothing-left = run { $run }: there is nothing to go on with; it is in { runs-state } and has finished { $finished_steps } steps. Begin a new run */
         RunsNothingLeftProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-nothing-left";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description State of the run or the job. */
                 state: string;
+                /** @description How many steps are recorded. */
                 finished_steps: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4468,11 +8493,19 @@ export interface components {
         });
         /** @description runs-recording-not-there = run { $run }: its recording is not there (yet); ask again in some seconds, or begin a new run */
         RunsRecordingNotThereProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-recording-not-there";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4484,12 +8517,21 @@ export interface components {
         });
         /** @description runs-accepted-already = run { $run }: was accepted already, by { $who }; a result is accepted once */
         RunsAcceptedAlreadyProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-accepted-already";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description Who asked, or who did it. */
                 who: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4499,13 +8541,47 @@ export interface components {
              */
             type: "/problems/runs-accepted-already";
         });
+        /** @description alarms-acknowledged-already = alarm { $alarm }: was acknowledged already, by { $who } */
+        AlarmsAcknowledgedAlreadyProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/alarms-acknowledged-already";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the alarm. */
+                alarm: string;
+                /** @description Who asked, or who did it. */
+                who: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/alarms-acknowledged-already";
+        });
         /** @description runs-nothing-to-stop = cell "{ $cell }": no run has its robot, so there is nothing to stop */
         RunsNothingToStopProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-nothing-to-stop";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4517,11 +8593,19 @@ export interface components {
         });
         /** @description runs-no-common-frame = cell "{ $cell }": does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common */
         RunsNoCommonFrameProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-no-common-frame";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4531,15 +8615,25 @@ export interface components {
              */
             type: "/problems/runs-no-common-frame";
         });
-        /** @description runs-speed-not-allowed = speed_m_s is { SIGNIFICANT($speed_m_s, digits: 6) } m/s; this cell allows { SIGNIFICANT($least_m_s, digits: 6) } to { SIGNIFICANT($most_m_s, digits: 6) } m/s */
+        /** @description runs-speed-not-allowed = The speed limit of the run is { SIGNIFICANT($speed_m_s, digits: 6) } m/s (speed_m_s); this cell allows { SIGNIFICANT($least_m_s, digits: 6) } to { SIGNIFICANT($most_m_s, digits: 6) } m/s */
         RunsSpeedNotAllowedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-speed-not-allowed";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Speed that was asked for, m/s. */
                 speed_m_s: number;
+                /** @description The least, m/s. */
                 least_m_s: number;
+                /** @description The most, m/s. */
                 most_m_s: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4551,12 +8645,21 @@ export interface components {
         });
         /** @description runs-start-of-other-robot = start_rad has { $given } joint positions; this robot has { $joints } joints */
         RunsStartOfOtherRobotProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-start-of-other-robot";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description How many were given. */
                 given: number;
+                /** @description How many joints the robot has. */
                 joints: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4568,12 +8671,21 @@ export interface components {
         });
         /** @description runs-control-taken = control of cell "{ $cell }": { $holder } has it; ask them to let go of it */
         RunsControlTakenProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-control-taken";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
+                /** @description Who is in control. */
                 holder: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4585,11 +8697,19 @@ export interface components {
         });
         /** @description runs-control-free = control of cell "{ $cell }": nobody has it; take control (POST /api/control) and answer its stamps */
         RunsControlFreeProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-control-free";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4601,15 +8721,27 @@ export interface components {
         });
         /** @description runs-control-elsewhere = control of cell "{ $cell }": { $holder } has it with fence { $fence }, not { $who } with { $sent_fence } */
         RunsControlElsewhereProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-control-elsewhere";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
+                /** @description Who is in control. */
                 holder: string;
+                /** @description Fence of who is in control. */
                 fence: number;
+                /** @description Who asked, or who did it. */
                 who: string;
+                /** @description Fence that was sent. */
                 sent_fence: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4619,14 +8751,97 @@ export interface components {
              */
             type: "/problems/runs-control-elsewhere";
         });
+        /** @description runs-control-asked = control of cell "{ $cell }": { $who } has asked for it already; one asks at a time */
+        RunsControlAskedProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/runs-control-asked";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description Who asked, or who did it. */
+                who: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-control-asked";
+        });
+        /** @description runs-control-not-asked = control of cell "{ $cell }": nobody asks for it with this request any more */
+        RunsControlNotAskedProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/runs-control-not-asked";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-control-not-asked";
+        });
+        /** @description runs-control-overtaken = control of cell "{ $cell }": somebody was faster; look who has it now, then ask again */
+        RunsControlOvertakenProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/runs-control-overtaken";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/runs-control-overtaken";
+        });
         /** @description runs-command-without-control = command { runs-command }: needs control of cell "{ $cell }"; send `sent` with your fence, number and stamp */
         RunsCommandWithoutControlProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-command-without-control";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description What was asked. */
                 command: string;
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4638,12 +8853,21 @@ export interface components {
         });
         /** @description runs-command-repeated = command number { $number }: not above the last one, { $last_number }; it is repeated or out of order */
         RunsCommandRepeatedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-command-repeated";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Number of this command. */
                 number: number;
+                /** @description Number of the latest command. */
                 last_number: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4655,12 +8879,21 @@ export interface components {
         });
         /** @description runs-command-late = command stamp: { FIXED($age_s, digits: 3) } s old (0 to { SIGNIFICANT($limit_s) } s allowed); send the newest stamp you got */
         RunsCommandLateProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-command-late";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Its age, s. */
                 age_s: number;
+                /** @description What it may be, s. */
                 limit_s: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4672,11 +8905,19 @@ export interface components {
         });
         /** @description runs-plan-void = plan { $plan }: void, the plan or the cell has changed since; look at the plan again (GET plan) */
         RunsPlanVoidProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-plan-void";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description First digits of the plan's SHA-256. */
                 plan: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4688,9 +8929,15 @@ export interface components {
         });
         /** @description runs-offer-foreign = offer: not made for this plan by this service; look at the plan again (GET plan) and release what it shows */
         RunsOfferForeignProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-offer-foreign";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -4701,12 +8948,21 @@ export interface components {
         });
         /** @description runs-offer-old = offer: { FIXED($age_s, digits: 0) } s old (limit { FIXED($limit_s, digits: 0) } s); look at the plan again and release what it shows */
         RunsOfferOldProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-offer-old";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Its age, s. */
                 age_s: number;
+                /** @description What it may be, s. */
                 limit_s: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4718,11 +8974,19 @@ export interface components {
         });
         /** @description people-account-exists = account "{ $account }" exists already; choose another name or change that one */
         PeopleAccountExistsProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-account-exists";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the account. */
                 account: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4734,11 +8998,19 @@ export interface components {
         });
         /** @description people-last-admin = account "{ $account }" is the last admin who can sign in; make another one first */
         PeopleLastAdminProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-last-admin";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the account. */
                 account: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4750,11 +9022,19 @@ export interface components {
         });
         /** @description people-key-exists = key "{ $key }" exists already; revoke it or choose another name */
         PeopleKeyExistsProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-key-exists";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name or beginning of the key. */
                 key: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4766,13 +9046,23 @@ export interface components {
         });
         /** @description jobs-over = { jobs-kind } { $job }: it is { jobs-state }; only what waits or runs can be cancelled */
         JobsOverProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-over";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Kind of the job or the file. */
                 kind: string;
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4784,12 +9074,21 @@ export interface components {
         });
         /** @description jobs-no-overlay = diagnosis { $job }: has nothing to overlay, it is { jobs-state }; a done one has, if there was enough to compare */
         JobsNoOverlayProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-no-overlay";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4801,12 +9100,21 @@ export interface components {
         });
         /** @description jobs-no-report = diagnosis { $job }: has no report, it is { jobs-state }; a report comes with a diagnosis that is done */
         JobsNoReportProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-no-report";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4818,11 +9126,19 @@ export interface components {
         });
         /** @description jobs-no-cell = diagnosis { $job }: its recording was made in no cell of this service; upload it again with ?cell= */
         JobsNoCellProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-no-cell";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4834,11 +9150,19 @@ export interface components {
         });
         /** @description jobs-recording-gone = diagnosis { $job }: its recording is gone; diagnose another run */
         JobsRecordingGoneProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-recording-gone";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4850,13 +9174,23 @@ export interface components {
         });
         /** @description jobs-payload-unknown = diagnosis { $job }: payload "{ $payload }" is none that cell "{ $cell }" knows; make a run with one it knows */
         JobsPayloadUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-payload-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description Name of the payload. */
                 payload: string;
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4868,12 +9202,21 @@ export interface components {
         });
         /** @description jobs-payload-unnamed = diagnosis { $job }: its payload has no name, so cell "{ $cell }" does not know it; make a run with one it knows */
         JobsPayloadUnnamedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-payload-unnamed";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4885,13 +9228,23 @@ export interface components {
         });
         /** @description jobs-payload-differs = diagnosis { $job }: was made with payload "{ $payload }", not with "{ $given_payload }"; put "{ $payload }" back on */
         JobsPayloadDiffersProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-payload-differs";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description Name of the payload. */
                 payload: string;
+                /** @description Name of the payload that was given. */
                 given_payload: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4903,12 +9256,21 @@ export interface components {
         });
         /** @description jobs-no-motion-yet = diagnosis { $job }: is { jobs-state }; only one that is done proposes a motion */
         JobsNoMotionYetProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-no-motion-yet";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4920,11 +9282,19 @@ export interface components {
         });
         /** @description jobs-no-motion-proposed = diagnosis { $job }: proposes no motion; it leaves nothing open that one could settle */
         JobsNoMotionProposedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-no-motion-proposed";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4936,12 +9306,21 @@ export interface components {
         });
         /** @description jobs-no-motion-asked = diagnosis { $job }: asks for no motion but for { $motion } */
         JobsNoMotionAskedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-no-motion-asked";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description What is proposed instead. */
                 motion: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4953,12 +9332,21 @@ export interface components {
         });
         /** @description jobs-motion-refused = diagnosis { $job }: its motion was not planned ({ $refusal }); diagnose the recording again, in a cell that leaves room */
         JobsMotionRefusedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-motion-refused";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description Why it was refused. */
                 refusal: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4970,11 +9358,19 @@ export interface components {
         });
         /** @description jobs-motion-not-planned = diagnosis { $job }: its motion was not planned; diagnose the recording again, in a cell that leaves room */
         JobsMotionNotPlannedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-motion-not-planned";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -4986,12 +9382,21 @@ export interface components {
         });
         /** @description jobs-robot-changed = diagnosis { $job }: cell "{ $cell }" has changed since the recording: it has another robot; make a new run there */
         JobsRobotChangedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-robot-changed";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5003,14 +9408,25 @@ export interface components {
         });
         /** @description jobs-gravity-changed = diagnosis { $job }: cell "{ $cell }" has changed since the recording: gravity at the base is ({ $gravity_m_s2 }) m/s2, it was ({ $recorded_m_s2 }); make a new run there */
         JobsGravityChangedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-gravity-changed";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description Name of the cell. */
                 cell: string;
+                /** @description Gravity in the base frame now, m/s2. */
                 gravity_m_s2: number[];
+                /** @description Gravity in the recording, m/s2. */
                 recorded_m_s2: number[];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5022,12 +9438,21 @@ export interface components {
         });
         /** @description jobs-no-effect-yet = diagnosis { $job }: is { jobs-state }; an effect can be taken from one that is done */
         JobsNoEffectYetProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-no-effect-yet";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the job. */
                 job: string;
+                /** @description State of the run or the job. */
                 state: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5039,13 +9464,23 @@ export interface components {
         });
         /** @description zone-measured-before = zone "{ $zone }": measured at { $measured_at }, but its place at { $known_at } is known already; send measurements in order */
         ZoneMeasuredBeforeProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/zone-measured-before";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the zone. */
                 zone: string;
+                /** @description Time of this measurement, ISO 8601. */
                 measured_at: string;
+                /** @description Time of the latest measurement, ISO 8601. */
                 known_at: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5057,12 +9492,21 @@ export interface components {
         });
         /** @description zone-clock-ahead = measured_at: { $measured_at } is ahead of the service's clock, { $now }; set the measuring clock */
         ZoneClockAheadProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/zone-clock-ahead";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Time of this measurement, ISO 8601. */
                 measured_at: string;
+                /** @description Time of the service, ISO 8601. */
                 now: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5074,11 +9518,19 @@ export interface components {
         });
         /** @description zone-not-moved = zone "{ $zone }": is where the cell's file has it; there is nothing to undo */
         ZoneNotMovedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/zone-not-moved";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the zone. */
                 zone: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5090,13 +9542,23 @@ export interface components {
         });
         /** @description zone-moved-on = zone "{ $zone }": has moved { $moves } times, not { $seen_moves }; look where it is now and ask again */
         ZoneMovedOnProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/zone-moved-on";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the zone. */
                 zone: string;
+                /** @description How often the zone has moved. */
                 moves: number;
+                /** @description How often it had moved when it was seen. */
                 seen_moves: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5108,11 +9570,19 @@ export interface components {
         });
         /** @description uploads-cell-exists = cell "{ $cell }" exists already; PUT /api/cells/{ $cell } replaces it */
         UploadsCellExistsProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-cell-exists";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5124,11 +9594,19 @@ export interface components {
         });
         /** @description request-key-busy = Idempotency-Key "{ $key }": the first request is still under way; ask again */
         RequestKeyBusyProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-key-busy";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "conflict";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name or beginning of the key. */
                 key: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5138,14 +9616,73 @@ export interface components {
              */
             type: "/problems/request-key-busy";
         });
+        /** @description jobs-upload-of-other-cell = This recording was made in the cell "{ $found }", not in "{ $cell }". Choose that cell, or “Another robot”. */
+        JobsUploadOfOtherCellProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/jobs-upload-of-other-cell";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "unprocessable";
+            /** @description What the words name. */
+            parameters: {
+                /** @description What was found. */
+                found: string;
+                /** @description Name of the cell. */
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-upload-of-other-cell";
+        });
+        /** @description jobs-upload-of-other-robot = This recording is of another robot than that of the cell "{ $cell }". Choose “Another robot”: it is diagnosed without that cell's twin. */
+        JobsUploadOfOtherRobotProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/jobs-upload-of-other-robot";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "unprocessable";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/jobs-upload-of-other-robot";
+        });
         /** @description people-role-not-for-machines = role: found { people-role }, expected one of { $roles }: a machine neither releases motion nor makes accounts */
         PeopleRoleNotForMachinesProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-role-not-for-machines";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "unprocessable";
+            /** @description What the words name. */
             parameters: {
+                /** @description The role. */
                 role: string;
+                /** @description The roles. */
                 roles: (string | components["schemas"]["NestedMessage"])[];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5157,9 +9694,15 @@ export interface components {
         });
         /** @description jobs-work-lost = the process that did it ended unexpectedly; ask for it again. The service's log may know more. */
         JobsWorkLostProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/jobs-work-lost";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "unprocessable";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -5170,11 +9713,19 @@ export interface components {
         });
         /** @description zone-not-looked-at = zones of { $cell }: nothing was looked at; send it again */
         ZoneNotLookedAtProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/zone-not-looked-at";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "unprocessable";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5186,12 +9737,21 @@ export interface components {
         });
         /** @description uploads-no-zip = Content-Type: found "{ $found }", expected application/zip; send a zip of the { $what }'s folder */
         UploadsNoZipProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-no-zip";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "unprocessable";
+            /** @description What the words name. */
             parameters: {
+                /** @description What was found. */
                 found: string;
+                /** @description What the zip should hold. */
                 what: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5203,12 +9763,21 @@ export interface components {
         });
         /** @description uploads-other-cell = upload: the cell calls itself "{ $cell }", not "{ $name }"; send it to /api/cells/{ $cell } */
         UploadsOtherCellProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-other-cell";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "unprocessable";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name of the cell. */
                 cell: string;
+                /** @description Name that was given. */
                 name: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5220,9 +9789,15 @@ export interface components {
         });
         /** @description uploads-checker-ended = upload: the process that checks cells ended; nothing was changed, send it again */
         UploadsCheckerEndedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-checker-ended";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "unprocessable";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -5233,11 +9808,19 @@ export interface components {
         });
         /** @description request-key-reused = Idempotency-Key "{ $key }": was used for another body already; take a new key for a new request */
         RequestKeyReusedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-key-reused";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "unprocessable";
+            /** @description What the words name. */
             parameters: {
+                /** @description Name or beginning of the key. */
                 key: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5249,13 +9832,23 @@ export interface components {
         });
         /** @description request-body-too-large = { $method } { $path }: the body is larger than { $limit_bytes } bytes; send a smaller one */
         RequestBodyTooLargeProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-body-too-large";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "too-large";
+            /** @description What the words name. */
             parameters: {
+                /** @description Method of the request. */
                 method: string;
+                /** @description Address of the request. */
                 path: string;
+                /** @description What it may have, bytes. */
                 limit_bytes: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5267,11 +9860,19 @@ export interface components {
         });
         /** @description people-sign-in-blocked = sign-in: too many failures of late; try again in { FIXED($retry_after_s, digits: 0) } s */
         PeopleSignInBlockedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/people-sign-in-blocked";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "too-many";
+            /** @description What the words name. */
             parameters: {
+                /** @description When to ask again, s. */
                 retry_after_s: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5283,9 +9884,15 @@ export interface components {
         });
         /** @description store-unavailable = the database is locked, full or away; nothing was changed. Try again; if it stays so, see the service's log */
         StoreUnavailableProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/store-unavailable";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "store-unavailable";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -5296,9 +9903,15 @@ export interface components {
         });
         /** @description store-release-waits = release: the database is locked, full or away, and nothing moves without it; release again when it is back */
         StoreReleaseWaitsProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/store-release-waits";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "store-unavailable";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -5309,9 +9922,15 @@ export interface components {
         });
         /** @description store-release-not-taken = release: the database did not take it, so nothing moves; the run was ended */
         StoreReleaseNotTakenProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/store-release-not-taken";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "store-unavailable";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -5322,9 +9941,15 @@ export interface components {
         });
         /** @description store-resume-waits = resume: the database is locked, full or away, and nothing begins to move without it; resume when it is back */
         StoreResumeWaitsProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/store-resume-waits";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "store-unavailable";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -5335,11 +9960,19 @@ export interface components {
         });
         /** @description store-result-not-there = run { $run }: the database does not have its result yet; accept it again in some seconds */
         StoreResultNotThereProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/store-result-not-there";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "store-unavailable";
+            /** @description What the words name. */
             parameters: {
+                /** @description Identifier of the run. */
                 run: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5351,12 +9984,21 @@ export interface components {
         });
         /** @description runs-disk-too-full = disk: { FIXED($free_mb, digits: 0) } MB are free where runs are recorded, this one needs up to { FIXED($needed_mb, digits: 0) } MB; make room, then release it again */
         RunsDiskTooFullProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-disk-too-full";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "no-room";
+            /** @description What the words name. */
             parameters: {
+                /** @description Room on the disk, MB. */
                 free_mb: number;
+                /** @description Room that is needed, MB. */
                 needed_mb: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5372,11 +10014,19 @@ export interface components {
          *         .expected = files inside it
          */
         UploadsOutsideFileProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-outside-file";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-input";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5392,12 +10042,21 @@ export interface components {
          *         .expected = a cell, which is data only
          */
         UploadsProgramProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-program";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-input";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description What was tried. */
                 event: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5413,12 +10072,21 @@ export interface components {
          *         .expected = one that the simulated robot can carry; add it to cell.toml
          */
         RunsCellWithoutPayloadProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-cell-without-payload";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-payload";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5434,14 +10102,25 @@ export interface components {
          *         .expected = one of { $payloads }, which cell "{ $cell }" knows
          */
         RunsPayloadUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/runs-payload-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-payload";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description Name of the payload. */
                 payload: string;
+                /** @description Names of those that the cell knows. */
                 payloads: (string | components["schemas"]["NestedMessage"])[];
+                /** @description Name of the cell. */
                 cell: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5457,13 +10136,23 @@ export interface components {
          *         .expected = a plain zip of the folder of a { $what }
          */
         UploadsNotUnpackableProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-not-unpackable";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell" | "bad-recording";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description What the system says. */
                 reason: string;
+                /** @description What the zip should hold. */
                 what: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5479,13 +10168,23 @@ export interface components {
          *         .expected = at most { $most_files }
          */
         UploadsTooManyFilesProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-too-many-files";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell" | "bad-recording";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description How many files there are. */
                 files: number;
+                /** @description How many there may be. */
                 most_files: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5501,13 +10200,23 @@ export interface components {
          *         .expected = at most { $most_bytes }
          */
         UploadsTooManyBytesProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-too-many-bytes";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description What it unpacks to, bytes. */
                 unpacked_bytes: number;
+                /** @description What it may have, bytes. */
                 most_bytes: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5523,12 +10232,21 @@ export interface components {
          *         .expected = { $listed_bytes }
          */
         UploadsLongerThanListedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-longer-than-listed";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description What the zip says that it has, bytes. */
                 listed_bytes: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5544,11 +10262,19 @@ export interface components {
          *         .expected = plain files
          */
         UploadsSymbolicLinkProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-symbolic-link";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5564,11 +10290,19 @@ export interface components {
          *         .expected = plain files
          */
         UploadsSpecialFileProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-special-file";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5584,11 +10318,19 @@ export interface components {
          *         .expected = plain files
          */
         UploadsEncryptedFileProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-encrypted-file";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5604,12 +10346,21 @@ export interface components {
          *         .expected = stored or deflated files
          */
         UploadsCompressionUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-compression-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description Number of the zip's method of compression. */
                 compression: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5625,11 +10376,19 @@ export interface components {
          *         .expected = a relative path without `..`, with forward slashes
          */
         UploadsNameOutsideProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-name-outside";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5645,12 +10404,21 @@ export interface components {
          *         .expected = letters, digits, `_`, `-` and `.`, in at most { $levels } levels
          */
         UploadsNameUnusualProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-name-unusual";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description How deep folders may lie. */
                 levels: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5666,13 +10434,23 @@ export interface components {
          *         .expected = one of { $kinds }
          */
         UploadsKindUnknownProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-kind-unknown";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description Kind of the job or the file. */
                 kind: string;
+                /** @description What it may be. */
                 kinds: (string | components["schemas"]["NestedMessage"])[];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5688,12 +10466,21 @@ export interface components {
          *         .expected = one
          */
         UploadsSameNamesProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-same-names";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description How many files there are. */
                 files: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5709,12 +10496,21 @@ export interface components {
          *         .expected = { $file } and the files that it names
          */
         UploadsNoCellFileProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-no-cell-file";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description Name of the file. */
                 file: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5730,12 +10526,21 @@ export interface components {
          *         .expected = a cell of ordinary size
          */
         UploadsCheckTooLargeProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-check-too-large";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description What the system says. */
                 reason: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5751,12 +10556,21 @@ export interface components {
          *         .expected = a cell of ordinary size
          */
         UploadsCheckTooSlowProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-check-too-slow";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description What it may be, s. */
                 limit_s: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5772,11 +10586,19 @@ export interface components {
          *         .expected = a cell of ordinary size
          */
         UploadsCheckBrokenOffProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-check-broken-off";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5792,13 +10614,23 @@ export interface components {
          *         .expected = the name of its folder, "{ $folder }"
          */
         UploadsCellMisnamedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-cell-misnamed";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-cell";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description Name that was given. */
                 name: string;
+                /** @description Name of the folder. */
                 folder: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5814,12 +10646,21 @@ export interface components {
          *         .expected = links and meshes that can
          */
         UploadsModelNotBuildableProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-model-not-buildable";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-robot";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description What the system says. */
                 reason: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5835,12 +10676,21 @@ export interface components {
          *         .expected = a recording of a plausible size
          */
         UploadsRecordingTooLargeProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-recording-too-large";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-recording";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description What it may have, bytes. */
                 most_bytes: number;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5856,11 +10706,19 @@ export interface components {
          *         .expected = one recording
          */
         UploadsTwoRecordingsProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-two-recordings";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-recording";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5876,12 +10734,21 @@ export interface components {
          *         .expected = a recording folder
          */
         UploadsNoManifestProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/uploads-no-manifest";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-recording";
+            /** @description What the words name. */
             parameters: {
+                /** @description The part of the request, or the file with the key in it. */
                 where: string | components["schemas"]["NestedMessage"];
+                /** @description Name of the file. */
                 file: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5899,12 +10766,21 @@ export interface components {
          *         }
          */
         RequestUnfitProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-unfit";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-request";
+            /** @description What the words name. */
             parameters: {
+                /** @description How many more do not fit. */
                 more: number;
+                /** @description What does not fit. */
                 flaw: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5916,11 +10792,19 @@ export interface components {
         });
         /** @description request-no-json = { $flaw } */
         RequestNoJsonProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-no-json";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "bad-request";
+            /** @description What the words name. */
             parameters: {
+                /** @description What does not fit. */
                 flaw: string | components["schemas"]["NestedMessage"];
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5932,12 +10816,21 @@ export interface components {
         });
         /** @description request-method-not-allowed = { $method } { $path }: this address does not know the method; see `allowed` */
         RequestMethodNotAllowedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-method-not-allowed";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "method-not-allowed";
+            /** @description What the words name. */
             parameters: {
+                /** @description Method of the request. */
                 method: string;
+                /** @description Address of the request. */
                 path: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5949,13 +10842,23 @@ export interface components {
         });
         /** @description request-refused = { $method } { $path }: { $reason } */
         RequestRefusedProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-refused";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "http-error";
+            /** @description What the words name. */
             parameters: {
+                /** @description Method of the request. */
                 method: string;
+                /** @description Address of the request. */
                 path: string;
+                /** @description What the system says. */
                 reason: string;
             };
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
@@ -5967,9 +10870,15 @@ export interface components {
         });
         /** @description request-unforeseen = an error that was not foreseen; the service's log has it under request_id */
         RequestUnforeseenProblem: {
-            /** @constant */
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
             type: "/problems/request-unforeseen";
-            /** @enum {unknown} */
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
             kind: "internal-error";
         } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
             /**
@@ -5980,6 +10889,10 @@ export interface components {
         });
         /** @description What the engine refuses, whose situations are many; `kind` tells of which kind it is. */
         EngineProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @example /problems/planning-other-axes
+             */
             type?: string;
         } & (components["schemas"]["ProblemDetails"] & {
             /**
@@ -5988,7 +10901,7 @@ export interface components {
              */
             type: "EngineProblem";
         });
-        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
+        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
     };
     responses: never;
     parameters: never;
@@ -5996,107 +10909,124 @@ export interface components {
     headers: never;
     pathItems: never;
 }
-export type AccountChange = components['schemas']['AccountChange'];
-export type AccountShown = components['schemas']['AccountShown'];
-export type AdditionBody = components['schemas']['AdditionBody'];
+export type AccountCreate = components['schemas']['AccountCreate'];
+export type AccountPublic = components['schemas']['AccountPublic'];
+export type AccountUpdate = components['schemas']['AccountUpdate'];
+export type AlarmPublic = components['schemas']['AlarmPublic'];
 export type Also = components['schemas']['Also'];
-export type AuditEntryShown = components['schemas']['AuditEntryShown'];
+export type AuditEntryPublic = components['schemas']['AuditEntryPublic'];
+export type AuditNames = components['schemas']['AuditNames'];
+export type AuditVerified = components['schemas']['AuditVerified'];
 export type Box = components['schemas']['Box'];
 export type Capsule = components['schemas']['Capsule'];
 export type Cause = components['schemas']['Cause'];
 export type Cell = components['schemas']['Cell'];
-export type CellListed = components['schemas']['CellListed'];
 export type CellNow = components['schemas']['CellNow'];
-export type CellShown = components['schemas']['CellShown'];
-export type CellTaken = components['schemas']['CellTaken'];
+export type CellPublic = components['schemas']['CellPublic'];
+export type CellSummary = components['schemas']['CellSummary'];
+export type CellVersion = components['schemas']['CellVersion'];
 export type Change = components['schemas']['Change'];
 export type ChannelOverlay = components['schemas']['ChannelOverlay'];
 export type ClosestPair = components['schemas']['ClosestPair'];
-export type CommandBody = components['schemas']['CommandBody'];
+export type CommandCreate = components['schemas']['CommandCreate'];
 export type Comparison = components['schemas']['Comparison'];
-export type ComparisonAnswer = components['schemas']['ComparisonAnswer'];
+export type ComparisonPublic = components['schemas']['ComparisonPublic'];
 export type Control = components['schemas']['Control'];
-export type ControlAnswer = components['schemas']['ControlAnswer'];
-export type ControlBody = components['schemas']['ControlBody'];
+export type ControlCreate = components['schemas']['ControlCreate'];
+export type ControlPublic = components['schemas']['ControlPublic'];
+export type ControlRequestCreate = components['schemas']['ControlRequestCreate'];
+export type ControlRequestPublic = components['schemas']['ControlRequestPublic'];
+export type ControlRequestUpdate = components['schemas']['ControlRequestUpdate'];
 export type Credentials = components['schemas']['Credentials'];
 export type Cylinder = components['schemas']['Cylinder'];
-export type DeliveryAnswer = components['schemas']['DeliveryAnswer'];
+export type DeliveryPublic = components['schemas']['DeliveryPublic'];
 export type Diagnosis = components['schemas']['Diagnosis'];
-export type DiagnosisAnswer = components['schemas']['DiagnosisAnswer'];
-export type DiagnosisBody = components['schemas']['DiagnosisBody'];
+export type DiagnosisCreate = components['schemas']['DiagnosisCreate'];
+export type DiagnosisPublic = components['schemas']['DiagnosisPublic'];
 export type Difference = components['schemas']['Difference'];
+export type Disk = components['schemas']['Disk'];
+export type DiskPart = components['schemas']['DiskPart'];
+export type EndedRequestPublic = components['schemas']['EndedRequestPublic'];
 export type EventMessage = components['schemas']['EventMessage'];
 export type Experiment = components['schemas']['Experiment'];
 export type Explanation = components['schemas']['Explanation'];
-export type ExportListed = components['schemas']['ExportListed'];
-export type ExportsAnswer = components['schemas']['ExportsAnswer'];
+export type ExportLoss = components['schemas']['ExportLoss'];
+export type ExportPublic = components['schemas']['ExportPublic'];
+export type ExportsPublic = components['schemas']['ExportsPublic'];
 export type FastestCorner = components['schemas']['FastestCorner'];
+export type FencingToken = components['schemas']['FencingToken'];
 export type Finished = components['schemas']['Finished'];
 export type Flaw = components['schemas']['Flaw'];
 export type Friction = components['schemas']['Friction'];
 export type GapPart = components['schemas']['GapPart'];
 export type Health = components['schemas']['Health'];
+export type Instruction = components['schemas']['Instruction'];
 export type JobState = components['schemas']['JobState'];
 export type JobStatus = components['schemas']['JobStatus'];
 export type JointGap = components['schemas']['JointGap'];
-export type KeyMade = components['schemas']['KeyMade'];
-export type KeyShown = components['schemas']['KeyShown'];
+export type KeyCreate = components['schemas']['KeyCreate'];
+export type KeyIssued = components['schemas']['KeyIssued'];
+export type KeyPublic = components['schemas']['KeyPublic'];
 export type LargestTorque = components['schemas']['LargestTorque'];
 export type Lateness = components['schemas']['Lateness'];
 export type LeftOutPair = components['schemas']['LeftOutPair'];
 export type Limits = components['schemas']['Limits'];
-export type LinkAnswer = components['schemas']['LinkAnswer'];
+export type LinkPublic = components['schemas']['LinkPublic'];
 export type LiveBatch = components['schemas']['LiveBatch'];
-export type Lost = components['schemas']['Lost'];
 export type Message = components['schemas']['Message'];
 export type Minor = components['schemas']['Minor'];
-export type MotionBody = components['schemas']['MotionBody'];
+export type MotionCreate = components['schemas']['MotionCreate'];
 export type NamedEffect = components['schemas']['NamedEffect'];
 export type NearestFlight = components['schemas']['NearestFlight'];
 export type NearestPart = components['schemas']['NearestPart'];
-export type NewAccount = components['schemas']['NewAccount'];
-export type NewKey = components['schemas']['NewKey'];
 export type Obstacle = components['schemas']['Obstacle'];
 export type OpenedTrial = components['schemas']['OpenedTrial'];
+export type OrderPublic = components['schemas']['OrderPublic'];
+export type OrderReference = components['schemas']['OrderReference'];
 export type Origin = components['schemas']['Origin'];
-export type OverlayAnswer = components['schemas']['OverlayAnswer'];
+export type OverlayPublic = components['schemas']['OverlayPublic'];
+export type OwnSession = components['schemas']['OwnSession'];
+export type Package = components['schemas']['Package'];
 export type Pair = components['schemas']['Pair'];
 export type PaperPart = components['schemas']['PaperPart'];
-export type PasswordChange = components['schemas']['PasswordChange'];
+export type PasswordUpdate = components['schemas']['PasswordUpdate'];
 export type PatchPart = components['schemas']['PatchPart'];
 export type PathPart = components['schemas']['PathPart'];
 export type Payload = components['schemas']['Payload'];
-export type PayloadAnswer = components['schemas']['PayloadAnswer'];
 export type PayloadPart = components['schemas']['PayloadPart'];
 export type PhaseStarted = components['schemas']['PhaseStarted'];
 export type PhiPart = components['schemas']['PhiPart'];
-export type PlanAnswer = components['schemas']['PlanAnswer'];
+export type PlanPublic = components['schemas']['PlanPublic'];
 export type PlanShown = components['schemas']['PlanShown'];
 export type PlanSummary = components['schemas']['PlanSummary'];
 export type PlanTorques = components['schemas']['PlanTorques'];
 export type Planned = components['schemas']['Planned'];
 export type PlannedPose = components['schemas']['PlannedPose'];
 export type Pose = components['schemas']['Pose'];
-export type ProblemDescribed = components['schemas']['ProblemDescribed'];
+export type ProblemDescription = components['schemas']['ProblemDescription'];
 export type RecordingWritten = components['schemas']['RecordingWritten'];
 export type ReferencePart = components['schemas']['ReferencePart'];
-export type ReleaseBody = components['schemas']['ReleaseBody'];
+export type ReleaseCreate = components['schemas']['ReleaseCreate'];
+export type RequestOutcome = components['schemas']['RequestOutcome'];
 export type ResidualPart = components['schemas']['ResidualPart'];
+export type ResultPublic = components['schemas']['ResultPublic'];
 export type ResultSummary = components['schemas']['ResultSummary'];
 export type Robot = components['schemas']['Robot'];
 export type RobotStopped = components['schemas']['RobotStopped'];
 export type Role = components['schemas']['Role'];
-export type RunAnswer = components['schemas']['RunAnswer'];
 export type RunCommand = components['schemas']['RunCommand'];
+export type RunCreate = components['schemas']['RunCreate'];
 export type RunOrder = components['schemas']['RunOrder'];
+export type RunOutcome = components['schemas']['RunOutcome'];
 export type RunPlan = components['schemas']['RunPlan'];
+export type RunPublic = components['schemas']['RunPublic'];
 export type SafetyPart = components['schemas']['SafetyPart'];
 export type Seal = components['schemas']['Seal'];
 export type SecondOpinion = components['schemas']['SecondOpinion'];
 export type SecondsPart = components['schemas']['SecondsPart'];
 export type Sensor = components['schemas']['Sensor'];
-export type Sent = components['schemas']['Sent'];
-export type Session = components['schemas']['Session'];
+export type SessionPublic = components['schemas']['SessionPublic'];
+export type Severity = components['schemas']['Severity'];
 export type Sphere = components['schemas']['Sphere'];
 export type StartConfigurationFound = components['schemas']['StartConfigurationFound'];
 export type State = components['schemas']['State'];
@@ -6109,26 +11039,31 @@ export type Tied = components['schemas']['Tied'];
 export type Tool = components['schemas']['Tool'];
 export type ToolPart = components['schemas']['ToolPart'];
 export type TransferPlanned = components['schemas']['TransferPlanned'];
-export type TrialsAnswer = components['schemas']['TrialsAnswer'];
-export type TrialsBody = components['schemas']['TrialsBody'];
-export type TwinAnswer = components['schemas']['TwinAnswer'];
+export type TrialsCreate = components['schemas']['TrialsCreate'];
+export type TrialsPublic = components['schemas']['TrialsPublic'];
 export type TwinEffect = components['schemas']['TwinEffect'];
+export type TwinEffectCreate = components['schemas']['TwinEffectCreate'];
 export type TwinParameter = components['schemas']['TwinParameter'];
+export type TwinPublic = components['schemas']['TwinPublic'];
+export type TwinSharePart = components['schemas']['TwinSharePart'];
 export type Value = components['schemas']['Value'];
 export type VerificationPart = components['schemas']['VerificationPart'];
+export type Versions = components['schemas']['Versions'];
+export type ViewWish = components['schemas']['ViewWish'];
 export type WaitingForZone = components['schemas']['WaitingForZone'];
+export type WaitsFor = components['schemas']['WaitsFor'];
 export type Wave = components['schemas']['Wave'];
-export type WebhookAnswer = components['schemas']['WebhookAnswer'];
-export type WebhookBody = components['schemas']['WebhookBody'];
+export type WebhookCreate = components['schemas']['WebhookCreate'];
+export type WebhookPublic = components['schemas']['WebhookPublic'];
 export type Where = components['schemas']['Where'];
 export type WorkpiecePart = components['schemas']['WorkpiecePart'];
 export type Zone = components['schemas']['Zone'];
-export type ZoneBack = components['schemas']['ZoneBack'];
-export type ZoneChecked = components['schemas']['ZoneChecked'];
-export type ZoneMove = components['schemas']['ZoneMove'];
+export type ZoneCheckCreate = components['schemas']['ZoneCheckCreate'];
+export type ZoneCheckPublic = components['schemas']['ZoneCheckPublic'];
 export type ZonePlace = components['schemas']['ZonePlace'];
-export type ZoneShown = components['schemas']['ZoneShown'];
-export type ZoneTry = components['schemas']['ZoneTry'];
+export type ZonePublic = components['schemas']['ZonePublic'];
+export type ZoneUndoCreate = components['schemas']['ZoneUndoCreate'];
+export type ZoneUpdate = components['schemas']['ZoneUpdate'];
 export type NestedMessage = components['schemas']['NestedMessage'];
 export type ProblemDetails = components['schemas']['ProblemDetails'];
 export type PeopleKeyRefusedProblem = components['schemas']['PeopleKeyRefusedProblem'];
@@ -6144,9 +11079,11 @@ export type PeopleWithoutRoleProblem = components['schemas']['PeopleWithoutRoleP
 export type PeopleKeyWithoutPasswordProblem = components['schemas']['PeopleKeyWithoutPasswordProblem'];
 export type PeoplePasswordWrongProblem = components['schemas']['PeoplePasswordWrongProblem'];
 export type RunsUnknownProblem = components['schemas']['RunsUnknownProblem'];
+export type AlarmsUnknownProblem = components['schemas']['AlarmsUnknownProblem'];
 export type RunsWebhookUnknownProblem = components['schemas']['RunsWebhookUnknownProblem'];
 export type PeopleAccountUnknownProblem = components['schemas']['PeopleAccountUnknownProblem'];
 export type PeopleKeyUnknownProblem = components['schemas']['PeopleKeyUnknownProblem'];
+export type PeopleSessionUnknownProblem = components['schemas']['PeopleSessionUnknownProblem'];
 export type JobsUnknownProblem = components['schemas']['JobsUnknownProblem'];
 export type JobsEffectNotInTwinProblem = components['schemas']['JobsEffectNotInTwinProblem'];
 export type ZoneUnknownProblem = components['schemas']['ZoneUnknownProblem'];
@@ -6165,6 +11102,7 @@ export type RunsRecordingOpenProblem = components['schemas']['RunsRecordingOpenP
 export type RunsNothingLeftProblem = components['schemas']['RunsNothingLeftProblem'];
 export type RunsRecordingNotThereProblem = components['schemas']['RunsRecordingNotThereProblem'];
 export type RunsAcceptedAlreadyProblem = components['schemas']['RunsAcceptedAlreadyProblem'];
+export type AlarmsAcknowledgedAlreadyProblem = components['schemas']['AlarmsAcknowledgedAlreadyProblem'];
 export type RunsNothingToStopProblem = components['schemas']['RunsNothingToStopProblem'];
 export type RunsNoCommonFrameProblem = components['schemas']['RunsNoCommonFrameProblem'];
 export type RunsSpeedNotAllowedProblem = components['schemas']['RunsSpeedNotAllowedProblem'];
@@ -6172,6 +11110,9 @@ export type RunsStartOfOtherRobotProblem = components['schemas']['RunsStartOfOth
 export type RunsControlTakenProblem = components['schemas']['RunsControlTakenProblem'];
 export type RunsControlFreeProblem = components['schemas']['RunsControlFreeProblem'];
 export type RunsControlElsewhereProblem = components['schemas']['RunsControlElsewhereProblem'];
+export type RunsControlAskedProblem = components['schemas']['RunsControlAskedProblem'];
+export type RunsControlNotAskedProblem = components['schemas']['RunsControlNotAskedProblem'];
+export type RunsControlOvertakenProblem = components['schemas']['RunsControlOvertakenProblem'];
 export type RunsCommandWithoutControlProblem = components['schemas']['RunsCommandWithoutControlProblem'];
 export type RunsCommandRepeatedProblem = components['schemas']['RunsCommandRepeatedProblem'];
 export type RunsCommandLateProblem = components['schemas']['RunsCommandLateProblem'];
@@ -6203,6 +11144,8 @@ export type ZoneNotMovedProblem = components['schemas']['ZoneNotMovedProblem'];
 export type ZoneMovedOnProblem = components['schemas']['ZoneMovedOnProblem'];
 export type UploadsCellExistsProblem = components['schemas']['UploadsCellExistsProblem'];
 export type RequestKeyBusyProblem = components['schemas']['RequestKeyBusyProblem'];
+export type JobsUploadOfOtherCellProblem = components['schemas']['JobsUploadOfOtherCellProblem'];
+export type JobsUploadOfOtherRobotProblem = components['schemas']['JobsUploadOfOtherRobotProblem'];
 export type PeopleRoleNotForMachinesProblem = components['schemas']['PeopleRoleNotForMachinesProblem'];
 export type JobsWorkLostProblem = components['schemas']['JobsWorkLostProblem'];
 export type ZoneNotLookedAtProblem = components['schemas']['ZoneNotLookedAtProblem'];
@@ -6270,6 +11213,15 @@ export interface operations {
                     "application/json": components["schemas"]["Health"];
                 };
             };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
             default: {
                 headers: {
@@ -6299,6 +11251,33 @@ export interface operations {
                     "text/plain": unknown;
                 };
             };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
             default: {
                 headers: {
@@ -6315,6 +11294,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Code of the situation, or a kind of problems. */
                 code: string;
             };
             cookie?: never;
@@ -6327,7 +11307,25 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ProblemDescribed"];
+                    "application/json": components["schemas"]["ProblemDescription"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6356,7 +11354,34 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Session"];
+                    "application/json": components["schemas"]["SessionPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6373,7 +11398,10 @@ export interface operations {
     sign_in: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description What signs in, as it names itself. */
+                "user-agent"?: string | null;
+            };
             path?: never;
             cookie?: never;
         };
@@ -6389,7 +11417,70 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Session"];
+                    "application/json": components["schemas"]["SessionPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleSignInRefusedProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleOriginForeignProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleSignInBlockedProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6419,6 +11510,33 @@ export interface operations {
                 };
                 content?: never;
             };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
             default: {
                 headers: {
@@ -6439,7 +11557,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["PasswordChange"];
+                "application/json": components["schemas"]["PasswordUpdate"];
             };
         };
         responses: {
@@ -6449,6 +11567,254 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleSignInBlockedProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_own_sessions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OwnSession"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    end_other_sessions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    end_own_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the browser's session. */
+                session: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
             default: {
@@ -6476,7 +11842,34 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["AccountShown"][];
+                    "application/json": components["schemas"]["AccountPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6499,7 +11892,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["NewAccount"];
+                "application/json": components["schemas"]["AccountCreate"];
             };
         };
         responses: {
@@ -6509,7 +11902,70 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["AccountShown"];
+                    "application/json": components["schemas"]["AccountPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleAccountExistsProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6528,13 +11984,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the account. */
                 account: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["AccountChange"];
+                "application/json": components["schemas"]["AccountUpdate"];
             };
         };
         responses: {
@@ -6544,7 +12001,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["AccountShown"];
+                    "application/json": components["schemas"]["AccountPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleLastAdminProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6573,7 +12102,34 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["KeyShown"][];
+                    "application/json": components["schemas"]["KeyPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6596,7 +12152,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["NewKey"];
+                "application/json": components["schemas"]["KeyCreate"];
             };
         };
         responses: {
@@ -6606,7 +12162,70 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["KeyMade"];
+                    "application/json": components["schemas"]["KeyIssued"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleKeyExistsProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6625,6 +12244,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the machine whose key it is. */
                 key: string;
             };
             cookie?: never;
@@ -6637,6 +12257,51 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
             default: {
@@ -6652,8 +12317,20 @@ export interface operations {
     list_audit: {
         parameters: {
             query?: {
+                /** @description Entries with smaller numbers: those further back. */
                 before?: number;
+                /** @description How many at most. */
                 limit?: number;
+                /** @description Who did it, as entries name them: `account:anna`, `key:line-3`, `service`. */
+                who?: string | null;
+                /** @description What was done: `run.release`, or its noun alone, `run`. */
+                action?: string | null;
+                /** @description Text that the entry's detail contains, such as a run's id. */
+                mentions?: string | null;
+                /** @description Not before this time. */
+                since?: string | null;
+                /** @description Before this time. */
+                until?: string | null;
             };
             header?: never;
             path?: never;
@@ -6667,7 +12344,167 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["AuditEntryShown"][];
+                    "application/json": components["schemas"]["AuditEntryPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_audit_names: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditNames"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    verify_audit_log: {
+        parameters: {
+            query?: {
+                /** @description A hash seen earlier, which the chain must still contain. */
+                expect?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditVerified"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6696,7 +12533,34 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["CellListed"][];
+                    "application/json": components["schemas"]["CellSummary"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6729,7 +12593,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["CellTaken"];
+                    "application/json": components["schemas"]["CellVersion"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellExistsProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6748,6 +12666,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
             };
             cookie?: never;
@@ -6760,7 +12679,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["CellShown"];
+                    "application/json": components["schemas"]["CellPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6779,6 +12743,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
             };
             cookie?: never;
@@ -6795,7 +12760,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["CellTaken"];
+                    "application/json": components["schemas"]["CellVersion"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6828,7 +12847,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["CellTaken"];
+                    "application/json": components["schemas"]["CellVersion"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6847,14 +12911,16 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
+                /** @description Name of the protected zone. */
                 zone: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["ZoneMove"];
+                "application/json": components["schemas"]["ZoneUpdate"];
             };
         };
         responses: {
@@ -6864,7 +12930,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ZoneShown"];
+                    "application/json": components["schemas"]["ZonePublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6883,14 +13021,16 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
+                /** @description Name of the protected zone. */
                 zone: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["ZoneTry"];
+                "application/json": components["schemas"]["ZoneCheckCreate"];
             };
         };
         responses: {
@@ -6900,7 +13040,70 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ZoneChecked"];
+                    "application/json": components["schemas"]["ZoneCheckPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6919,14 +13122,16 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
+                /** @description Name of the protected zone. */
                 zone: string;
             };
             cookie?: never;
         };
         requestBody?: {
             content: {
-                "application/json": components["schemas"]["ZoneBack"] | null;
+                "application/json": components["schemas"]["ZoneUndoCreate"] | null;
             };
         };
         responses: {
@@ -6936,7 +13141,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ZoneShown"];
+                    "application/json": components["schemas"]["ZonePublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6955,6 +13232,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
             };
             cookie?: never;
@@ -6967,7 +13245,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TwinAnswer"];
+                    "application/json": components["schemas"]["TwinPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -6986,13 +13309,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["AdditionBody"];
+                "application/json": components["schemas"]["TwinEffectCreate"];
             };
         };
         responses: {
@@ -7002,7 +13326,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TwinAnswer"];
+                    "application/json": components["schemas"]["TwinPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsNoEffectYetProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7021,7 +13417,9 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
+                /** @description Name of the effect. */
                 effect: string;
             };
             cookie?: never;
@@ -7034,7 +13432,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TwinAnswer"];
+                    "application/json": components["schemas"]["TwinPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7057,7 +13500,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["ControlBody"];
+                "application/json": components["schemas"]["ControlCreate"];
             };
         };
         responses: {
@@ -7067,7 +13510,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ControlAnswer"];
+                    "application/json": components["schemas"]["ControlPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlOvertakenProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7086,6 +13601,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
             };
             cookie?: never;
@@ -7098,7 +13614,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ControlAnswer"];
+                    "application/json": components["schemas"]["ControlPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7115,10 +13676,12 @@ export interface operations {
     let_go_of_control: {
         parameters: {
             query: {
+                /** @description Of the control that was taken, as `POST /api/control` answered it. */
                 fence: number;
             };
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
             };
             cookie?: never;
@@ -7131,7 +13694,348 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ControlAnswer"];
+                    "application/json": components["schemas"]["ControlPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    ask_for_control: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ControlRequestCreate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ControlPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    withdraw_request: {
+        parameters: {
+            query: {
+                /** @description Of the request. */
+                fence: number;
+            };
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ControlPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    answer_request: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ControlRequestUpdate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ControlPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlNotAskedProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7179,6 +14083,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the cell. */
                 cell: string;
             };
             cookie?: never;
@@ -7192,6 +14097,110 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["CellNow"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleOriginForeignProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNothingToStopProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_orders: {
+        parameters: {
+            query?: {
+                /** @description Of this cell alone. */
+                cell?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OrderPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7208,10 +14217,23 @@ export interface operations {
     list_runs: {
         parameters: {
             query?: {
+                /** @description Of this cell. */
                 cell?: string | null;
+                /** @description With this payload. */
                 payload?: string | null;
+                /** @description In this state (PackML). */
                 state?: components["schemas"]["State"] | null;
+                /** @description That ended so. */
+                outcome?: components["schemas"]["RunOutcome"] | null;
+                /** @description For this job order. */
+                order_id?: string | null;
+                /** @description For this work order. */
+                work_order?: string | null;
+                /** @description Of what has this serial number. */
+                serial_number?: string | null;
+                /** @description Before this run, such as the last of a list. */
                 before?: string | null;
+                /** @description How many runs are answered at most. */
                 limit?: number;
             };
             header?: never;
@@ -7226,7 +14248,43 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["RunAnswer"][];
+                    "application/json": components["schemas"]["RunPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7244,6 +14302,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description The same key with the same body makes one run, however often it is sent; with another body it is refused. */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -7251,7 +14310,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["RunOrder"];
+                "application/json": components["schemas"]["RunCreate"];
             };
         };
         responses: {
@@ -7261,7 +14320,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["RunAnswer"];
+                    "application/json": components["schemas"]["RunPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RequestKeyBusyProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7280,6 +14411,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7292,7 +14424,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["RunAnswer"];
+                    "application/json": components["schemas"]["RunPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7308,9 +14485,13 @@ export interface operations {
     };
     cancel_run: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Why, for the run and the audit log. */
+                why?: string | null;
+            };
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7323,7 +14504,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["RunAnswer"];
+                    "application/json": components["schemas"]["RunPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7341,9 +14576,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description The same key with the same body makes one run, however often it is sent; with another body it is refused. */
                 "Idempotency-Key"?: string | null;
             };
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7356,7 +14593,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["RunAnswer"];
+                    "application/json": components["schemas"]["RunPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RequestKeyBusyProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7375,6 +14666,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7387,7 +14679,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["PlanAnswer"];
+                    "application/json": components["schemas"]["PlanPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoPlanProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7406,13 +14752,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["ReleaseBody"];
+                "application/json": components["schemas"]["ReleaseCreate"];
             };
         };
         responses: {
@@ -7422,7 +14769,88 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["RunAnswer"];
+                    "application/json": components["schemas"]["RunPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsDiskTooFullProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7441,13 +14869,14 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["CommandBody"];
+                "application/json": components["schemas"]["CommandCreate"];
             };
         };
         responses: {
@@ -7457,7 +14886,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["RunAnswer"];
+                    "application/json": components["schemas"]["RunPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsRecordingOpenProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7476,6 +14977,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7488,7 +14990,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["PayloadAnswer"];
+                    "application/json": components["schemas"]["ResultPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7507,6 +15063,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7519,7 +15076,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["RunAnswer"];
+                    "application/json": components["schemas"]["RunPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7538,7 +15149,9 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description Identifier of the run to compare with. */
                 other: string;
             };
             cookie?: never;
@@ -7551,7 +15164,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ComparisonAnswer"];
+                    "application/json": components["schemas"]["ComparisonPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoCommonFrameProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7570,6 +15237,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7582,7 +15250,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["ExportsAnswer"];
+                    "application/json": components["schemas"]["ExportsPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7601,7 +15323,9 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
+                /** @description Name of the target, as the list of exports has it. */
                 target: "ur" | "kuka_krl" | "kuka_sunrise" | "abb" | "franka" | "flexiv" | "xarm" | "opc_ua" | "mujoco" | "urdf";
             };
             cookie?: never;
@@ -7615,6 +15339,60 @@ export interface operations {
                 };
                 content: {
                     "application/octet-stream": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7633,6 +15411,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7646,6 +15425,60 @@ export interface operations {
                 };
                 content: {
                     "application/zip": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoRecordingProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7662,10 +15495,12 @@ export interface operations {
     download_report: {
         parameters: {
             query?: {
+                /** @description Language of the answer. */
                 language?: "en" | "de";
             };
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7679,6 +15514,60 @@ export interface operations {
                 };
                 content: {
                     "text/html": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoReportProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7695,11 +15584,14 @@ export interface operations {
     read_events: {
         parameters: {
             query?: {
+                /** @description Sequence number of the last event that is known already. */
                 after?: number;
+                /** @description Only messages of this kind; all where absent. */
                 kind?: ("event" | "samples") | null;
             };
             header?: never;
             path: {
+                /** @description Identifier of the run. */
                 run: string;
             };
             cookie?: never;
@@ -7713,6 +15605,51 @@ export interface operations {
                 };
                 content: {
                     "application/json": (components["schemas"]["EventMessage"] | components["schemas"]["LiveBatch"])[];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7729,6 +15666,7 @@ export interface operations {
     list_diagnoses: {
         parameters: {
             query?: {
+                /** @description How many items are answered at most. */
                 limit?: number;
             };
             header?: never;
@@ -7743,7 +15681,43 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["DiagnosisAnswer"][];
+                    "application/json": components["schemas"]["DiagnosisPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7766,7 +15740,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["DiagnosisBody"];
+                "application/json": components["schemas"]["DiagnosisCreate"];
             };
         };
         responses: {
@@ -7776,7 +15750,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["DiagnosisAnswer"];
+                    "application/json": components["schemas"]["DiagnosisPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoRecordingProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7793,7 +15839,10 @@ export interface operations {
     diagnose_upload: {
         parameters: {
             query?: {
+                /** @description Name of the cell that it was made in, where that is one of ours. */
                 cell?: string | null;
+                /** @description What to call it. */
+                name?: string | null;
             };
             header?: never;
             path?: never;
@@ -7811,7 +15860,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["DiagnosisAnswer"];
+                    "application/json": components["schemas"]["DiagnosisPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7830,6 +15933,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the diagnosis. */
                 diagnosis: string;
             };
             cookie?: never;
@@ -7842,7 +15946,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["DiagnosisAnswer"];
+                    "application/json": components["schemas"]["DiagnosisPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7861,6 +16010,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the diagnosis. */
                 diagnosis: string;
             };
             cookie?: never;
@@ -7873,7 +16023,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["DiagnosisAnswer"];
+                    "application/json": components["schemas"]["DiagnosisPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsOverProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7892,6 +16096,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the diagnosis. */
                 diagnosis: string;
             };
             cookie?: never;
@@ -7904,7 +16109,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["OverlayAnswer"];
+                    "application/json": components["schemas"]["OverlayPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsNoOverlayProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7921,10 +16180,12 @@ export interface operations {
     download_diagnosis_report: {
         parameters: {
             query?: {
+                /** @description Language of the answer. */
                 language?: "en" | "de";
             };
             header?: never;
             path: {
+                /** @description Identifier of the diagnosis. */
                 diagnosis: string;
             };
             cookie?: never;
@@ -7938,6 +16199,60 @@ export interface operations {
                 };
                 content: {
                     "text/html": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsNoReportProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7955,16 +16270,18 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
+                /** @description The same key with the same body makes one run, however often it is sent; with another body it is refused. */
                 "Idempotency-Key"?: string | null;
             };
             path: {
+                /** @description Identifier of the diagnosis. */
                 diagnosis: string;
             };
             cookie?: never;
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["MotionBody"];
+                "application/json": components["schemas"]["MotionCreate"];
             };
         };
         responses: {
@@ -7974,7 +16291,79 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["RunAnswer"];
+                    "application/json": components["schemas"]["RunPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsUnknownProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["RequestKeyBusyProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -7991,6 +16380,7 @@ export interface operations {
     list_trials: {
         parameters: {
             query?: {
+                /** @description How many items are answered at most. */
                 limit?: number;
             };
             header?: never;
@@ -8005,7 +16395,43 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TrialsAnswer"][];
+                    "application/json": components["schemas"]["TrialsPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -8028,7 +16454,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["TrialsBody"];
+                "application/json": components["schemas"]["TrialsCreate"];
             };
         };
         responses: {
@@ -8038,7 +16464,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TrialsAnswer"];
+                    "application/json": components["schemas"]["TrialsPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -8055,10 +16535,12 @@ export interface operations {
     read_trials: {
         parameters: {
             query?: {
+                /** @description Language of the answer. */
                 language?: "en" | "de";
             };
             header?: never;
             path: {
+                /** @description Identifier of the trials. */
                 trials: string;
             };
             cookie?: never;
@@ -8071,7 +16553,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TrialsAnswer"];
+                    "application/json": components["schemas"]["TrialsPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -8090,6 +16617,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the trials. */
                 trials: string;
             };
             cookie?: never;
@@ -8102,7 +16630,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["TrialsAnswer"];
+                    "application/json": components["schemas"]["TrialsPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsOverProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -8131,7 +16713,34 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["WebhookAnswer"][];
+                    "application/json": components["schemas"]["WebhookPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -8154,7 +16763,7 @@ export interface operations {
         };
         requestBody: {
             content: {
-                "application/json": components["schemas"]["WebhookBody"];
+                "application/json": components["schemas"]["WebhookCreate"];
             };
         };
         responses: {
@@ -8164,7 +16773,61 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["WebhookAnswer"];
+                    "application/json": components["schemas"]["WebhookPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -8183,6 +16846,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the webhook. */
                 webhook: string;
             };
             cookie?: never;
@@ -8195,6 +16859,128 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    test_webhook: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the webhook. */
+                webhook: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DeliveryPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
             default: {
@@ -8212,6 +16998,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Identifier of the webhook. */
                 webhook: string;
             };
             cookie?: never;
@@ -8224,7 +17011,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["DeliveryAnswer"][];
+                    "application/json": components["schemas"]["DeliveryPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
                 };
             };
             /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
@@ -8235,6 +17067,523 @@ export interface operations {
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
+            };
+        };
+    };
+    read_support_versions: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Versions"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_support_disk: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Disk"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    make_support_bundle: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_alarms: {
+        parameters: {
+            query?: {
+                /** @description Of this cell alone. */
+                cell?: string | null;
+                /** @description Older than this alarm: the last of a list gives the next one. */
+                before?: string | null;
+                /** @description How many items are answered at most. */
+                limit?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AlarmPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_open_alarms: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AlarmPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    acknowledge_alarm: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the alarm. */
+                alarm: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AlarmPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["AlarmsAcknowledgedAlreadyProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    show_in_view: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description Name that the page gave its view of the cell. */
+                view: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ViewWish"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    run_ended: {
+        parameters: {
+            query?: never;
+            header: {
+                /** @description Names this delivery; the same when it is tried again. */
+                "Heft-Delivery": string;
+                /** @description When it was sent, s since 1970. */
+                "Heft-Timestamp": string;
+                /** @description `sha256=` and the HMAC-SHA-256 of `timestamp.body`, hexadecimal. */
+                "Heft-Signature": string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RunPublic"];
+            };
+        };
+        responses: {
+            /** @description Taken. */
+            "2XX": {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Not taken: it is sent again. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
         };
     };

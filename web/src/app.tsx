@@ -1,20 +1,26 @@
+import { alarmsScreen } from './alarms/alarms-page';
 import { cells } from './cells/cells-page';
-import { gapScreen } from './gap/gap-page';
 import { historyScreen } from './history/history-page';
+import { ordersScreen } from './orders/orders-page';
 import { CommandBar } from './run/command-bar';
+import { controlScreen } from './run/control-page';
 import { LostLayer } from './run/lost-layer';
 import { runScreen } from './run/run-page';
 import { setup } from './run/setup-page';
 import { session } from './session/session';
 import { settings } from './session/settings-page';
 import { signingIn } from './session/sign-in-page';
-import { trialsScreen } from './trials/trials-page';
 import { absent } from './ui/absent';
 import { Header } from './ui/header';
 import { Navigation } from './ui/navigation';
 import { notThere } from './ui/not-there-page';
 import { route } from './ui/route';
 import type { Screen } from './ui/screen';
+import { screenLater } from './ui/screen-later';
+
+const adminScreen = screenLater(async () => (await import('./admin/admin-page')).screenHere);
+const gapScreen = screenLater(async () => (await import('./gap/gap-page')).gapScreen);
+const trialsScreen = screenLater(async () => (await import('./trials/trials-page')).trialsScreen);
 
 /** A page for each first piece of the address; a new page is a line here, and in parts/navigation.tsx. */
 const SCREENS = new Map<string, () => Screen>([
@@ -24,7 +30,11 @@ const SCREENS = new Map<string, () => Screen>([
   ['trials', trialsScreen],
   ['history', historyScreen],
   ['cells', () => cells],
+  ['orders', () => ordersScreen],
+  ['alarms', () => alarmsScreen],
+  ['control', () => controlScreen],
   ['settings', () => settings],
+  ['admin', adminScreen],
 ]);
 
 export function App() {

@@ -2,26 +2,15 @@ import './look/tokens.css';
 import './look/frame.css';
 import './look/parts.css';
 import './look/pages.css';
+import './look/view.css';
 import './look/gap.css';
 import './look/history.css';
 import './look/cells.css';
 import './look/link.css';
+import './look/control.css';
+import './look/orders.css';
 import './look/print.css';
-import { render } from 'preact';
-import { App } from './app';
-import { followRobots } from './run/now';
-import { session } from './session/session';
-import { resumeSession } from './session/signing-in';
-import { onReturn } from './ui/connection';
+import { wordsLoaded } from './words';
 
-const place = document.getElementById('console');
-if (place === null) throw new Error('index.html has no element "console"');
-
-followRobots();
-onReturn(async () => {
-  if (session.value === null) await resumeSession();
-});
-render(<App />, place);
-resumeSession().catch(() => {
-  session.value ??= null;
-});
+await wordsLoaded;
+await import('./start');

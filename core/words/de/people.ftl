@@ -11,6 +11,7 @@ people-role = { $role ->
 people-account-unknown = Konto: keines heißt „{ $account }“. Sehen Sie nach, welche es gibt, und versuchen Sie es noch einmal.
 people-account-exists = das Konto „{ $account }“ gibt es schon; wählen Sie einen anderen Namen, oder ändern Sie jenes
 people-last-admin = das Konto „{ $account }“ ist der letzte Verwalter, der sich anmelden kann; legen Sie erst einen anderen an
+people-session-unknown = Sitzung: keine von Ihren heißt „{ $session }“. Sehen Sie nach, welche es gibt, und versuchen Sie es noch einmal.
 people-key-unknown = Schlüssel: keiner heißt „{ $key }“. Sehen Sie nach, welche es gibt, und versuchen Sie es noch einmal.
 people-key-exists = den Schlüssel „{ $key }“ gibt es schon; widerrufen Sie ihn, oder wählen Sie einen anderen Namen
 people-role-not-for-machines = Rolle: gefunden: { people-role }, erwartet: eine von { $roles }: eine Maschine gibt keine Bewegung frei und legt keine Konten an

@@ -28,6 +28,7 @@ planning-end-start = Anfang
 planning-end-goal = Ende
 planning-end-no-configuration = { $end } des Weges: { $q_rad }; erwartet: { $count } endliche Gelenkstellungen in rad.
 planning-end-outside-limits = { $end } des Weges: { $joint } bei { FIXED($angle_rad, digits: 3) } rad, außerhalb seiner Grenzen [{ FIXED($lower_rad, digits: 3) }; { FIXED($upper_rad, digits: 3) }] rad. Wählen Sie eine andere Stellung.
+planning-end-inside = { $end } des Weges: { $first } ragt { FIXED($depth_m) } m in { $second } hinein. Wählen Sie eine andere Stellung, verkleinern Sie den Hüllquader der Last oder räumen Sie die Zelle.
 planning-end-too-close = { $end } des Weges: { $first } ist { FIXED($distance_m, digits: 4) } m von { $second } entfernt (Grenze { FIXED($required_m, digits: 3) } m). Wählen Sie eine andere Stellung oder räumen Sie die Zelle.
 planning-end-drops-load = { $end } des Weges: eine Last, die sich löst, fiele { FIXED($depth_m, digits: 4) } m in die Zone „{ $zone }“. Wählen Sie eine andere Stellung, verkleinern Sie den Hüllquader, oder verschieben Sie die Zone.
 
@@ -37,6 +38,7 @@ planning-corner-too-tight = eine Ecke des Weges bei ({ $corner_rad }) rad lässt
 planning-rounding-too-close = der Weg kommt { FIXED($depth_m, digits: 4) } m zu nahe ({ $first } an { $second }), wo seine Ecken gerundet sind. Planen Sie neu mit einem anderen Startwert, oder geben Sie ihm mehr Platz.
 planning-no-timing = keine Zeitplanung des Weges hält die Grenzen ein: { FIXED($excess, digits: 3) }-fache Grenze nach { $rounds } Durchgängen. Planen Sie neu.
 planning-transfer-throws-load = eine Last, die sich { FIXED($time_s, digits: 3) } s nach dem Beginn des Weges bei { FIXED($speed_m_s, digits: 3) } m/s löst, flöge { FIXED($depth_m, digits: 4) } m in die Zone „{ $zone }“. Planen Sie neu mit einem anderen Startwert, verkleinern Sie den Hüllquader, oder verschieben Sie die Zone.
+planning-stands-inside = wo der Roboter steht, ragt { $first } { FIXED($depth_m) } m in { $second } hinein. Verkleinern Sie den Hüllquader der Last oder räumen Sie die Zelle.
 planning-stands-too-close = der Roboter steht mit { $first } { FIXED($distance_m, digits: 4) } m von { $second } entfernt (Grenze { FIXED($required_m, digits: 3) } m). Räumen Sie die Zelle.
 planning-no-room-for-wave = kein Platz für eine breitbandige Bewegung: schon Ausschläge von { MILLI($swing_rad, digits: 1) } mrad verlassen die Grenzen, kommen etwas zu nahe oder könnten eine Last in eine Zone werfen. Wählen Sie eine andere Bewegung, oder geben Sie dem Roboter mehr Platz.
 

@@ -38,7 +38,7 @@ report-base-tilt-note = um x und y der Basis, gegen die nominelle Schwerkraft; �
 report-delay = Verzögerung der Kraftmessung
 report-delay-note = gegen die Gelenke; ± { $half_width } ms (95 %)
 report-accounted = Berücksichtigte Effekte
-report-accounted-note = wie der Zwilling der Zelle sie hat
+report-accounted-note = wie der Zwilling der Zelle sie hat; sie ändern die Masse um { MILLI($mass_kg, digits: 1) } g
 report-smallest-distance = Kleinster Abstand
 report-nearest = zu „{ $name }“; Grenze { FIXED($limit_m, digits: 3) } m
 report-nearest-beyond-first = zu „{ $name }“; Grenze { FIXED($limit_m, digits: 3) } m; { FIXED($beyond_m, digits: 3) } m ohne die Glieder, die nur das erste Gelenk bewegt
@@ -263,12 +263,12 @@ report-gap-overlay-note = Darunter: Messung minus Simulation in Standardabweichu
 report-gap-payload = Last
 report-gap-payload-moved = Last vorher und nachher
 report-gap-payload-note = ± eine Standardabweichung.
-report-gap-payload-moved-note = Änderung: nachher minus vorher, als Anteil der Masse, des Betrags des statischen Moments, des größten Trägheitsmoments; in σ des Werts nachher. Farbig: eine Änderung von Belang.
+report-gap-payload-moved-note = Änderung: nachher minus vorher, als Anteil der Masse, des Betrags des statischen Moments, des größten Trägheitsmoments; und in 95-%-Intervallen beider Werte zusammen, wobei bis 1 nichts Signifikantes ist. Farbig: eine Änderung von Belang.
 report-gap-payload-untrusted = „Nachher“ ist mit dem besten Effekt der Bibliothek, der nicht die Ursache ist: keiner der beiden Spalten ist zu trauen.
 report-gap-before = vorher
 report-gap-after = nachher
 report-gap-change = Änderung
-report-gap-in-sigmas = in σ
+report-gap-in-intervals = × Intervall
 report-gap-value = Wert
 
 # Daneben

@@ -33,6 +33,7 @@ runs-state = { $state ->
 # Warum ein Lauf nicht durchkam, oder warum er steht.
 runs-command-asked = { runs-command }, verlangt von { $who }.
 runs-cancelled = zurückgenommen von { $who }.
+runs-cancelled-because = zurückgenommen von { $who }: { $why }
 runs-ended = der Lauf wurde beendet.
 runs-shut-down = der Dienst wurde beendet; der Roboter wurde gestoppt.
 runs-service-ended = der Dienst endete, während der Lauf im Zustand { runs-state } war; der Roboter wurde gestoppt. Sehen Sie nach der Zelle, dann quittieren Sie.
@@ -62,7 +63,7 @@ runs-nothing-to-stop = Zelle „{ $cell }“: kein Lauf hat ihren Roboter, also 
 runs-no-common-frame = Zelle „{ $cell }“: sagt nicht, wie ihr Sensor angebracht ist (sensor.mount); Läufe zweier Zellen haben so kein gemeinsames Koordinatensystem
 
 # Aufträge, die nicht zur Zelle passen.
-runs-speed-not-allowed = speed_m_s ist { SIGNIFICANT($speed_m_s, digits: 6) } m/s; diese Zelle erlaubt { SIGNIFICANT($least_m_s, digits: 6) } bis { SIGNIFICANT($most_m_s, digits: 6) } m/s
+runs-speed-not-allowed = Die Höchstgeschwindigkeit des Laufs ist { SIGNIFICANT($speed_m_s, digits: 6) } m/s (speed_m_s); diese Zelle erlaubt { SIGNIFICANT($least_m_s, digits: 6) } bis { SIGNIFICANT($most_m_s, digits: 6) } m/s
 runs-start-of-other-robot = start_rad hat { $given } Gelenkstellungen; dieser Roboter hat { $joints } Gelenke
 runs-cell-without-payload =
     .found = keine Last in der Zelle „{ $cell }“
@@ -75,6 +76,9 @@ runs-payload-unknown =
 runs-control-taken = Bedienung der Zelle „{ $cell }“: { $holder } hat sie; bitten Sie darum, sie abzugeben
 runs-control-free = Bedienung der Zelle „{ $cell }“: niemand hat sie; übernehmen Sie sie
 runs-control-elsewhere = Bedienung der Zelle „{ $cell }“: { $holder } hat sie mit der Nummer { $fence }, nicht { $who } mit { $sent_fence }
+runs-control-asked = Bedienung der Zelle „{ $cell }“: { $who } hat sie schon angefordert; es geht nur eine Anforderung nach der anderen
+runs-control-not-asked = Bedienung der Zelle „{ $cell }“: diese Anforderung gilt nicht mehr
+runs-control-overtaken = Bedienung der Zelle „{ $cell }“: jemand war schneller; sehen Sie nach, wer sie jetzt hat, und fordern Sie sie erneut an
 runs-command-without-control = Befehl { runs-command }: braucht die Bedienung der Zelle „{ $cell }“; übernehmen Sie sie
 runs-command-repeated = Befehl Nummer { $number }: nicht über dem letzten, { $last_number }; er ist wiederholt oder kam zu spät
 runs-command-late = Befehl: { FIXED($age_s, digits: 3) } s alt (0 bis { SIGNIFICANT($limit_s) } s erlaubt); versuchen Sie es noch einmal
@@ -90,5 +94,5 @@ runs-watcher-too-slow = eine Nachricht ging nicht innerhalb von { SIGNIFICANT($l
 runs-watcher-behind = mehr als { $events } Ereignisse warteten
 runs-stamp-malformed = eine Antwort besteht aus fence, number, stamp_s und page_age_s
 runs-webhook-unknown = Webhook: keiner heißt „{ $webhook }“. Sehen Sie nach, welche es gibt, und versuchen Sie es noch einmal.
-runs-delivery-refused = HTTP { $status }
-runs-delivery-failed = { $error }: { $reason }
+runs-delivery-refused = der Empfänger hat mit HTTP { $status } geantwortet
+runs-delivery-failed = keine Antwort von dieser Adresse: { $error } { $reason }

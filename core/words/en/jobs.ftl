@@ -10,6 +10,8 @@ jobs-over = { jobs-kind } { $job }: it is { jobs-state }; only what waits or run
 jobs-no-overlay = diagnosis { $job }: has nothing to overlay, it is { jobs-state }; a done one has, if there was enough to compare
 jobs-no-report = diagnosis { $job }: has no report, it is { jobs-state }; a report comes with a diagnosis that is done
 jobs-no-cell = diagnosis { $job }: its recording was made in no cell of this service; upload it again with ?cell=
+jobs-upload-of-other-cell = This recording was made in the cell "{ $found }", not in "{ $cell }". Choose that cell, or “Another robot”.
+jobs-upload-of-other-robot = This recording is of another robot than that of the cell "{ $cell }". Choose “Another robot”: it is diagnosed without that cell's twin.
 jobs-recording-gone = diagnosis { $job }: its recording is gone; diagnose another run
 jobs-payload-unknown = diagnosis { $job }: payload "{ $payload }" is none that cell "{ $cell }" knows; make a run with one it knows
 jobs-payload-unnamed = diagnosis { $job }: its payload has no name, so cell "{ $cell }" does not know it; make a run with one it knows

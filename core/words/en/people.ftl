@@ -4,6 +4,7 @@ people-role = { $role }
 people-account-unknown = account: there is none called "{ $account }". List what there is and ask again.
 people-account-exists = account "{ $account }" exists already; choose another name or change that one
 people-last-admin = account "{ $account }" is the last admin who can sign in; make another one first
+people-session-unknown = session: you have none called "{ $session }". List what there is and ask again.
 people-key-unknown = key: there is none called "{ $key }". List what there is and ask again.
 people-key-exists = key "{ $key }" exists already; revoke it or choose another name
 people-role-not-for-machines = role: found { people-role }, expected one of { $roles }: a machine neither releases motion nor makes accounts

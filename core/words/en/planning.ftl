@@ -28,6 +28,7 @@ planning-end-start = start
 planning-end-goal = goal
 planning-end-no-configuration = the { $end } of the path is { $q_rad }; expected { $count } finite joint positions in rad.
 planning-end-outside-limits = the { $end } of the path has { $joint } at { FIXED($angle_rad, digits: 3) } rad, outside its limits [{ FIXED($lower_rad, digits: 3) }, { FIXED($upper_rad, digits: 3) }] rad. Choose another { $end } configuration.
+planning-end-inside = at the { $end } of the path { $first } reaches { FIXED($depth_m) } m into { $second }. Choose another { $end } configuration, reduce the payload box, or clear the cell.
 planning-end-too-close = at the { $end } of the path { $first } is { FIXED($distance_m, digits: 4) } m from { $second } (limit { FIXED($required_m, digits: 3) } m). Choose another { $end } configuration or clear the cell.
 planning-end-drops-load = at the { $end } of the path a load that comes off would fall { FIXED($depth_m, digits: 4) } m into zone "{ $zone }". Choose another { $end } configuration, reduce the payload box, or move the zone.
 
@@ -37,6 +38,7 @@ planning-corner-too-tight = a corner of the path at ({ $corner_rad }) rad cannot
 planning-rounding-too-close = the timed path comes { FIXED($depth_m, digits: 4) } m too close ({ $first } to { $second }) where its corners are rounded. Plan again with another seed, or give the path more room.
 planning-no-timing = no timing of the path keeps the limits: { FIXED($excess, digits: 3) } times a limit after { $rounds } rounds. Plan again.
 planning-transfer-throws-load = a load that comes off { FIXED($time_s, digits: 3) } s after the beginning of the path, at { FIXED($speed_m_s, digits: 3) } m/s, would fly { FIXED($depth_m, digits: 4) } m into zone "{ $zone }". Plan again with another seed, reduce the payload box, or move the zone.
+planning-stands-inside = where the robot stands, { $first } reaches { FIXED($depth_m) } m into { $second }. Reduce the payload box, or clear the cell.
 planning-stands-too-close = the robot stands with { $first } { FIXED($distance_m, digits: 4) } m from { $second } (limit { FIXED($required_m, digits: 3) } m). Clear the cell.
 planning-no-room-for-wave = no room for a wide-band motion: even joint swings of { MILLI($swing_rad, digits: 1) } mrad leave the limits, come too close to something, or could throw a load into a zone. Choose another motion, or give the robot more room.
 

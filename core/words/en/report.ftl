@@ -40,7 +40,7 @@ report-base-tilt-note = about base x and y, against nominal gravity; ± { $half_
 report-delay = Delay of the wrench
 report-delay-note = against the joints; ± { $half_width } ms (95 %)
 report-accounted = Effects accounted for
-report-accounted-note = as the cell's twin has them
+report-accounted-note = as the cell's twin has them; they change the mass by { MILLI($mass_kg, digits: 1) } g
 report-smallest-distance = Smallest distance
 report-nearest = to { $name }; limit { FIXED($limit_m, digits: 3) } m
 report-nearest-beyond-first = to { $name }; limit { FIXED($limit_m, digits: 3) } m; { FIXED($beyond_m, digits: 3) } m without the links that only the first joint moves
@@ -265,12 +265,12 @@ report-gap-overlay-note = Below: measured minus simulated in standard deviations
 report-gap-payload = Payload
 report-gap-payload-moved = Payload before and after
 report-gap-payload-note = ± one standard deviation.
-report-gap-payload-moved-note = Change: after minus before, as a share of the mass, of the first moment's norm, of the largest moment of inertia; in σ of the value after. In colour: a change that matters.
+report-gap-payload-moved-note = Change: after minus before, as a share of the mass, of the first moment's norm, of the largest moment of inertia; and in 95 % intervals of both values together, where up to 1 is no significant difference. In colour: a change that matters.
 report-gap-payload-untrusted = “After” is with the best effect of the library, which is not the cause: neither column can be trusted.
 report-gap-before = before
 report-gap-after = after
 report-gap-change = change
-report-gap-in-sigmas = in σ
+report-gap-in-intervals = × the interval
 report-gap-value = value
 
 # Beside it

@@ -5,6 +5,7 @@ runs-state = { $state }
 # Why a run did not come through, or why it stands.
 runs-command-asked = { runs-command } was asked for by { $who }.
 runs-cancelled = cancelled by { $who }.
+runs-cancelled-because = cancelled by { $who }: { $why }
 runs-ended = the run was ended.
 runs-shut-down = the service was shut down; the robot was stopped.
 runs-service-ended = the service ended while the run was in { runs-state }; the robot was stopped. Look at the cell, then clear the run.
@@ -34,7 +35,7 @@ runs-nothing-to-stop = cell "{ $cell }": no run has its robot, so there is nothi
 runs-no-common-frame = cell "{ $cell }": does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common
 
 # Orders that do not go with the cell.
-runs-speed-not-allowed = speed_m_s is { SIGNIFICANT($speed_m_s, digits: 6) } m/s; this cell allows { SIGNIFICANT($least_m_s, digits: 6) } to { SIGNIFICANT($most_m_s, digits: 6) } m/s
+runs-speed-not-allowed = The speed limit of the run is { SIGNIFICANT($speed_m_s, digits: 6) } m/s (speed_m_s); this cell allows { SIGNIFICANT($least_m_s, digits: 6) } to { SIGNIFICANT($most_m_s, digits: 6) } m/s
 runs-start-of-other-robot = start_rad has { $given } joint positions; this robot has { $joints } joints
 runs-cell-without-payload =
     .found = no payload in cell "{ $cell }"
@@ -47,6 +48,9 @@ runs-payload-unknown =
 runs-control-taken = control of cell "{ $cell }": { $holder } has it; ask them to let go of it
 runs-control-free = control of cell "{ $cell }": nobody has it; take control (POST /api/control) and answer its stamps
 runs-control-elsewhere = control of cell "{ $cell }": { $holder } has it with fence { $fence }, not { $who } with { $sent_fence }
+runs-control-asked = control of cell "{ $cell }": { $who } has asked for it already; one asks at a time
+runs-control-not-asked = control of cell "{ $cell }": nobody asks for it with this request any more
+runs-control-overtaken = control of cell "{ $cell }": somebody was faster; look who has it now, then ask again
 runs-command-without-control = command { runs-command }: needs control of cell "{ $cell }"; send `sent` with your fence, number and stamp
 runs-command-repeated = command number { $number }: not above the last one, { $last_number }; it is repeated or out of order
 runs-command-late = command stamp: { FIXED($age_s, digits: 3) } s old (0 to { SIGNIFICANT($limit_s) } s allowed); send the newest stamp you got
@@ -62,5 +66,5 @@ runs-watcher-too-slow = a message did not leave within { SIGNIFICANT($limit_s) }
 runs-watcher-behind = more than { $events } events were waiting
 runs-stamp-malformed = an answer is fence, number, stamp_s, page_age_s
 runs-webhook-unknown = webhook: there is none called "{ $webhook }". List what there is and ask again.
-runs-delivery-refused = HTTP { $status }
-runs-delivery-failed = { $error }: { $reason }
+runs-delivery-refused = the receiver answered with HTTP { $status }
+runs-delivery-failed = no answer from this address: { $error } { $reason }

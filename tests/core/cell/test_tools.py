@@ -11,7 +11,9 @@ from core.cell.cell import Box, Cell, Pose
 from core.cell.folder import load_cell
 from core.cell.tools import find_tools, tool_boxes, widest_box
 from core.events import drive
-from core.planning.search import plan_procedure
+from core.planning.search import plan_stops
+from core.planning.settings import Scope
+from core.planning.stops import Stops
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.second_opinion.opinion import JointPath, second_opinion
@@ -67,7 +69,7 @@ def test_a_tools_corners_keep_the_speed_limit(tmp_path: Path) -> None:
     assert widest_box(cell, SMALL) == tool_boxes(cell)["gripper"]
     robot = RobotModel.of_cell(cell)
     home = np.array(cell.robot.home_rad)
-    plan = drive(plan_procedure(cell, robot, CollisionModel(cell, robot, SMALL), SMALL, start=home, poses=("z-", "z+")))
+    plan = drive(plan_stops(cell, robot, CollisionModel(cell, robot, SMALL), SMALL, Stops.of_procedure(Scope("z")).stops, start=home))
     assert plan.opinion.passes
     fastest = plan.opinion.fastest
     assert fastest.speed_m_s <= cell.limits.cartesian_speed_m_s * (1 + 1e-6)

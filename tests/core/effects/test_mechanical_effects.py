@@ -69,7 +69,7 @@ def test_the_advice_names_what_to_do_with_numbers(case: Planted) -> None:
 
 
 def test_advice_is_given_in_everyday_units() -> None:
-    assert "-1.15 deg about x" in BaseTilt().advice(scene(), TILT).text  # the base stands turned against gravity's turn
+    assert "turn it by 1.15 deg about x" in BaseTilt().advice(scene(), TILT).text  # as fitted: the base stands turned the other way
     assert "3.0, -4.0 and 2.0 mm" in SensorTranslation().advice(scene(), SHIFT).text
     assert "gained 200 g" in PayloadMassChange().advice(scene(), np.array([AT, ADDED, *PLACE, 0.0])).text
     assert "7.8 N from 8.0 to 12.5 s" in ExternalContact().advice(scene(), np.array([8.0, 4.5, 0.0, *PUSH, *TOUCHED])).text

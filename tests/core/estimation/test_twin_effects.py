@@ -54,6 +54,9 @@ def test_a_gain_error_is_taken_off_and_its_uncertainty_goes_into_the_payload() -
     assert np.abs((found.estimate.phi - BODY.phi) / found.estimate.std).max() < 4.0
     # six independent gains over six orientations: the force channels share the weight, each in a third of the run
     assert 0.5 * std < found.estimate.std[0] / BODY.mass < 1.2 * std
+    (share,) = found.shares
+    assert (share.effect, share.title.code) == ("sensor_gain", "effect-sensor-gain-title")
+    np.testing.assert_allclose(share.change[:4], (found.estimate.phi - blind.phi)[:4], atol=1e-3)  # what the twin changed, by itself
     certain = identify_recording(amplified(), gain(0.0)).estimate
     assert certain is not None
     assert certain.std[0] / BODY.mass < 0.1 * std

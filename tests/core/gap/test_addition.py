@@ -65,6 +65,7 @@ def test_two_effects_are_added_in_whatever_order_they_are_named(both: str) -> No
         ({}, "base_tilt", "gap-not-addable"),
         ({"origin": ORIGIN.model_copy(update={"cell": "ur5e_line"})}, "time_delay", "gap-not-addable"),
         ({"origin": ORIGIN.model_copy(update={"joints": 6})}, "time_delay", "gap-not-addable"),
+        ({"origin": ORIGIN.model_copy(update={"robot": [[0.0] * 6] * 7})}, "time_delay", "gap-not-addable"),
         ({"origin": ORIGIN.model_copy(update={"sha256": "beef"})}, "time_delay", "schema-string-pattern-mismatch"),
         ({"origin": ORIGIN.model_copy(update={"twin": {"sensor_gain": "0" * 64}})}, "time_delay", "twin-changed"),
     ],

@@ -15,8 +15,9 @@ from core.cell.cell import Box, Cell, Friction, Pose
 from core.cell.folder import load_cell
 from core.errors import TooHeavy
 from core.planning.joint_torques import HOLDING_SHARE, JointTorques, Load, even_load, find_known_load, guess_load, refuse_too_heavy
-from core.planning.search import plan_procedure
-from core.planning.start_configuration import Grid, find_start_configuration
+from core.planning.search import plan_stops
+from core.planning.start_configuration import Attitude, Grid, find_start_configuration
+from core.planning.stops import PROCEDURE
 from core.plant.arm import arm_of_cell
 from core.plant.mechanics import Drives, build_model
 from core.robot.collision import CollisionModel
@@ -128,7 +129,7 @@ def test_a_tool_too_heavy_for_the_arm_is_refused_with_joint_value_and_limit_befo
     collision = CollisionModel(weak, robot, weak.payload_box)
     load = even_load(weak.payload_box, 8.0, Message.of("planning-load-guessed"))
     home = np.array(weak.robot.home_rad)
-    steps = plan_procedure(weak, robot, collision, weak.payload_box, start=home, load=load)
+    steps = plan_stops(weak, robot, collision, weak.payload_box, PROCEDURE.stops, start=home, load=load)
     with pytest.raises(TooHeavy) as caught:
         next(steps)
     held = np.abs(mujocos(weak, load, home[None])[0])
@@ -147,19 +148,21 @@ def test_start_configurations_are_those_that_the_joints_can_hold() -> None:
     collision = CollisionModel(cell, robot, cell.payload_box)
     load = even_load(cell.payload_box, 5.0, "a stated mass")
     small = Grid(vertices=60, per_vertex=3, per_side=2, postures=2000, rounds=1)
-    free = find_start_configuration(cell, robot, collision, "x-", None, seed=0, grid=small)
+    free = find_start_configuration(cell, robot, collision, Attitude.of_axis("x-"), seed=0, grid=small)
     asked = np.abs(mujocos(cell, load, free.q[None])[0])
     joint = int(np.argmax(asked[:3]))
     effort = 0.99 * float(asked[joint])
     names = [each.name for each in arm_of_cell(cell).joints]
     weak = with_urdf(cell, lambda text: _with_effort(text, names[joint], effort))
-    found = find_start_configuration(weak, robot, collision, "x-", None, seed=0, grid=small, torques=JointTorques(weak, robot, load))
+    found = find_start_configuration(
+        weak, robot, collision, Attitude.of_axis("x-"), seed=0, grid=small, torques=JointTorques(weak, robot, load)
+    )
     held = np.abs(mujocos(weak, load, found.q[None])[0])
     assert (held <= HOLDING_SHARE * arm_of_cell(weak).effort + 1e-9).all()
     powerless = with_urdf(cell, lambda text: _with_effort(text, names[1], 1.0))
     torques = JointTorques(powerless, robot, load)
     with pytest.raises(TooHeavy, match=rf'sensor axis x- along gravity: the load is too heavy, .*"{names[1]}" would need \d+ %'):
-        find_start_configuration(powerless, robot, collision, "x-", None, seed=0, grid=small, torques=torques)
+        find_start_configuration(powerless, robot, collision, Attitude.of_axis("x-"), seed=0, grid=small, torques=torques)
 
 
 def _with_effort(text: str, joint: str, effort: float) -> str:

@@ -8,7 +8,7 @@ import pytest
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.planning.link_room import LinkRoom
-from core.planning.start_configuration import Grid, find_start_configuration
+from core.planning.start_configuration import Attitude, Grid, find_start_configuration
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 
@@ -62,7 +62,7 @@ def test_an_upper_arm_that_stays_near_its_table_does_not_hide_the_room_of_the_pa
 
     def room_of_payload(axis: str) -> float:
         home = np.array(cell.robot.home_rad)
-        found = find_start_configuration(cell, robot, collision, axis, None, seed=0, near=home, grid=Grid(vertices=200))
+        found = find_start_configuration(cell, robot, collision, Attitude.of_axis(axis), seed=0, near=home, grid=Grid(vertices=200))
         return min(distance for (link, _), distance in scene.to_environment(found.q).items() if link == "payload")
 
     here = [room_of_payload(axis) for axis in ("x+", "y+", "z-")]

@@ -124,7 +124,7 @@ def test_an_end_in_collision_is_refused_with_the_pair_and_the_distance(end: str)
     ends = (inside, RIGHT) if end == "start" else (LEFT, inside)
     nearest = collision.nearest(inside)
     with pytest.raises(
-        NoPath, match=rf'at the {end} of the path "?{nearest.first}"? is {nearest.distance_m:.4f} m from obstacle "post"'
+        NoPath, match=rf'at the {end} of the path "?{nearest.first}"? reaches {-nearest.distance_m:.2f} m into obstacle "post"'
     ) as refusal:
         plan_path(cell, robot, collision, *ends)
     assert refusal.value.in_the_way == "post"

@@ -19,10 +19,11 @@ from core.errors import BadInput
 from core.events import drive
 from core.planning.commanded_path import compute_joint_paths
 from core.planning.plan import Plan, motions_of
-from core.planning.search import plan_procedure
+from core.planning.search import plan_stops
 from core.planning.set_points import SetPoints, check_set_points, set_points_of, write_set_points
-from core.planning.settings import Timing
+from core.planning.settings import Scope, Timing
 from core.planning.slow_run import limit_speed
+from core.planning.stops import Stops
 from core.planning.timing import MotionLimits
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
@@ -40,7 +41,7 @@ def planned() -> tuple[Cell, RobotModel, CollisionModel, Plan]:
     robot = RobotModel.of_cell(cell)
     collision = CollisionModel(cell, robot, cell.payload_box)
     home = np.array(cell.robot.home_rad)
-    plan = plan_procedure(cell, robot, collision, cell.payload_box, start=home, poses=("z-", "z+"), timing=SHORT)
+    plan = plan_stops(cell, robot, collision, cell.payload_box, Stops.of_procedure(Scope("z"), SHORT).stops, start=home, timing=SHORT)
     return cell, robot, collision, drive(plan)
 
 

@@ -12,13 +12,14 @@ from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
 from core.cell.folder import load_cell
 from core.control.bounds import JointLimits
 from core.control.rotation import Rotation
-from core.errors import BadCell, NoStartConfiguration
+from core.errors import BadCell, NoRoomAtHome, NoStartConfiguration
 from core.planning.candidates import CandidateSearch, Weights
 from core.planning.link_room import LinkRoom
 from core.planning.start_configuration import (
     LIMIT_MARGIN_RAD,
     ROOM_M,
     UNREACHABLE,
+    Attitude,
     Checks,
     Grid,
     StartConfiguration,
@@ -48,7 +49,7 @@ def search(
     robot = RobotModel.of_cell(cell)
     collision = CollisionModel(cell, robot, box)
     profile = profile_of(box) if (axis[1] == "+" if rotate is None else rotate) else None
-    return find_start_configuration(cell, robot, collision, axis, profile, near=near, **{"seed": 0, **options})
+    return find_start_configuration(cell, robot, collision, Attitude.of_axis(axis, profile), near=near, **{"seed": 0, **options})
 
 
 def boxes_of(cell: Cell) -> dict[str, Box]:
@@ -136,7 +137,7 @@ def narrow_cell(seed: int) -> tuple[Cell, RobotModel, CollisionModel]:
         narrow = cell.model_copy(update={"obstacles": (*cell.obstacles, *boxes), "zones": ()})
         try:
             return narrow, robot, CollisionModel(narrow, robot, cell.payloads["cylinder"].box)
-        except BadCell:
+        except (BadCell, NoRoomAtHome):
             continue
 
 
@@ -169,7 +170,7 @@ def test_in_narrow_cells_it_is_as_good_as_brute_force(seed):
     cell, robot, collision = narrow_cell(seed)
     best = brute_force(robot, collision, 0, 300)
     try:
-        found = find_start_configuration(cell, robot, collision, "x+", None, seed=0, weights=Weights(manipulability=0.0))
+        found = find_start_configuration(cell, robot, collision, Attitude.of_axis("x+"), seed=0, weights=Weights(manipulability=0.0))
     except NoStartConfiguration as refusal:
         assert best is None, refusal
     else:
@@ -214,7 +215,9 @@ def test_a_rotation_that_the_arm_cannot_make_fast_enough_is_refused_with_that_re
     robot = RobotModel.of_cell(cell)
     collision = CollisionModel(cell, robot, box)
     with pytest.raises(NoStartConfiguration) as refusal:
-        find_start_configuration(cell, robot, collision, "x+", profile_of(box, 0.6), seed=0, grid=Grid(vertices=150, rounds=1))
+        find_start_configuration(
+            cell, robot, collision, Attitude.of_axis("x+", profile_of(box, 0.6)), seed=0, grid=Grid(vertices=150, rounds=1)
+        )
     reasons = refusal.value.reasons
     assert reasons[Message.of("planning-rejected-cartesian-speed")] > 50
     assert UNREACHABLE in reasons

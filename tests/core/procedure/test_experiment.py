@@ -21,7 +21,8 @@ from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
 from core.planning.stop import Stop
-from core.procedure.experiment import measure_more
+from core.planning.stops import Stops
+from core.procedure.identify import identify
 from core.procedure.outcome import Outcome
 from core.recording.folder import read_recording
 from core.recording.recording import Recording
@@ -52,7 +53,7 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     first = examine(before, FEW, fit_all=one_by_one)
     choice = drive(choose_experiment(cell, before, first[1], box))
     out = tmp_path_factory.mktemp("experiment") / "both"
-    outcome = drive(measure_more(before, choice.proposal.motion.stops, cell, session(5), box, out=out))
+    outcome = drive(identify(cell, session(5), box, stops=Stops(choice.proposal.motion.stops), before=before, out=out))
     return Story(cell, before, first, choice, outcome, examine(outcome.recording, FEW, fit_all=one_by_one), out)
 
 
@@ -119,9 +120,9 @@ def test_the_payload_of_both_together_is_identified(story):
 def test_what_is_no_motion_or_no_recording_of_this_robot_is_refused_before_anything_moves(story):
     other = load_cell(find_cell("ur5e_line"))
     carried = other.payloads["cylinder"]
-    run = measure_more(story.before, (Stop(down=(0.0, 0.0, 1.0)),), other, SimulatedSession(other, carried.parameters), carried.box)
+    stops = Stops((Stop(down=(0.0, 0.0, 1.0)),))
+    run = identify(other, SimulatedSession(other, carried.parameters), carried.box, stops=stops, before=story.before)
     with pytest.raises(BadInput, match="another robot"):
         drive(run)
-    run = measure_more(story.before, (), story.cell, session(1), story.cell.payloads[CARRIED].box)
     with pytest.raises(BadInput, match="no stops"):
-        drive(run)
+        Stops(())

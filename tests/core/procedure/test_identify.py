@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Generator
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ from core.cell.folder import load_cell
 from core.errors import BadState, Interrupted, OverLoad
 from core.events import Event, Finished, PhaseStarted, Planned, Progress, RecordingWritten, RobotStopped, StepFinished, drive
 from core.planning.settings import Timing
+from core.planning.stops import Stops
 from core.procedure.identify import identify
 from core.procedure.outcome import Outcome
 from core.recording.folder import read_recording
@@ -109,7 +111,9 @@ def test_after_a_stop_by_the_guard_the_rest_is_done_from_new_start_configuration
     cell = load_cell(CELLS / "lwr4_bench")
     carried = cell.payloads["cylinder"]
     session = Knocked(cell, times=1, every_s=9.0)
-    events, outcome = drained(identify(cell, session, carried.box, seed=2, timing=SHORT, out=tmp_path / "knocked"))
+    events, outcome = drained(
+        identify(cell, session, carried.box, seed=2, stops=Stops.of_procedure(timing=SHORT), out=tmp_path / "knocked")
+    )
     stops = [event for event in events if isinstance(event, RobotStopped)]
     assert [stop.error for stop in stops] == ["OverLoad"]
     assert outcome.restarts == 1
@@ -123,7 +127,7 @@ def test_after_a_stop_by_the_guard_the_rest_is_done_from_new_start_configuration
 def test_a_run_that_is_stopped_again_and_again_is_given_up_with_its_samples(tmp_path):
     cell = load_cell(CELLS / "lwr4_bench")
     session = Knocked(cell, times=10, every_s=1.0)
-    run = identify(cell, session, cell.payloads["cylinder"].box, seed=2, timing=SHORT, out=tmp_path / "given_up")
+    run = identify(cell, session, cell.payloads["cylinder"].box, seed=2, stops=Stops.of_procedure(timing=SHORT), out=tmp_path / "given_up")
     with pytest.raises(OverLoad) as stopped:
         drained(run)
     assert len(stopped.value.samples) > 100
@@ -139,7 +143,9 @@ def test_a_sample_that_is_not_finite_stops_the_robot_and_is_not_written(tmp_path
     cell = load_cell(CELLS / "lwr4_bench")
     session = Broken(cell, cell.payloads["cylinder"].parameters, seed=5)
     with pytest.raises(BadState, match="finite"):
-        drained(identify(cell, session, cell.payloads["cylinder"].box, seed=2, timing=SHORT, out=tmp_path / "broken"))
+        drained(
+            identify(cell, session, cell.payloads["cylinder"].box, seed=2, stops=Stops.of_procedure(timing=SHORT), out=tmp_path / "broken")
+        )
     assert np.isfinite(read_recording(tmp_path / "broken").wrench).all()
 
 
@@ -147,7 +153,7 @@ def test_an_interrupted_run_stops_the_robot_and_leaves_a_readable_recording(tmp_
     cell = load_cell(CELLS / "lwr4_bench")
     carried = cell.payloads["cylinder"]
     session = SimulatedSession(cell, carried.parameters, seed=1)
-    run = identify(cell, session, carried.box, payload="cylinder", seed=1, timing=SHORT, out=tmp_path / "cut")
+    run = identify(cell, session, carried.box, payload="cylinder", seed=1, stops=Stops.of_procedure(timing=SHORT), out=tmp_path / "cut")
     for event in run:
         if isinstance(event, Progress) and event.done_s > 3.0:
             break
@@ -177,15 +183,23 @@ def test_the_estimate_on_line_closes_in_on_the_payload_while_the_robot_moves(who
 def test_a_run_that_is_held_again_and_again_goes_on_along_its_plan_and_finds_the_same_payload(name):
     cell = load_cell(CELLS / name)
     carried = cell.payloads["steel_block"]
-    plain = drained(identify(cell, SimulatedSession(cell, carried.parameters, seed=3), carried.box, timing=SHORT, seed=3))[1]
+    plain = drained(
+        identify(cell, SimulatedSession(cell, carried.parameters, seed=3), carried.box, stops=Stops.of_procedure(timing=SHORT), seed=3)
+    )[1]
     lease = Lease(length_s=1e9)
     lease.renew(Renewal(0, 0, time.monotonic()))
     session = LeasedSession(SimulatedSession(cell, carried.parameters, seed=3), lease)
     phases: list[str] = []
-    events, outcome = held_at_random(identify(cell, session, carried.box, timing=SHORT, seed=3), lease, phases)
+    events, outcome = held_at_random(identify(cell, session, carried.box, stops=Stops.of_procedure(timing=SHORT), seed=3), lease, phases)
     assert {"transfer", "rotate", "hold"} <= {phase.partition(":")[0] for phase in phases}
     assert sum(isinstance(event, Planned) for event in events) == 1, "nothing is planned anew"
     assert outcome.restarts == 0
+    left_s = [event.total_s - event.done_s for event in events if isinstance(event, Progress)]
+    assert all(later <= earlier + 1e-6 for earlier, later in pairwise(left_s)), "time on hold is not counted"
+    planned_s = next(event.robot_s for event in events if isinstance(event, Planned))
+    assert left_s[0] == pytest.approx(planned_s, abs=0.1)
+    assert left_s[len(left_s) // 2] > 0.3 * planned_s
+    assert left_s[-1] < 0.1
     away, _ = cKDTree(plain.recording.q_cmd).query(outcome.recording.q_cmd[::7])
     assert away.max() < 3e-3, "rad, from the path that it takes when nobody holds it"
     acceleration = np.abs(np.diff(outcome.recording.q_cmd, n=2, axis=0)).max(axis=0) / session.period**2

@@ -18,6 +18,7 @@ from core.estimation.result import result_of
 from core.events import drive
 from core.gap.diagnosis import examine
 from core.planning.settings import Timing
+from core.planning.stops import Stops
 from core.procedure.identify import identify
 from core.procedure.outcome import Outcome
 from core.recording.folder import read_recording
@@ -59,9 +60,8 @@ def ran(tmp_path_factory: pytest.TempPathFactory) -> tuple[Cell, Outcome, Path]:
     cell = load_cell(cell_folder(folder, toml=GRIPPER + PART))
     carried = cell.payloads["part"]
     session = SimulatedSession(as_it_is(cell), carried.parameters, seed=4)
-    steps = identify(
-        cell, session, carried.box, payload="part", reference=carried, timing=Timing(robot_s=1.0), seed=4, out=folder / "recording"
-    )
+    stops = Stops.of_procedure(timing=Timing(robot_s=1.0))
+    steps = identify(cell, session, carried.box, stops=stops, payload="part", reference=carried, seed=4, out=folder / "recording")
     return cell, drive(steps), folder
 
 

@@ -73,7 +73,9 @@ def test_every_verdict_has_a_page_that_is_well_formed_and_loads_nothing(verdict:
 def test_an_explained_gap_is_told_in_words_and_numbers(tmp_path: Path) -> None:
     text = words(written(tmp_path, explained(), overlay()))
     for said in (
-        "Gap explained Diagnosis of the gap",
+        "? Ask an engineer: the force arrives late The clocks of robot and sensor have to agree; nothing has to be repaired.",
+        "nothing has to be repaired. Check the cable of the sensor",
+        "Gap explained",
         "The gap is explained by a late wrench.",
         "What to do Fix a late wrench.",
         "For the payload Left out, it changes the inertia.",
@@ -134,18 +136,22 @@ def test_two_effects_at_once_have_the_advice_of_both(tmp_path: Path) -> None:
 
 def test_a_recording_that_says_too_little_gets_that_and_nothing_else(tmp_path: Path) -> None:
     text = written(tmp_path, CASES["not_enough"])
-    assert re.findall(r"<h[23][^>]*>(.*?)</h", text) == ["What this recording cannot say"]
+    assert re.findall(r"<h[23][^>]*>(.*?)</h", text) == ["Too little to say anything", "What this recording cannot say"]
     assert "Record again" in words(text) and "no wrench was recorded" in words(text).lower()
     assert "<svg" not in text and "<table" not in text
 
 
 def test_colour_is_only_where_something_is_abnormal(tmp_path: Path) -> None:
-    calm = written(tmp_path, CASES["no_gap"])
+    calm = written(tmp_path, CASES["no_gap"].model_copy(update={"also": []}))
     assert alarms(calm) == []
     assert '<table class="heat calm">' in calm
     assert "var(--alarm)" not in re.sub(r"<style>.*?</style>", "", calm, flags=re.DOTALL)
-    assert alarms(written(tmp_path, explained())) == ["9.80", "-5.00 %"]  # the gap, and Ixx of 0.002 over 0.04
-    assert alarms(written(tmp_path, CASES["unknown"]))[0] == "Gap of unknown cause"
+    assert alarms(written(tmp_path, explained())) == [
+        "? Ask an engineer: the force arrives late",
+        "9.80",
+        "-5.00 %",
+    ]  # the gap, and Ixx of 0.002 over 0.04
+    assert alarms(written(tmp_path, CASES["unknown"]))[0] == "? Ask an engineer: something is wrong that Heft does not know"
 
 
 def test_the_bars_of_what_remains_are_in_colour_where_it_matters(tmp_path: Path) -> None:

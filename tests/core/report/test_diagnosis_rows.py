@@ -60,4 +60,4 @@ def test_a_payload_that_moves_within_its_uncertainty_is_not_marked() -> None:
     wide = payload_rows(PayloadPart(before=PhiPart(phi=before, std=[0.03] * 10), after=PhiPart(phi=after, std=[0.03] * 10)))
     narrow = payload_rows(PayloadPart(before=PhiPart(phi=before, std=[0.01] * 10), after=PhiPart(phi=after, std=[0.01] * 10)))
     assert [row.name for row in wide if row.material] == []
-    assert [(row.name, row.change, row.sigmas) for row in narrow if row.material] == [("m", "-2.50 %", "-5.0")]
+    assert [(row.name, row.change, row.times_interval) for row in narrow if row.material] == [("m", "-2.50 %", "1.8")]

@@ -31,7 +31,7 @@ from tests.core.report.test_page import case
 WORD = re.compile(r"\b[A-Za-zÄÖÜäöüß]{2,}\b")
 SAME = {
     "Heft", "CAD", "kg", "mm", "ms", "Hz", "rad", "mrad", "fx", "fy", "fz", "tx", "ty", "tz", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz",
-    "safety_rated", "false", "bench", "operator", "fixture", "gripper", "in", "Gripper", "Sensor", "sensor",
+    "Software", "safety_rated", "false", "bench", "operator", "fixture", "gripper", "in", "Gripper", "Sensor", "sensor",
 }  # fmt: skip
 """Units, symbols, identifiers, and names that somebody gave."""
 
@@ -79,7 +79,7 @@ def report(folder: Path, language: Language) -> str:
     left_out = [Verification(motion, 9, rms=k * expected, noise=expected, expected=expected) for motion, k in turned.items()]
     approaches = tuple(Approach(kind, "payload", "bench", 0.05, 0.03, "transfer x+", 1.25) for kind in PairKind)
     lost = LostLoad(zone="operator", distance_m=0.2, speed_m_s=0.2, part="rotation y", time_s=3.0)
-    pairs = (AccountedPair("link1", "floor", PairKind.JOINED, 0.0, Message.of("opinion-pair-declared"), (0, 1)),)
+    pairs = (AccountedPair("link1", "floor", PairKind.JOINED, 0.0, Message.of("opinion-pair-declared"), (0, 1), 1),)
     opinion = Opinion(approaches, PeakSpeed(0.24, 0.25, "payload", "home", 2.0), pairs, 900, lost)
     tool = KnownTool("gripper", "gripper", InertialParameters.from_com(0.4, np.zeros(3), 1e-4 * np.eye(3)), np.full(10, 1e-4))
     wrong = replace(identification.estimate, determined=np.arange(10) < 4, consistent=False)

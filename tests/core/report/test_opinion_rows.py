@@ -10,7 +10,7 @@ def test_each_kind_and_the_fastest_point_have_a_row_and_each_reason_a_line() -> 
     near = Approach(PairKind.FIRST_LINK, "link1", "bench", 0.0391, 0.03, "transfer x+", 1.25)
     wrist = Approach(PairKind.NEAR, "link7", "link5", 0.002, -0.001, "home", 0.0)
     why = Message.of("opinion-pair-neighbours")
-    pairs = tuple(AccountedPair(first, second, PairKind.JOINED, 0.0, why, (0, 1)) for first, second in (("a", "b"), ("b", "c")))
+    pairs = tuple(AccountedPair(first, second, PairKind.JOINED, 0.0, why, (0, 1), 1) for first, second in (("a", "b"), ("b", "c")))
     table = opinion_table(Opinion((near, wrist), PeakSpeed(0.24, 0.25, "payload", "home", 2.0), pairs, 900))
     first, second, fastest = table.rows
     assert (first.value, first.between, first.limit, first.where) == ("0.039 m", "link1 - bench", "0.030 m", "transfer x+, 1.2 s")

@@ -24,7 +24,9 @@ from core.events import drive
 from core.planning.commanded_path import PlanPart, compute_joint_paths
 from core.planning.joint_torques import JointTorques, guess_load
 from core.planning.plan import Plan, plan_summary
-from core.planning.search import confirm_plan, plan_procedure
+from core.planning.search import confirm_plan, plan_stops
+from core.planning.settings import Scope
+from core.planning.stops import Stops
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.robot.point_speed import point_speeds
@@ -63,7 +65,7 @@ def bench(name: str) -> Bench:
 @cache
 def planned(name: str) -> Plan:
     at = bench(name)
-    return drive(plan_procedure(at.cell, at.robot, at.collision, at.cell.payload_box, start=at.home, poses=("x-", "x+")))
+    return drive(plan_stops(at.cell, at.robot, at.collision, at.cell.payload_box, Stops.of_procedure(Scope("x")).stops, start=at.home))
 
 
 def postures(robot: RobotModel, count: int) -> Array:
@@ -206,7 +208,7 @@ def test_what_it_finds_is_what_a_look_at_every_sample_finds(name: str) -> None:
             ]
         )
         margin = found.distance_m - found.required_m
-        assert margins.min() <= margin <= margins.min() + found.kind.resolution_m
+        assert margins.min() <= margin <= margins.min() + pairs[int(np.argmin(margins.min(axis=1)))].resolution_m
         sample = round(found.time_s / PERIOD) + (250 if found.part == "second" else 0)
         pair = next(i for i, each in enumerate(pairs) if (each.first, each.second) == (found.first, found.second))
         assert margins[pair, sample] == margin
@@ -216,8 +218,27 @@ def test_a_least_margin_just_below_zero_is_found_however_coarse_the_figures_may_
     margins = np.full((3, 1000), 0.0005)
     margins[1, 617] = -0.0001
     ways = [np.linspace(0.0, 1.0, 1000)] * 3
-    found = find_least(ways, lambda pair, sample: float(margins[pair, sample]), resolution=0.01)
+    found = find_least(ways, lambda pair, sample: float(margins[pair, sample]), resolutions=[0.01] * 3)
     assert (found.pair, found.sample) == (1, 617)
+
+
+def test_a_margin_that_hardly_changes_costs_few_looks_and_one_that_must_be_exact_is() -> None:
+    """A link that turns beside its round base moves far and keeps its distance."""
+    rng = np.random.default_rng(5)
+    margins = np.array([0.02 + 1e-5 * rng.random(20_000), 0.05 + 0.02 * np.cos(np.linspace(0.0, 6.0, 20_000))])
+    ways, looks = [np.linspace(0.0, 4.0, 20_000)] * 2, np.zeros(2, dtype=int)
+
+    def margin(pair: int, sample: int) -> float:
+        looks[pair] += 1
+        return float(margins[pair, sample])
+
+    flat = find_least(ways[:1], margin, resolutions=[0.001])
+    assert margins[0].min() <= flat.margin <= margins[0].min() + 0.001
+    assert looks[0] < 20_000 / 4
+    both = find_least(ways[::-1], lambda pair, sample: margin(1 - pair, sample), resolutions=[0.0, 0.001])
+    assert both.margin == pytest.approx(0.02, abs=2e-5)
+    wave = find_least(ways[1:], lambda _, sample: margin(1, sample), resolutions=[0.0])
+    assert wave.margin == margins[1].min()
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.gap.candidate_motions import second_payload
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
-from core.planning.stop import second_payload
 from core.plant.faults import Background, Setting
 from core.trial.draw import Drawn, Sealed
 from core.trial.second_look import second_look

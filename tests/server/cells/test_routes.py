@@ -78,7 +78,7 @@ def test_a_cell_that_contradicts_itself_is_read_says_so_and_takes_no_run(
     assert shown["cell"]["limits"]["clearance_m"] == 0.03
     assert [flaw["where"] for flaw in shown["flaws"]] == [f"lwr4_bench/{where}"]
     assert shown["drawn"] is drawn
-    refused = operator.post("/api/runs", json={"cell": "lwr4_bench"})
+    refused = operator.post("/api/runs", json={"cell": "lwr4_bench", "payload": "steel_block"})
     assert refused.status_code == 422
     assert refused.json()["flaws"] == shown["flaws"]
     assert operator.get("/api/control/lwr4_bench").status_code == 200

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import time
 import zipfile
 from pathlib import Path
@@ -17,7 +18,7 @@ from core.recording.folder import read_recording
 from server.jobs import jobs
 from server.jobs.kinds import DIAGNOSIS, DiagnosisOrder, diagnoses, locate_overlay
 from server.people.roles import Role
-from server.runner.overlay_schemas import OverlayAnswer
+from server.runner.overlay_schemas import OverlayPublic
 from server.runs.recording_archive import unpack_recording
 from server.service import Service
 from tests.server.finished_diagnosis import finished_diagnosis, standing_recording
@@ -83,6 +84,43 @@ def test_a_diagnosis_knows_the_cell_of_its_recording_and_starts_from_its_twin(si
     assert client.post("/api/diagnoses/uploads?cell=none", content=zipped(files_of(standing)), headers=ZIP).status_code == 404
 
 
+def test_an_upload_has_the_name_that_it_was_given_and_its_report_is_named_after_it(signed_in: As, tmp_path: Path) -> None:
+    client = signed_in(Role.engineer)
+    files = files_of(standing_recording(tmp_path / "recording", payload="gripper"))
+    query = {"cell": "lwr4_bench", "name": " Line 3, nach Kollision (früh) "}
+    answer = client.post("/api/diagnoses/uploads", params=query, content=zipped(files), headers=ZIP)
+    found = waited(client, answer.headers["location"])
+    assert (found["name"], found["tool"]) == ("Line 3, nach Kollision (früh)", "gripper")
+    sent = client.get(f"/api/diagnoses/{found['diagnosis']}/report").headers["content-disposition"]
+    day = found["ended_at"][:10]
+    assert f'filename="diagnosis-Line_3_nach_Kollision_fruh-gripper-{day}.html"' in sent
+    refused = client.post("/api/diagnoses/uploads", params={"name": "a\nb"}, content=zipped(files), headers=ZIP)
+    assert refused.status_code == 422
+
+
+def test_a_recording_of_another_robot_or_cell_is_not_taken_for_this_cells_twin(signed_in: As, service: Service, tmp_path: Path) -> None:
+    client = signed_in(Role.engineer)
+    files = files_of(standing_recording(tmp_path / "recording"))
+    asked = client.post("/api/diagnoses/uploads?cell=ur5e_line", content=zipped(files), headers=ZIP)
+    assert (asked.status_code, asked.json()["type"]) == (422, "/problems/jobs-upload-of-other-cell")
+    manifest = json.loads(files["recording.json"])
+    del manifest["cell"]
+    files["recording.json"] = json.dumps(manifest).encode()
+    asked = client.post("/api/diagnoses/uploads?cell=ur5e_line", content=zipped(files), headers=ZIP)
+    assert (asked.status_code, asked.json()["type"]) == (422, "/problems/jobs-upload-of-other-robot")
+    assert list(service.settings.recordings_folder.glob("upload-*")) == []
+    assert client.post("/api/diagnoses/uploads", content=zipped(files), headers=ZIP).status_code == 202
+
+
+def test_every_verdict_comes_with_what_to_do_in_the_list_as_well(signed_in: As, service: Service, tmp_path: Path) -> None:
+    made = finished_diagnosis(service.store, service.now(), DiagnosisOrder(recording=tmp_path), verdict="no_gap")
+    client = signed_in(Role.viewer)
+    (listed,) = client.get("/api/diagnoses").json()
+    whole = client.get(f"/api/diagnoses/{made}").json()
+    assert listed["instruction"] == whole["instruction"] == whole["result"]["instruction"]
+    assert (listed["instruction"]["level"], listed["instruction"]["sentence"]["text"]) == ("nothing", "Nothing to do")
+
+
 def test_a_list_names_what_stands_beside_the_verdict_and_matters(signed_in: As, service: Service, tmp_path) -> None:
     said = dict.fromkeys(("title", "sentence", "advice", "remark"), "text")
     seen = said | {"side": "reading", "parameters": {}, "times_expected": 2.0, "values": {}}
@@ -100,7 +138,7 @@ def test_measured_and_simulated_are_there_to_plot_where_there_was_enough_to_comp
     nothing = client.get(f"{place}/overlay")
     assert nothing.status_code == 409
     assert "nothing to overlay" in nothing.json()["detail"]
-    kept = OverlayAnswer(t_s=[0.1], phase=["transfer"], channels=[])
+    kept = OverlayPublic(t_s=[0.1], phase=["transfer"], channels=[])
     locate_overlay(service.settings, diagnosis).write_text(kept.model_dump_json())
     assert client.get(f"{place}/overlay").json() == kept.model_dump()
 

@@ -18,7 +18,7 @@ from server.people.roles import Role
 from server.runner.run_folder import RECORDING
 from server.runs import ledger as run_ledger
 from server.runs.reason import Reason
-from server.runs.schemas import RunOrder
+from server.runs.schemas import RunCreate
 from server.service import Service
 from tests.server.finished_diagnosis import SWINGS, finished_diagnosis, standing_recording
 from tests.server.made_people import As
@@ -33,7 +33,7 @@ ROOMY = Box(size_m=(0.3, 0.3, 0.3))
 def first_run(nothing_planned: None, service: Service) -> str:
     """A run that was stopped early, with a box of its own; the robot only stood."""
     with service.store.write() as db:
-        order = RunOrder.model_validate({"cell": CELL, "payload": PAYLOAD, "seed": 7, "payload_box": ROOMY})
+        order = RunCreate.model_validate({"cell": CELL, "payload": PAYLOAD, "seed": 7, "payload_box": ROOMY})
         run = run_ledger.add_run(db, order, "account:anna", service.now())
         run_ledger.end(db, run, Reason("stopped", sentence("stopped")), service.now())
     standing_recording(recording_of(service, run.id), service.cells.load(CELL), PAYLOAD)

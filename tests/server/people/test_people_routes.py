@@ -139,11 +139,12 @@ def test_the_last_admin_cannot_be_locked_out(signed_in: As) -> None:
     assert admin.get("/api/accounts").status_code == 200
 
 
-def test_a_new_password_ends_all_sessions(nobody: TestClient, signed_in: As) -> None:
-    client = signed_in(Role.viewer)
+def test_a_new_password_ends_all_other_sessions(nobody: TestClient, signed_in: As) -> None:
+    client, elsewhere = signed_in(Role.viewer), signed_in(Role.viewer)
     new = "another long password"
     assert client.put("/api/session/password", json={"password": "wrong", "new_password": new}).status_code == 403
     assert client.put("/api/session/password", json={"password": PASSWORD, "new_password": "short"}).status_code == 422
     assert client.put("/api/session/password", json={"password": PASSWORD, "new_password": new}).status_code == 204
-    assert client.get("/api/session").status_code == 401
+    assert elsewhere.get("/api/session").status_code == 401
+    assert client.get("/api/session").status_code == 200
     assert (sign_in(nobody, "viewer", PASSWORD), sign_in(nobody, "viewer", new)) == (401, 200)

@@ -6,14 +6,13 @@ from multiprocessing import get_context
 
 import pytest
 
-from core.planning.sequence import Procedure
-from core.planning.settings import Timing
+from core.planning.stops import PROCEDURE
 from server.runner.planning import PlanningProcess
 
 
 def test_who_waits_for_the_makers_end_does_not_wait_for_the_planner() -> None:
     waiting, makers = get_context("fork").Pipe()
-    planning = PlanningProcess(Procedure(Timing(), 1.0), makers)
+    planning = PlanningProcess(PROCEDURE, makers)
     makers.close()
     try:
         assert waiting.poll(20.0)

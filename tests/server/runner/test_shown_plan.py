@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,9 @@ from core.cell.folder import load_cell
 from core.events import drive
 from core.payload.shapes import Pose
 from core.planning.plan import Plan
-from core.planning.search import plan_procedure
+from core.planning.search import plan_stops
+from core.planning.settings import Scope
+from core.planning.stops import Stops
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from server.runner.release_hash import release_sha256
@@ -31,7 +34,7 @@ def cell() -> Cell:
 def plan(cell) -> Plan:
     robot = RobotModel.of_cell(cell)
     home, collision = np.array(cell.robot.home_rad), CollisionModel(cell, robot, cell.payload_box)
-    return drive(plan_procedure(cell, robot, collision, cell.payload_box, start=home, poses=("x-", "x+")))
+    return drive(plan_stops(cell, robot, collision, cell.payload_box, Stops.of_procedure(Scope("x")).stops, start=home))
 
 
 def test_one_set_point_that_differs_by_a_bit_is_another_plan(plan):
@@ -65,9 +68,15 @@ def test_a_zone_a_limit_or_the_box_that_differs_makes_the_release_void(cell):
 
 def test_what_is_shown_begins_and_ends_where_the_robot_does(cell, plan):
     answer = build_run_plan(cell, cell.payload_box, plan)
-    for path, transfer in zip(answer.paths, [*(leg.transfer for leg in plan.legs), plan.home], strict=True):
-        np.testing.assert_allclose(path.q_rad[0], transfer.trajectory.q[0], atol=1e-5)
+    transfers = [path for path in answer.paths if path.part.startswith(("transfer", "home"))]
+    for path, transfer in zip(transfers, [*(leg.transfer for leg in plan.legs), plan.home], strict=True):
+        np.testing.assert_allclose(path.q_rad[0], transfer.trajectory.q[0], atol=1e-4)  # as far as the rotation before it is off
         np.testing.assert_allclose(path.q_rad[-1], transfer.trajectory.q[-1], atol=1e-5)
+    assert [path.part for path in answer.paths] == ["transfer x-", "transfer x+", "rotation x", "home"]
+    for before, after in pairwise(answer.paths):
+        np.testing.assert_allclose(before.q_rad[-1], after.q_rad[0], atol=1e-4)
+    turned = answer.paths[2]
+    assert turned.period_s * (len(turned.q_rad) - 1) == pytest.approx(plan.legs[1].moving_s, abs=turned.period_s)
     assert answer.safety_rated is False
     assert {throw.zone for throw in answer.throws} <= {zone.name for zone in cell.zones}
 

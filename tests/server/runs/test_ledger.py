@@ -14,14 +14,14 @@ from server.runs.crashed_runs import close_crashed
 from server.runs.event_schemas import EventMessage, StateChanged
 from server.runs.packml import COMPLETED, Command, IllegalCommandError, State
 from server.runs.reason import Reason, read_reason, set_reason
-from server.runs.schemas import RunOrder
+from server.runs.schemas import RunCreate
 from server.runs.tables import Delivery, RunEventRow, RunRow, Webhook
 from server.settings import Settings
 from tests.server.kept import Kept, kept
 from tests.server.made_people import BOTH_STORES, Clock
 from tests.server.sentence import sentence
 
-ORDER = RunOrder(cell="lwr4_bench", seed=3)
+ORDER = RunCreate(cell="lwr4_bench", seed=3, payload="steel_block")
 TO = {
     State.RESETTING: [],
     State.IDLE: [None],
@@ -121,7 +121,8 @@ def test_runs_of_one_cell_wait_for_each_other_and_an_aborted_one_until_it_is_cle
 def test_what_is_in_the_way_of_a_cell_is_forgotten_with_the_next_run_and_until_then_belongs_to_the_one_that_has_the_cell(service):
     def in_the_way() -> str | None:
         with service.store.read() as db:
-            return run_ledger.find_in_the_way(db, ORDER.cell)
+            row = run_ledger.find_latest_run(db, ORDER.cell)
+            return None if row is None else row.in_the_way
 
     assert in_the_way() is None
     refused = run_in(service, State.STOPPED)
@@ -137,7 +138,7 @@ def test_what_is_in_the_way_of_a_cell_is_forgotten_with_the_next_run_and_until_t
         run_ledger.load_run(db, having).in_the_way = "operator"
     assert in_the_way() == "operator"
     with service.store.read() as db:
-        assert run_ledger.find_in_the_way(db, "another cell") is None
+        assert run_ledger.find_latest_run(db, "another cell") is None
 
 
 def test_the_same_key_with_another_body_is_refused(service):
@@ -154,5 +155,5 @@ def test_the_same_key_with_another_body_is_refused(service):
 def test_an_order_comes_back_as_it_was_given(service):
     run = run_in(service, State.IDLE)
     with service.store.read() as db:
-        assert run_ledger.build_answer(run_ledger.load_run(db, run)).order == ORDER
+        assert run_ledger.build_answer(run_ledger.load_run(db, run)).order.model_dump() == ORDER.model_dump()
         assert db.scalar(select(func.count()).select_from(RunEventRow)) == db.get(RunRow, run).sequence

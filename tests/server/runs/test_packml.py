@@ -11,7 +11,6 @@ from server.runs import ledger as run_ledger
 from server.runs.packml import (
     COMMANDED,
     COMPLETED,
-    FINAL,
     Command,
     IllegalCommandError,
     JobState,
@@ -109,11 +108,11 @@ class Walk(RuleBasedStateMachine):
     @invariant()
     def a_job_that_was_aborted_stays_so(self):
         seen = job_state(self.state, released=self.released, aborted=self.aborted)
-        assert (seen is JobState.ABORTED) == self.aborted
+        assert (seen is JobState.ABORTED) == (self.aborted or self.state is State.STOPPED)
         if not self.released and not self.aborted:
-            assert seen in (JobState.NOT_ALLOWED_TO_START, JobState.ENDED, JobState.INTERRUPTED)
+            assert seen in (JobState.NOT_ALLOWED_TO_START, JobState.ENDED, JobState.INTERRUPTED, JobState.ABORTED)
         if seen is JobState.ENDED:
-            assert self.state in FINAL
+            assert self.state is State.COMPLETE
 
 
 TestWalk = Walk.TestCase

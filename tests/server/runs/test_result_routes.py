@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from core.export.exports import TARGETS
 from server.people.roles import Role
 from server.runs import ledger as run_ledger
 from server.runs.packml import Command
-from server.runs.schemas import RunOrder
+from server.runs.schemas import RunCreate
 from server.service import Service
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
@@ -28,7 +29,7 @@ def ended_run(service: Service, result: Result | None, cell: str = CELL, payload
     """A run that is Complete with this result; Stopped where there is none."""
     path = [Command.STOP, None] if result is None else [None, Command.START, None, None, None]
     with service.store.write() as db:
-        row = run_ledger.add_run(db, RunOrder(cell=cell, payload=payload), "account:anna", service.now())
+        row = run_ledger.add_run(db, RunCreate(cell=cell, payload=payload), "account:anna", service.now())
         run_ledger.keep_steps(db, row, path, service.now())
         row.result = None if result is None else result.model_dump_json()
         return row.id
@@ -115,7 +116,7 @@ def test_every_target_is_listed_with_what_it_loses_and_its_file_is_sent(run: str
     assert lost["kuka_sunrise"] == ["Ixy", "Ixz", "Iyz"]
     assert lost["mujoco"] == []
     sent = viewer.get(f"/api/runs/{run}/exports/mujoco")
-    assert 'filename="inertial.xml"' in sent.headers["content-disposition"]
+    assert re.search(rf'filename="run-{run}-\w+-\d{{4}}-\d\d-\d\d-inertial.xml"', sent.headers["content-disposition"])
     mount = load_cell(service.cells.folder / CELL).sensor.mount
     assert mount is not None
     m, com, _ = READERS["mujoco"](sent.text)

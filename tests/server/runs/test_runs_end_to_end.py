@@ -9,6 +9,7 @@ import signal
 import threading
 import time
 import zipfile
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -25,6 +26,18 @@ from tests.server.real_service import ROOT, Console, RealService, wait_for
 @pytest.fixture(scope="module")
 def service(real: RealService) -> RealService:
     return real
+
+
+@pytest.fixture(autouse=True)
+def nothing_left(console: Console) -> Iterator[None]:
+    """What a test leaves behind when it fails keeps its cell from no other test."""
+    yield
+    for order in console.http.get("/api/orders").json():
+        run = order["run"]["run"]
+        for command in ("stop", "clear"):
+            if command in console.run(run)["commands"]:
+                console.command(run, command)
+    wait_for(lambda: console.http.get("/api/orders").json() == [], "every cell to be free")
 
 
 def recorded(service: RealService, run: str) -> int:
@@ -140,7 +153,7 @@ def check_a_stop_ends_the_motion(console: Console, run: str) -> None:
     console.wait(run, "Execute")
     assert console.http.post(f"/api/runs/{run}/commands", json={"command": "stop"}).status_code == 200
     stopped = console.wait(run, "Stopped")
-    assert stopped["job_state"] == "Ended"
+    assert (stopped["job_state"], stopped["outcome"]) == ("Aborted", "stopped")
     assert "asked for by account:operator" in stopped["reason"]["text"]
     assert recorded(console.service, run) > 0
 

@@ -15,7 +15,7 @@ from server.runs import ledger as run_ledger
 from server.runs.crashed_runs import forget_journals, take_from_journals
 from server.runs.event_schemas import PlanShown
 from server.runs.journal import JournalEntry, RunChange, RunJournal
-from server.runs.schemas import RunOrder
+from server.runs.schemas import RunCreate
 from server.runs.store_follower import StoreFollower, keep_entry
 from server.runs.tables import RunRow
 from server.settings import Settings
@@ -24,7 +24,7 @@ from tests.server.kept import Kept, kept
 from tests.server.made_people import BOTH_STORES, Clock
 
 pytestmark = BOTH_STORES
-ORDER = RunOrder(cell="lwr4_bench")
+ORDER = RunCreate(cell="lwr4_bench", payload="steel_block")
 
 
 @pytest.fixture

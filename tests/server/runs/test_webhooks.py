@@ -12,7 +12,7 @@ import httpx2
 import pytest
 
 from server.runs import ledger as run_ledger
-from server.runs.schemas import RunOrder
+from server.runs.schemas import RunCreate
 from server.runs.tables import Delivery, Webhook
 from server.runs.webhooks import GIVE_UP_AFTER, Deliverer, enqueue
 from server.settings import Settings
@@ -52,7 +52,7 @@ def due(service: Kept) -> None:
     with service.store.write() as db:
         db.add(Webhook(id="hook", url="http://plant/ended", secret=SECRET, made_by="account:anna", made_at=now))
         db.flush()
-        row = run_ledger.add_run(db, RunOrder(cell="lwr4_bench"), "key:mes", now)
+        row = run_ledger.add_run(db, RunCreate(cell="lwr4_bench", payload="steel_block"), "key:mes", now)
         enqueue(db, run_ledger.build_answer(row), run_ledger.new_id, now)
 
 

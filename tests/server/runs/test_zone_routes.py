@@ -105,7 +105,7 @@ def test_a_cell_with_a_zone_over_the_robot_stays_readable_and_says_what_is_wrong
 
 def test_a_run_in_such_a_cell_is_refused_with_the_flaw_but_one_that_was_made_is_found_again(nothing_planned: None, signed_in: As) -> None:
     operator = signed_in(Role.operator)
-    order, key = {"cell": "lwr4_bench"}, {"Idempotency-Key": "once"}
+    order, key = {"cell": "lwr4_bench", "payload": "steel_block"}, {"Idempotency-Key": "once"}
     made = operator.post("/api/runs", json=order, headers=key).json()["run"]
     place(operator, ON_THE_BASE)
     answer = operator.post("/api/runs", json=order)
@@ -120,7 +120,7 @@ def test_a_run_that_waits_when_the_zone_comes_ends_with_the_flaw_as_its_reason(
     nothing_planned: None, service: Service, signed_in: As
 ) -> None:
     operator = signed_in(Role.operator)
-    _, second = (operator.post("/api/runs", json={"cell": "lwr4_bench"}).json()["run"] for _ in range(2))
+    _, second = (operator.post("/api/runs", json={"cell": "lwr4_bench", "payload": "steel_block"}).json()["run"] for _ in range(2))
     wait_for(lambda: "lwr4_bench" in service.conductor.active, "the first run to have the cell")
     place(operator, ON_THE_BASE)
     ScriptedProcess.newest.say(Failed("NoPath", sentence("the first run is over")), None)
@@ -187,7 +187,7 @@ def test_the_run_is_told_where_the_zone_is_after_an_undo(
     told: list[ZoneMoved] = []
     monkeypatch.setattr(ActiveRun, "tell_zone_move", lambda _, moved: told.append(moved))
     operator = signed_in(Role.operator)
-    assert operator.post("/api/runs", json={"cell": "lwr4_bench"}).status_code == 202
+    assert operator.post("/api/runs", json={"cell": "lwr4_bench", "payload": "steel_block"}).status_code == 202
     wait_for(lambda: "lwr4_bench" in service.conductor.active, "the run to have its cell")
     place(operator, ON_THE_BASE)
     operator.post(f"{ZONE}/undo")

@@ -188,3 +188,42 @@ def test_runs_of_an_older_version_know_their_payload_by_name(tmp_path: Path) -> 
         ]  # fmt: skip
     store.close()
     engine.dispose()
+
+
+OLDER_RUNS = {
+    "completed": ("Complete", 1, 0, None, True),
+    "stopped": ("Stopped", 1, 0, "stop-asked", True),
+    "cancelled": ("Stopped", 0, 0, "cancelled", True),
+    "refused": ("Stopped", 0, 1, "no-path", True),
+    "aborted": ("Aborted", 1, 1, "too-close", True),
+    "aborted and cleared": ("Stopped", 1, 1, "too-close", True),
+    "expired on hold": ("Stopped", 1, 0, "hold-expired", True),
+    "None": ("Idle", 0, 0, None, False),
+}
+"""State, released, aborted, kind of the reason and whether it has ended, by the outcome that follows."""
+
+
+def test_runs_of_an_older_version_get_their_outcomes(tmp_path: Path) -> None:
+    url = f"sqlite:///{tmp_path / 'older.sqlite'}"
+    engine = create_engine(url)
+    insert = text(
+        "INSERT INTO runs (id, cell, run_order, state, released, aborted, reason_kind, sequence, requested_by, requested_at, ended_at) "
+        "VALUES (:id, 'c', '{\"cell\": \"c\"}', :state, :released, :aborted, :kind, 0, 'key:mes', :at, :ended)"
+    )
+    with engine.begin() as connection:
+        upgrade(connection, MIGRATIONS, "0009")
+        for name, (state, released, aborted, kind, ended) in OLDER_RUNS.items():
+            at = "2026-03-01 00:00:00.000000"
+            values = {"id": name, "state": state, "released": released, "aborted": aborted, "kind": kind, "at": at}
+            connection.execute(insert, values | {"ended": at if ended else None})
+    store = Store(url)
+    store.migrate()
+    with store.read() as db:
+        rows = {row.id: row for row in db.scalars(select(RunRow))}
+        outcomes = {name: row.outcome for name, row in rows.items()}
+        answered = {name: run_ledger.build_answer(row).outcome for name, row in rows.items()}
+    store.close()
+    assert outcomes == answered
+    special = {"None": None, "aborted and cleared": "aborted", "expired on hold": "stopped"}
+    assert outcomes == {name: special.get(name, name) for name in OLDER_RUNS}
+    assert {row.order_id for row in rows.values()} == {None}

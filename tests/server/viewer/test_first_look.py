@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from core.cell.folder import load_cell
 from core.report.faces import arm_faces, box_faces
 from core.robot.model import RobotModel
-from server.viewer.first_look import find_occluded, first_look, measure_occlusion
+from server.viewer.first_look import FIELD_OF_VIEW_RAD, find_eye, find_occluded, first_look, measure_occlusion
+from server.viewer.wish import Look
 
 CELLS = Path(__file__).parents[3] / "cells"
 
@@ -36,3 +37,32 @@ def test_the_arm_is_seen_and_looked_down_upon(name: str) -> None:
     arm = np.concatenate(arm_faces(cell, robot, np.array(cell.robot.home_rad)))
     assert measure_occlusion(cell, eye, arm) < 0.15
     assert eye[2] > middle[2]
+
+
+@pytest.mark.parametrize("aspect", [0.5, 1.0, 2.0])
+@pytest.mark.parametrize("look", ["front", "top", "operator", "fit", "reset"])
+def test_from_every_side_the_whole_arm_is_in_the_middle_of_the_picture(look: Look, aspect: float) -> None:
+    cell = load_cell(CELLS / "lwr4_bench")
+    arm = np.concatenate(arm_faces(cell, RobotModel.of_cell(cell), np.array(cell.robot.home_rad)))
+    eye, middle = find_eye(cell, look, arm, aspect, np.array([1.0, 2.0, 0.5]))
+    forward = (middle - eye) / np.linalg.norm(middle - eye)
+    right = np.cross(forward, [0.0, 0.0, 1.0])
+    right /= np.linalg.norm(right)
+    seen = arm - eye
+    depth, half = seen @ forward, np.tan(0.5 * FIELD_OF_VIEW_RAD)
+    assert (depth > 0.0).all()
+    assert np.abs(seen @ np.cross(right, forward) / depth).max() < half
+    assert np.abs(seen @ right / depth).max() < aspect * half
+
+
+def test_each_side_is_the_one_that_its_name_says() -> None:
+    cell = load_cell(CELLS / "lwr4_bench")
+    arm = np.concatenate(arm_faces(cell, RobotModel.of_cell(cell), np.array(cell.robot.home_rad)))
+    toward = np.array([1.0, 2.0, 0.5])
+    sides = {look: np.subtract(*find_eye(cell, look, arm, 1.5, toward)) for look in ("front", "top", "operator", "fit", "reset")}
+    unit = {look: side / np.linalg.norm(side) for look, side in sides.items()}
+    np.testing.assert_allclose(unit["front"], cell.robot.base.rotation[:, 0], atol=1e-9)
+    assert unit["top"][2] > 0.99
+    people = cell.zones[0].shape.pose.translation - arm.mean(axis=0)
+    assert unit["operator"][:2] @ people[:2] / np.linalg.norm(people[:2]) > 0.7
+    np.testing.assert_allclose(unit["fit"], toward / np.linalg.norm(toward))

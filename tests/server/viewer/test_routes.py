@@ -17,13 +17,11 @@ from viser import _messages as messages
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from core.cell.cell import Pose
+from core.cell.cell import Obstacle, Pose, Zone
 from core.cell.folder import load_cell
 from core.report.faces import box_faces
-from server.runner.live_schemas import LiveBatch
 from server.viewer import scene
 from server.viewer.in_the_way import Mark, edges
-from server.viewer.plots import SHOWN_S, Plots
 from server.viewer.scene import ViewerScene, open_server, triangles_of
 from tests.server.real_service import ROOT, Console, RealService
 from tests.server.zone_at import AT_THE_ROBOT, zone_at
@@ -37,6 +35,8 @@ def test_the_viewer_comes_through_the_service_for_who_is_signed_in_and_nobody_el
     page = console.http.get("/viewer/lwr4_bench/", timeout=60)
     assert page.status_code == 200
     assert "<html" in page.text.lower()
+    kept = console.http.get("/viewer/lwr4_bench/some_view/", headers={"If-None-Match": page.headers["etag"]})
+    assert kept.status_code == 304, "the same page for every view; what the browser has is not sent again"
     with console.socket("/viewer/lwr4_bench", subprotocols=[VISER], max_size=None) as live:
         assert live.subprotocol == VISER
         drawn = 0
@@ -106,7 +106,7 @@ def test_it_listens_on_the_loopback_only_and_cannot_be_asked_for_a_public_tunnel
             with pytest.raises(OSError), socket.create_connection((own, server.get_port()), timeout=1):
                 pass
         shown = ViewerScene(server, load_cell(ROOT / "cells" / "lwr4_bench"))
-        shown.move(np.array(shown._cell.robot.home_rad) + 0.1, None)
+        shown.move(np.array(shown.cell.robot.home_rad) + 0.1, None)
     finally:
         server.stop()
 
@@ -128,73 +128,59 @@ def test_the_triangles_of_a_box_enclose_its_volume():
 
 
 @pytest.fixture
-def drawn() -> Iterator[tuple[Mark, Callable[[], dict[str, Any]]]]:
+def drawn() -> Iterator[tuple[Mark, ViewerScene, Callable[[], dict[str, Any]]]]:
     """A mark over a drawn cell, and what stands in the scene, by name."""
     server = open_server()
-    cell = load_cell(ROOT / "cells" / "lwr4_bench")
-    ViewerScene(server, cell)
-    yield Mark(server, cell), lambda: dict(server.scene._handle_from_node_name)
+    scene = ViewerScene(server, load_cell(ROOT / "cells" / "lwr4_bench"))
+    yield Mark(server, scene), scene, lambda: dict(server.scene._handle_from_node_name)
     server.stop()
 
 
 def test_what_is_in_the_way_stands_out_by_colour_edges_and_name_and_is_plain_again_afterwards(drawn):
-    mark, shown = drawn
+    mark, _, shown = drawn
     plain = shown()
     cell = load_cell(ROOT / "cells" / "lwr4_bench")
     for thing in (cell.obstacles[0], cell.zones[0]):
         mark.show(thing.name)
         now = shown()
-        assert now["/in_the_way/body"].color != plain[f"/{'zones' if thing in cell.zones else 'obstacles'}/{thing.name}"].color
+        assert now["/in_the_way/body"].color != plain[name_of(thing)].color
         assert now["/in_the_way/label"].text == f"▲ {thing.name}"
         np.testing.assert_allclose(now["/in_the_way/edges"].points.mean(axis=(0, 1)), thing.shape.pose.xyz_m, atol=1e-6)
+        assert [name for name in plain if name.startswith(("/obstacles/", "/zones/")) and not now[name].visible] == [name_of(thing)]
     mark.show(None)
     assert shown().keys() == plain.keys()
+    assert all(shown()[name].visible for name in plain if name.startswith(("/obstacles/", "/zones/")))
+
+
+def name_of(thing: Obstacle | Zone) -> str:
+    """In the scene."""
+    return f"/{'zones' if isinstance(thing, Zone) else 'obstacles'}/{thing.name}"
 
 
 def test_a_zone_that_is_in_the_way_is_marked_where_it_is_now(drawn):
-    mark, shown = drawn
+    mark, scene, shown = drawn
     cell = load_cell(ROOT / "cells" / "lwr4_bench")
     zone, moved = cell.zones[0], Pose(xyz_m=(1.0, 2.0, 3.0))
     mark.show(zone.name)
     elsewhere = zone.model_copy(update={"shape": zone.shape.model_copy(update={"pose": moved})})
-    mark.update_zones(cell.model_copy(update={"zones": (elsewhere, *cell.zones[1:])}))
+    scene.show_zones(cell.model_copy(update={"zones": (elsewhere, *cell.zones[1:])}))
+    mark.update_zones()
     np.testing.assert_allclose(shown()["/in_the_way/edges"].points.mean(axis=(0, 1)), moved.xyz_m, atol=1e-6)
 
 
-def test_a_link_that_is_in_the_way_is_named_without_a_body(drawn):
-    mark, shown = drawn
+def test_a_link_that_is_in_the_way_is_marked_where_it_moves_with_its_joint(drawn):
+    mark, _, shown = drawn
     plain = shown()
-    mark.show("link_5")
+    mark.show("link5")
+    added = shown().keys() - plain.keys()
+    assert shown()["/in_the_way/label"].text == "▲ link5"
+    assert [name for name in added if name.startswith("/robot/5/in_the_way/body")]
+    mark.show("payload")
     assert shown().keys() - plain.keys() == {"/in_the_way", "/in_the_way/label"}
-    assert shown()["/in_the_way/label"].text == "▲ link_5"
+    mark.show(None)
+    assert shown().keys() == plain.keys()
 
 
 def test_each_edge_of_a_box_is_drawn_once():
     segments = edges(box_faces(np.array([0.1, 0.2, 0.3])))
     assert sorted(np.round(np.linalg.norm(segments[:, 1] - segments[:, 0], axis=1), 6)) == [0.1] * 4 + [0.2] * 4 + [0.3] * 4
-
-
-def batch_at(t_s: float, **known: object) -> LiveBatch:
-    unknown = {"reconstructed": None, "phi": [None] * 10, "phi_std": [None] * 10, "nearest": None, "eta_s": None}
-    wrench = [[0.0] * 6, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]]
-    return LiveBatch(**{"phase": "rotate:x", "t_s": [t_s - 0.001, t_s], "wrench": wrench, "q_rad": [], "progress": 0.5, **unknown, **known})
-
-
-def test_the_plots_show_the_last_seconds_measured_and_fitted_and_begin_anew_with_a_new_run():
-    server = open_server()
-    try:
-        plots = Plots(server)
-        for k in range(300):
-            plots.append(batch_at(0.05 * k))
-        assert np.isnan(plots._force.data[4:]).all()
-        plots.append(batch_at(20.0, reconstructed=[1.5, 2.5, 3.5, 4.5, 5.5, 6.5], phi=[2.0] + [None] * 9, phi_std=[0.01] + [None] * 9))
-        t, *force = plots._force.data
-        assert 0.0 < t[-1] - t[0] <= SHOWN_S
-        assert len(t) == len(force[0])
-        assert [row[-1] for row in force] == [1.0, 2.0, 3.0, 1.5, 2.5, 3.5]
-        assert [row[-1] for row in plots._torque.data[1:]] == [4.0, 5.0, 6.0, 4.5, 5.5, 6.5]
-        assert "2.000 ± 0.010 kg" in plots._mass.content
-        plots.append(batch_at(0.2))
-        assert list(plots._force.data[0]) == [0.2]
-    finally:
-        server.stop()

@@ -1,11 +1,11 @@
-import type { CellShown } from '../api';
+import type { CellPublic } from '../api';
 import { may } from '../session/session';
 import { FlawList } from '../ui/flaw-list';
 import { words } from '../words';
 import { ZoneBack } from './zone-back';
 
 /** Why nothing can be planned in a cell as it is now, and what there is to be done about it. */
-export function CellFlaws({ shown }: { shown: CellShown }) {
+export function CellFlaws({ shown }: { shown: CellPublic }) {
   const said = words.value.cells;
   const { cell, flaws, in_the_way, moved } = shown;
   if (flaws.length === 0) return null;

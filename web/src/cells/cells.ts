@@ -1,5 +1,5 @@
 import { computed, effect, signal } from '@preact/signals';
-import type { Cell, CellListed, Payload } from '../api';
+import type { Cell, CellSummary, Payload } from '../api';
 import { session } from '../session/session';
 import { ask } from '../ui/client';
 import { until } from '../ui/connection';
@@ -8,7 +8,7 @@ import { kept } from '../ui/kept';
 export type { Cell, Payload };
 
 /** All cells; null until they are known. */
-export const cells = signal<CellListed[] | null>(null);
+export const cells = signal<CellSummary[] | null>(null);
 /** Name of the cell that this console stands at; empty where none was chosen. */
 export const chosenCell = kept('cell', '', (_text): _text is string => true);
 /** The chosen cell, its zones where they were when it was read; null also where its file cannot be read. */

@@ -1,5 +1,5 @@
 import { computed, effect, signal } from '@preact/signals';
-import type { CellShown, Flaw, Pose, ZonePlace } from '../api';
+import type { CellPublic, Flaw, Pose, ZonePlace } from '../api';
 import { session } from '../session/session';
 import { absent, sought } from '../ui/absent';
 import { ask } from '../ui/client';
@@ -16,7 +16,7 @@ export const looked = computed(() => {
   return page === '' ? chosenCell.value : '';
 });
 /** It, its zones where they are now; null until it is known. */
-export const shownCell = signal<CellShown | null>(null);
+export const shownCell = signal<CellPublic | null>(null);
 /** By how much the service's clock goes before this tablet's. */
 let ahead_ms = 0;
 

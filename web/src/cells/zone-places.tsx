@@ -1,4 +1,4 @@
-import type { CellShown } from '../api';
+import type { CellPublic } from '../api';
 import { may } from '../session/session';
 import { nameOf } from '../ui/names';
 import { moment } from '../ui/units';
@@ -8,7 +8,7 @@ import { ZoneBack } from './zone-back';
 import { ZoneMover } from './zone-mover';
 
 /** Where each protected zone is now, since when and by whom; who may, says where it is instead, or puts it back. */
-export function ZonePlaces({ shown }: { shown: CellShown }) {
+export function ZonePlaces({ shown }: { shown: CellPublic }) {
   const said = words.value.cells;
   const { cell, moved, in_the_way } = shown;
   const zones = cell?.zones ?? [];

@@ -1,20 +1,26 @@
 import type { Signal } from '@preact/signals';
-import { Choice } from '../ui/choice';
 import { words } from '../words';
 
 export const CHANNELS = ['fx', 'fy', 'fz', 'tx', 'ty', 'tz'];
 
-/** One of the six channels of the sensor. */
-export function ChannelChoice({ chosen }: { chosen: Signal<string> }) {
+/** Some of the six channels of the sensor. */
+export function ChannelChoice({ chosen }: { chosen: Signal<readonly string[]> }) {
+  const flip = (channel: string) => () => {
+    chosen.value = CHANNELS.filter((each) => chosen.value.includes(each) !== (each === channel));
+  };
   return (
-    <Choice
-      legend={words.value.gap.channel}
-      inRow
-      options={CHANNELS.map((value) => ({ value, label: value }))}
-      chosen={chosen.value}
-      choose={(value) => {
-        chosen.value = value;
-      }}
-    />
+    <fieldset class="choice">
+      <legend>{words.value.gap.channel}</legend>
+      <div class="options in-row">
+        {CHANNELS.map((channel) => (
+          <label class="option" key={channel}>
+            <input type="checkbox" checked={chosen.value.includes(channel)} onChange={flip(channel)} />
+            <span>
+              <b>{channel}</b>
+            </span>
+          </label>
+        ))}
+      </div>
+    </fieldset>
   );
 }

@@ -1,4 +1,4 @@
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisPublic } from '../api';
 import { queueMotion } from '../run/runs';
 import { language } from '../session/settings';
 import { addressOf } from '../ui/client';
@@ -10,20 +10,14 @@ import { Reserved } from '../ui/reserved';
 import { go } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { words } from '../words';
-import { Also } from './also';
-import { cancelDiagnosis, diagnosis, overlay } from './diagnoses';
+import { cancelDiagnosis, diagnosis } from './diagnoses';
 import { type Candidate, candidatesOf, effectName } from './effect-values';
-import { Findings } from './findings';
-import { HowFar } from './how-far';
+import { Evidence } from './evidence';
 import { NextMotion } from './next-motion';
-import { OverlayPlots } from './overlay-plots';
-import { PayloadChange } from './payload-change';
 import { addEffect, isAdded } from './twin';
 import { Verdict } from './verdict';
-import { Where } from './where';
-import { Which } from './which';
 
-type Result = NonNullable<DiagnosisAnswer['result']>;
+type Result = NonNullable<DiagnosisPublic['result']>;
 
 function Diagnosis() {
   const shown = diagnosis.value;
@@ -32,15 +26,9 @@ function Diagnosis() {
   const { result } = shown;
   return (
     <div class="page diagnosis">
-      <Verdict diagnosis={result} />
-      <Also also={result.also ?? []} />
-      {result.where && <Where where={result.where} />}
-      <Which diagnosis={result} />
-      <Findings diagnosis={result} />
-      <HowFar diagnosis={result} />
-      {overlay.value && <OverlayPlots overlay={overlay.value} />}
-      {result.payload && <PayloadChange payload={result.payload} />}
+      <Verdict instruction={result.instruction} shown={shown} />
       {result.next_experiment && <NextMotion motion={result.next_experiment} diagnosis={shown.diagnosis} />}
+      <Evidence diagnosis={result} file={fileOf(shown)} when={shown.requested_at} />
       <section>
         <p class="downloads">
           <a
@@ -62,13 +50,21 @@ function Diagnosis() {
   );
 }
 
-function Waiting({ shown }: { shown: DiagnosisAnswer }) {
+/** By what was diagnosed and the tool. */
+function fileOf({ run, name, diagnosis, tool }: DiagnosisPublic) {
+  return ['diagnosis', run ?? name ?? diagnosis, tool];
+}
+
+function Waiting({ shown }: { shown: DiagnosisPublic }) {
   const said = words.value.gap;
   return (
     <div class="page">
       <section>
         <h1>{said.title}</h1>
-        <JobProgress title={shown.run === null ? said.upload : said.run(shown.run)} job={shown} />
+        <JobProgress
+          title={shown.run === null ? (shown.name ?? said.upload) : said.run(shown.run)}
+          job={shown}
+        />
       </section>
     </div>
   );
@@ -102,7 +98,7 @@ function Actions() {
 }
 
 /** The most probable effect goes into the twin, where the verdict names one that the twin takes. */
-function AddToTwin({ shown, kind }: { shown: DiagnosisAnswer; kind: 'plain' | 'primary' }) {
+function AddToTwin({ shown, kind }: { shown: DiagnosisPublic; kind: 'plain' | 'primary' }) {
   const said = words.value.gap;
   const { result, cell } = shown;
   if (result === null || cell === null) return null;
@@ -141,6 +137,7 @@ function next(): string {
   const { verdict, also = [] } = shown.result;
   if (isNamed(shown.result) && shown.cell === null) return said.noCell;
   if (verdict === 'explained' && addableOf(shown.result) === undefined) return said.adviceNext;
+  if (verdict === 'ambiguous' && !shown.result.next_experiment?.planned) return said.unsettledNext;
   if (verdict === 'no_gap' && also.some(({ material }) => material)) return said.adviceNext;
   return said.verdictNext[verdict];
 }

@@ -1,4 +1,4 @@
-import type { DiagnosisAnswer, Message } from '../api';
+import type { DiagnosisPublic, Message } from '../api';
 import { number, type Scale, type Shown, scaled, scaleOf } from '../ui/units';
 import { words } from '../words';
 
@@ -10,7 +10,7 @@ export interface Parameter {
   at_bound?: boolean;
 }
 
-type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+type Diagnosis = NonNullable<DiagnosisPublic['result']>;
 
 /** An effect, or two at once, and what a diagnosis says of it. */
 export interface Candidate {

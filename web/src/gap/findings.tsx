@@ -1,4 +1,4 @@
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisPublic } from '../api';
 import { MessageText } from '../ui/message-text';
 import { number } from '../ui/units';
 import { words } from '../words';
@@ -6,7 +6,7 @@ import { Unimportant } from './also';
 import { EffectParameters } from './effect-parameters';
 import { effectName } from './effect-values';
 
-type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+type Diagnosis = NonNullable<DiagnosisPublic['result']>;
 
 /** What cannot be told apart, what was found but does not matter, and what the recording cannot say. */
 export function Findings({ diagnosis }: { diagnosis: Diagnosis }) {

@@ -1,6 +1,6 @@
+import type { DiagnosisPublic } from '../api';
 import { chosenCell } from '../cells/cells';
 import { isOver, runs } from '../run/runs';
-import { nameOf } from '../ui/names';
 import { route, to } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { moment } from '../ui/units';
@@ -8,9 +8,11 @@ import { words } from '../words';
 import { DiagnoseRun } from './diagnose-run';
 import { diagnoses } from './diagnoses';
 import { diagnosisScreen } from './diagnosis-page';
-import { listedSentence } from './gap-sentences';
+import { effectName } from './effect-values';
+import { InstructionMark } from './instruction-mark';
 import { RecordingUpload } from './recording-upload';
 import { TwinEntries } from './twin-entries';
+import { subjectOf } from './verdict';
 
 /** So many runs are listed. */
 const LISTED = 6;
@@ -75,17 +77,13 @@ function Diagnoses() {
       {diagnoses.value !== null && all.length === 0 && <p class="hint">{said.none}</p>}
       <ul class="rows">
         {all.map((each) => {
-          const { diagnosis, run, cell, state, requested_by, requested_at } = each;
+          const { diagnosis, state, instruction } = each;
           return (
             <li key={diagnosis}>
               <span>
-                <b>
-                  {run === null ? said.upload : said.run(run)} · {said.jobs[state]}
-                </b>
-                <p>{listedSentence(each)}</p>
-                <small>
-                  {cell} {said.by(nameOf(requested_by), moment(requested_at))}
-                </small>
+                <b>{instruction ? <InstructionMark instruction={instruction} /> : said.jobs[state]}</b>
+                {names(each) && each.named && <p>{effectName(each.named)}</p>}
+                <small>{subjectOf(each)}</small>
               </span>
               <a class="download" href={to('gap', diagnosis)}>
                 {said.open}
@@ -96,6 +94,11 @@ function Diagnoses() {
       </ul>
     </section>
   );
+}
+
+/** Whether its verdict names a cause, or several that are open. */
+function names({ verdict }: DiagnosisPublic): boolean {
+  return verdict === 'explained' || verdict === 'ambiguous';
 }
 
 const begin: Screen = { Page: Gap, next: () => words.value.gap.next };

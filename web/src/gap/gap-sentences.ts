@@ -1,9 +1,9 @@
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisPublic } from '../api';
 import { spelt } from '../ui/units';
 import { words } from '../words';
 import { effectName, openOf } from './effect-values';
 
-type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+type Diagnosis = NonNullable<DiagnosisPublic['result']>;
 
 /** The answer of a diagnosis in a sentence. */
 export function gapSentence(diagnosis: Diagnosis): string {
@@ -26,29 +26,6 @@ export function gapSentence(diagnosis: Diagnosis): string {
       return said.verdict.unknown(stage(diagnosis.where?.stage));
     default:
       return said.verdict[diagnosis.verdict];
-  }
-}
-
-/** The same in a list, where only the verdict and what is most probable are known; empty before it is done. */
-export function listedSentence(listed: DiagnosisAnswer): string {
-  const { also } = listed;
-  if (also.length === 0) return listedVerdict(listed);
-  return `${listedVerdict(listed)} ${words.value.gap.listed.also(also.map(effectName).join(', '))}`;
-}
-
-function listedVerdict({ verdict, named }: DiagnosisAnswer): string {
-  const said = words.value.gap;
-  if (verdict === null) return '';
-  const effect = named === null ? '' : effectName(named);
-  switch (verdict) {
-    case 'explained':
-      return said.listed.explained(effect);
-    case 'ambiguous':
-      return said.listed.ambiguous(effect);
-    case 'unknown':
-      return said.listed.unknown;
-    default:
-      return said.verdict[verdict];
   }
 }
 

@@ -1,12 +1,12 @@
 import { useSignal } from '@preact/signals';
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisPublic } from '../api';
 import { Choice } from '../ui/choice';
 import { number, percent } from '../ui/units';
 import { words } from '../words';
 import { CHANNELS } from './channel-choice';
 import { phaseName, times } from './effect-values';
 
-type Cell = NonNullable<NonNullable<DiagnosisAnswer['result']>['where']>['cells'][number];
+type Cell = NonNullable<NonNullable<DiagnosisPublic['result']>['where']>['cells'][number];
 
 const ALL = 'all';
 const KINDS = ['hold', 'rotate', 'transfer'];

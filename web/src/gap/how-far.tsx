@@ -1,11 +1,11 @@
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisPublic } from '../api';
 import { Facts } from '../ui/facts';
 import { number } from '../ui/units';
 import { words } from '../words';
 import { CHANNELS } from './channel-choice';
 import { candidatesOf, phaseName, times } from './effect-values';
 
-type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+type Diagnosis = NonNullable<DiagnosisPublic['result']>;
 type Gap = NonNullable<Diagnosis['gap']>;
 
 /** How far the gap closes on motions that the fit did not see, in all and by channel. */

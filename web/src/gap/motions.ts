@@ -1,4 +1,4 @@
-import type { ChannelOverlay, OverlayAnswer } from '../api';
+import type { ChannelOverlay, OverlayPublic } from '../api';
 
 /** One stretch of the same motion. */
 export interface Motion {
@@ -9,7 +9,7 @@ export interface Motion {
 }
 
 /** The motions of an overlay, in their order. */
-export function motionsOf({ phase }: OverlayAnswer): Motion[] {
+export function motionsOf({ phase }: OverlayPublic): Motion[] {
   const found: Motion[] = [];
   phase.forEach((name, k) => {
     const last = found.at(-1);
@@ -20,7 +20,7 @@ export function motionsOf({ phase }: OverlayAnswer): Motion[] {
 }
 
 /** Motion and channel in which measured and simulated lay furthest apart before, against the noise. */
-export function worstOf(overlay: OverlayAnswer, motions: Motion[]): { motion: number; channel: string } {
+export function worstOf(overlay: OverlayPublic, motions: Motion[]): { motion: number; channel: string } {
   const all = motions.flatMap((each, motion) =>
     overlay.channels.map((channel) => ({ motion, channel: channel.channel, gap: gapOf(channel, each) })),
   );

@@ -1,4 +1,4 @@
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisPublic } from '../api';
 import { runs } from '../run/runs';
 import { MessageText } from '../ui/message-text';
 import { to } from '../ui/route';
@@ -8,7 +8,7 @@ import { clock, number } from '../ui/units';
 import { words } from '../words';
 import { effectName } from './effect-values';
 
-type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+type Diagnosis = NonNullable<DiagnosisPublic['result']>;
 
 interface Props {
   motion: NonNullable<Diagnosis['next_experiment']>;

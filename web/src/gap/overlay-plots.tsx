@@ -1,6 +1,7 @@
 import { useComputed, useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import type { ChannelOverlay, OverlayAnswer } from '../api';
+import type { ChannelOverlay, OverlayPublic } from '../api';
+import { nameFile } from '../ui/file-name';
 import { type Line, Plot } from '../ui/plot';
 import { Press } from '../ui/press';
 import { clock, scaleOf } from '../ui/units';
@@ -11,14 +12,21 @@ import { type Motion, motionsOf, worstOf } from './motions';
 
 const WHOLE = -1;
 
-/** Measured and simulated, before and after, of one channel: motion by motion, beginning with the worst. */
-export function OverlayPlots({ overlay }: { overlay: OverlayAnswer }) {
+interface Props {
+  overlay: OverlayPublic;
+  /** What a file of a plot is called, without what it shows; `when`: the day that it is of. */
+  file: readonly (string | null)[];
+  when: string;
+}
+
+/** Measured and simulated, before and after, of some channels: motion by motion, beginning with the worst. */
+export function OverlayPlots({ overlay, file, when }: Props) {
   const said = words.value.gap;
   const motions = useMemo(() => motionsOf(overlay), [overlay]);
   const worst = useMemo(() => worstOf(overlay, motions), [overlay, motions]);
-  const channel = useSignal(worst.channel);
+  const chosen = useSignal<readonly string[]>([worst.channel]);
   const motion = useSignal(worst.motion);
-  const shown = useComputed(() => overlay.channels.find((each) => each.channel === channel.value));
+  const shown = useComputed(() => overlay.channels.filter((each) => chosen.value.includes(each.channel)));
   const whole: Motion = { phase: said.whole, from: 0, to: overlay.t_s.length };
   const part = motions[motion.value] ?? whole;
   const choose = (next: number) => () => {
@@ -27,7 +35,7 @@ export function OverlayPlots({ overlay }: { overlay: OverlayAnswer }) {
   return (
     <section class="overlay">
       <h2>{said.overlay}</h2>
-      <ChannelChoice chosen={channel} />
+      <ChannelChoice chosen={chosen} />
       <div class="motion-choice">
         <Press act={choose(Math.max(0, motion.value - 1))} disabled={motion.value <= 0}>
           <span aria-hidden="true">◀</span>
@@ -47,7 +55,15 @@ export function OverlayPlots({ overlay }: { overlay: OverlayAnswer }) {
           {said.whole}
         </Press>
       </div>
-      {shown.value && <Pair t_s={overlay.t_s} channel={shown.value} part={part} />}
+      {shown.value.map((each) => (
+        <Pair
+          key={each.channel}
+          t_s={overlay.t_s}
+          channel={each}
+          part={part}
+          file={(what) => nameFile([...file, part.phase, what], when)}
+        />
+      ))}
       <p class="hint">{said.overlayNote}</p>
     </section>
   );
@@ -57,10 +73,13 @@ interface PairProps {
   t_s: number[];
   channel: ChannelOverlay;
   part: Motion;
+  /** The name of a file of what is shown. */
+  file: (what: string) => string;
 }
 
 /** The values, and below them what is left of them. */
-function Pair({ t_s, channel: { channel, measured, before, after, std }, part: { from, to } }: PairProps) {
+function Pair({ t_s, channel: of, part: { from, to }, file }: PairProps) {
+  const { channel, measured, before, after, std } = of;
   const said = words.value.gap;
   const { factor, unit } = scaleOf(channel.startsWith('f') ? 'force' : 'torque');
   const at = t_s.slice(from, to);
@@ -76,8 +95,19 @@ function Pair({ t_s, channel: { channel, measured, before, after, std }, part: {
         note=""
         lines={[{ label: said.measured, colour: '--ink-soft' }, was, is]}
         data={[at, values(measured), values(before), values(after)]}
+        unit={unit}
+        file={file(channel)}
+        together="overlay"
       />
-      <Plot title={said.difference} note="" lines={[was, is]} data={[at, left(before), left(after)]} />
+      <Plot
+        title={`${channel}: ${said.difference}`}
+        note=""
+        lines={[was, is]}
+        data={[at, left(before), left(after)]}
+        unit={said.timesNoise}
+        file={file(`${channel}_difference`)}
+        together="overlay"
+      />
     </>
   );
 }

@@ -7,14 +7,18 @@ import { words } from '../words';
 import { diagnoseUpload } from './diagnoses';
 
 const ELSEWHERE = '';
+/** Of a name. */
+const MOST_LETTERS = 120;
 
 /** A recording of somebody's own, as a zip. */
 export function RecordingUpload() {
   const said = words.value.gap;
   const file = useSignal<File | null>(null);
+  const name = useSignal('');
   const madeIn = useSignal(chosenCell.value);
   const begin = async () => {
-    if (file.value !== null) go('gap', (await diagnoseUpload(file.value, madeIn.value || null)).diagnosis);
+    if (file.value === null) return;
+    go('gap', (await diagnoseUpload(file.value, madeIn.value || null, name.value.trim() || null)).diagnosis);
   };
   return (
     <section class="recording-upload">
@@ -28,12 +32,24 @@ export function RecordingUpload() {
             accept=".zip,application/zip"
             onChange={({ currentTarget }) => {
               file.value = currentTarget.files?.[0] ?? null;
+              name.value = file.value?.name.replace(/\.zip$/i, '').slice(0, MOST_LETTERS) ?? '';
             }}
           />
         </label>
         <span role="status">{file.value?.name ?? said.noFile}</span>
       </p>
       <p class="hint">{said.uploadHint}</p>
+      <label class="field">
+        <span>{said.uploadName}</span>
+        <input
+          type="text"
+          maxLength={MOST_LETTERS}
+          value={name.value}
+          onInput={({ currentTarget }) => {
+            name.value = currentTarget.value;
+          }}
+        />
+      </label>
       <Choice
         legend={said.madeIn}
         options={[

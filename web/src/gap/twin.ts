@@ -1,5 +1,5 @@
 import { computed, effect, signal } from '@preact/signals';
-import type { DiagnosisAnswer, TwinAnswer } from '../api';
+import type { DiagnosisPublic, TwinPublic } from '../api';
 import { chosenCell } from '../cells/cells';
 import { session } from '../session/session';
 import { ask } from '../ui/client';
@@ -8,12 +8,12 @@ import { route } from '../ui/route';
 import { diagnosis } from './diagnoses';
 
 /** What the twin of the shown cell has; null until it is known. */
-export const twin = signal<TwinAnswer | null>(null);
+export const twin = signal<TwinPublic | null>(null);
 
 const watched = computed(() => (route.value[0] === 'gap' ? cellOf(diagnosis.value) : null));
 
 /** The cell whose twin is looked at: that of the shown diagnosis, or the one that this console stands at. */
-export function cellOf(shown: DiagnosisAnswer | null): string | null {
+export function cellOf(shown: DiagnosisPublic | null): string | null {
   return shown === null ? chosenCell.value || null : shown.cell;
 }
 
@@ -27,12 +27,12 @@ export async function removeEffect(cell: string, effect: string): Promise<void> 
 }
 
 /** Whether the twin has an effect, or both of two, from the recording of this diagnosis. */
-export function isAdded({ result }: DiagnosisAnswer, effect: string): boolean {
+export function isAdded({ result }: DiagnosisPublic, effect: string): boolean {
   const from = twin.value?.effects?.filter(({ sha256 }) => sha256 === result?.origin?.sha256) ?? [];
   return effect.split('+').every((id) => from.some((entry) => entry.effect === id));
 }
 
-function show(cell: string, found: TwinAnswer): void {
+function show(cell: string, found: TwinPublic): void {
   if (watched.value === cell) twin.value = found;
 }
 

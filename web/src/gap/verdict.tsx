@@ -1,57 +1,48 @@
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisPublic, Instruction } from '../api';
 import { MessageText } from '../ui/message-text';
+import { nameOf } from '../ui/names';
+import { moment } from '../ui/units';
 import { words } from '../words';
-import { effectName, openOf } from './effect-values';
-import { consequence, gapSentence } from './gap-sentences';
+import { InstructionMark } from './instruction-mark';
 
-type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+interface Props {
+  instruction: Instruction;
+  shown: DiagnosisPublic;
+}
 
-/** The answer in one sentence, what to do, and what it means for the payload. */
-export function Verdict({ diagnosis }: { diagnosis: Diagnosis }) {
+/** The verdict for whoever stands at the robot: what to do in a sentence, how, and what besides. */
+export function Verdict({ instruction, shown }: Props) {
   const said = words.value.gap;
-  const [best] = openOf(diagnosis);
-  const advised = diagnosis.verdict === 'explained' || diagnosis.verdict === 'ambiguous';
-  const atStake = consequence(diagnosis);
+  const { next, further = [] } = instruction;
   return (
     <section class="gap-verdict">
-      <h1>{gapSentence(diagnosis)}</h1>
-      {diagnosis.lacking && (
-        <p class="hint">
-          <MessageText message={diagnosis.lacking} />
-        </p>
-      )}
-      <dl class="advice">
-        {advised && best && (
-          <>
-            <dt>{said.todo}</dt>
-            {best.advice.map((advice) => (
-              <dd key={advice.text}>
-                <MessageText message={advice} />
-              </dd>
+      <h1>
+        <InstructionMark instruction={instruction} />
+      </h1>
+      <p class="sentence">
+        <MessageText message={next} />
+      </p>
+      {further.length > 0 && (
+        <>
+          <h2>{said.besides}</h2>
+          <ul class="further">
+            {further.map((each) => (
+              <li key={each.code}>
+                <MessageText message={each} />
+              </li>
             ))}
-          </>
-        )}
-        {advised && best?.whyNot && (
-          <>
-            <dt>{said.notForTwin}</dt>
-            <dd>
-              <MessageText message={best.whyNot} />
-            </dd>
-          </>
-        )}
-        {atStake && (
-          <>
-            <dt>{said.payloadEffect}</dt>
-            <dd>{atStake}</dd>
-          </>
-        )}
-        {(diagnosis.twin ?? []).length > 0 && (
-          <>
-            <dt>{said.twinHad}</dt>
-            <dd>{diagnosis.twin?.map(effectName).join(', ')}</dd>
-          </>
-        )}
-      </dl>
+          </ul>
+        </>
+      )}
+      <p class="hint">{subjectOf(shown)}</p>
     </section>
   );
+}
+
+/** What was diagnosed, in which cell, with which tool, when and for whom. */
+export function subjectOf({ run, name, cell, tool, requested_by, requested_at }: DiagnosisPublic): string {
+  const said = words.value.gap;
+  const what = run === null ? (name ?? said.upload) : said.run(run);
+  const by = said.by(nameOf(requested_by), moment(requested_at));
+  return [what, cell, tool, by].filter(Boolean).join(' · ');
 }

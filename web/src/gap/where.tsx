@@ -1,4 +1,4 @@
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisPublic } from '../api';
 import { percent } from '../ui/units';
 import { words } from '../words';
 import { say } from '../words/messages';
@@ -7,7 +7,7 @@ import { bandName, HeatMap, tintOf } from './heat-map';
 import { JointTable } from './joint-table';
 import { Strip } from './strip';
 
-type Place = NonNullable<NonNullable<DiagnosisAnswer['result']>['where']>;
+type Place = NonNullable<NonNullable<DiagnosisPublic['result']>['where']>;
 
 /** A tenth of the time holds a tenth of the gap where it is the same throughout. */
 const SHARES = [0.05, 0.1, 0.2, 0.4, 0.6];

@@ -1,20 +1,23 @@
-import type { DiagnosisAnswer } from '../api';
+import type { DiagnosisPublic } from '../api';
 import { percent } from '../ui/units';
 import { words } from '../words';
 import { EffectSize } from './effect-size';
 import { type Candidate, candidatesOf, effectName, inWords, openOf } from './effect-values';
 import { ShareBar } from './share-bar';
 
-type Diagnosis = NonNullable<DiagnosisAnswer['result']>;
+type Diagnosis = NonNullable<DiagnosisPublic['result']>;
 
 /** Probability from which an effect has a bar of its own. */
 const SHOWN = 0.005;
+/** So many of those that are open are shown with their sizes at once. */
+const SETTLED_BETWEEN = 2;
 
 /** Which effect it is, with probabilities; none and unknown take part. */
 export function Which({ diagnosis }: { diagnosis: Diagnosis }) {
   const said = words.value.gap;
   const all = candidatesOf(diagnosis);
   const open = openOf(diagnosis);
+  const named = namedOf(diagnosis, open);
   const openIds = open.map(({ id }) => id);
   const hasBar = ({ id, probability }: Candidate) => probability >= SHOWN || openIds.includes(id);
   const shown = all.filter(hasBar);
@@ -40,8 +43,30 @@ export function Which({ diagnosis }: { diagnosis: Diagnosis }) {
         ))}
       </ul>
       <Others candidates={rest} />
-      {diagnosis.verdict !== 'no_gap' && open.map((each) => <EffectSize key={each.id} candidate={each} />)}
+      {named.map((each) => (
+        <EffectSize key={each.id} candidate={each} />
+      ))}
+      <Rejected candidates={open.filter((each) => !named.includes(each))} />
     </section>
+  );
+}
+
+/** What the verdict names: the most probable where it is explained, all that are open where it is not settled. */
+function namedOf({ verdict }: Diagnosis, open: Candidate[]): Candidate[] {
+  if (verdict === 'explained') return open.slice(0, 1);
+  return verdict === 'ambiguous' ? open.slice(0, SETTLED_BETWEEN) : [];
+}
+
+/** Sizes that rejected effects would have. */
+function Rejected({ candidates }: { candidates: Candidate[] }) {
+  if (candidates.length === 0) return null;
+  return (
+    <details class="others">
+      <summary>{words.value.gap.rejected(candidates.length)}</summary>
+      {candidates.map((each) => (
+        <EffectSize key={each.id} candidate={each} />
+      ))}
+    </details>
   );
 }
 

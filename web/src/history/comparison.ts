@@ -1,11 +1,11 @@
-import type { ComparisonAnswer, PayloadAnswer, RunAnswer } from '../api';
+import type { ComparisonPublic, ResultPublic, RunPublic } from '../api';
 import { ask } from '../ui/client';
 
 /** Two runs and what differs between them: the later one minus the earlier one. */
 export interface Compared {
-  runs: [RunAnswer, RunAnswer];
-  results: [PayloadAnswer, PayloadAnswer];
-  answer: ComparisonAnswer;
+  runs: [RunPublic, RunPublic];
+  results: [ResultPublic, ResultPublic];
+  answer: ComparisonPublic;
 }
 
 /** Compares two runs, whichever was first; the names of runs are in their order in time. */
@@ -22,7 +22,7 @@ export async function compare(one: string, other: string): Promise<Compared> {
 }
 
 /** The run before this one with the same tool in the same cell, or null. */
-export async function runBefore({ run, cell, payload }: PayloadAnswer): Promise<string | null> {
+export async function runBefore({ run, cell, payload }: ResultPublic): Promise<string | null> {
   if (cell === null || payload === null) return null;
   const query = { cell, payload, state: 'Complete' as const, before: run, limit: 1 };
   const found = await ask('GET /api/runs', { query });

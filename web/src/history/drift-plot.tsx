@@ -1,18 +1,26 @@
-import type { RunAnswer } from '../api';
+import type { RunPublic } from '../api';
+import { nameFile } from '../ui/file-name';
 import { type Line, Plot } from '../ui/plot';
 import { INTERVAL, scaleOf } from '../ui/units';
 import { words } from '../words';
 import { type Followed, PARAMETERS } from './followed-parameters';
 
-const LINES: Line[] = [
-  { label: '_low', colour: '--line', drawn: 'bars' },
-  { label: '_high', colour: '--line', drawn: 'not' },
-  { label: '_value', colour: '--ink', drawn: 'dots' },
-];
+interface Props {
+  runs: RunPublic[];
+  followed: Followed;
+  /** Whose runs they are, for the name of a file. */
+  of: readonly string[];
+}
 
 /** A parameter from run to run, each with its 95 % interval. */
-export function DriftPlot({ runs, followed }: { runs: RunAnswer[]; followed: Followed }) {
+export function DriftPlot({ runs, followed, of }: Props) {
   const said = words.value.history;
+  const { lower, upper } = words.value.charts;
+  const lines: Line[] = [
+    { label: '_low', name: lower, colour: '--line', drawn: 'bars' },
+    { label: '_high', name: upper, colour: '--line', drawn: 'not' },
+    { label: '_value', name: said.parameters[followed], colour: '--ink', drawn: 'dots' },
+  ];
   const { quantity } = PARAMETERS[followed];
   const { factor, unit } = scaleOf(quantity);
   const rows = runs.flatMap((run) => rowsOf(run, followed, factor)).reverse();
@@ -23,9 +31,11 @@ export function DriftPlot({ runs, followed }: { runs: RunAnswer[]; followed: Fol
     <Plot
       title={title}
       note={words.value.interval}
-      lines={LINES}
+      lines={lines}
       data={data as [number[], ...(number | null)[][]]}
       since="1970"
+      unit={unit}
+      file={nameFile(['history', ...of, followed], new Date().toISOString())}
     />
   );
 }
@@ -33,7 +43,7 @@ export function DriftPlot({ runs, followed }: { runs: RunAnswer[]; followed: Fol
 type Row = [number, number | null, number | null, number];
 
 /** Time, the ends of the interval, the value. */
-function rowsOf({ result, ended_at }: RunAnswer, followed: Followed, factor: number): Row[] {
+function rowsOf({ result, ended_at }: RunPublic, followed: Followed, factor: number): Row[] {
   if (result === null || ended_at === null) return [];
   const [value, std] = PARAMETERS[followed].of(result);
   if (value == null) return [];

@@ -1,7 +1,7 @@
-import { signal } from '@preact/signals';
+import { computed } from '@preact/signals';
 import { cells } from '../cells/cells';
 import { Press } from '../ui/press';
-import { go, route } from '../ui/route';
+import { filters, go, route, setFilter } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { Select } from '../ui/select';
 import { words } from '../words';
@@ -9,33 +9,50 @@ import { comparison } from './comparison-page';
 import { DriftPlot } from './drift-plot';
 import { type Followed, PARAMETERS } from './followed-parameters';
 import {
+  found,
   historyCell,
   historyTool,
   historyTools,
+  isCutOff,
   mayHaveEarlier,
   pair,
-  past,
   pickCell,
   pickTool,
+  search,
   showEarlier,
 } from './history';
 import { RunList } from './run-list';
 
-const followed = signal<Followed>('mass');
+/** What is shown over time; the mass, where the address names nothing else. */
+const followed = computed<Followed>(() => {
+  const named = filters.value.get('shown') ?? '';
+  return named in PARAMETERS ? (named as Followed) : 'mass';
+});
 
 function History() {
   const said = words.value.history;
-  const runs = past.value ?? [];
+  const runs = found.value ?? [];
   return (
     <div class="page history">
       <h1>{said.title}</h1>
       <Filters />
-      <DriftPlot runs={runs} followed={followed.value} />
+      <DriftPlot runs={runs} followed={followed.value} of={[historyCell.value, historyTool.value]} />
       <section>
-        {past.value?.length === 0 ? <p>{said.none}</p> : <RunList runs={runs} />}
+        {found.value?.length === 0 ? <Nothing /> : <RunList runs={runs} />}
+        {search.value && isCutOff.value && <p class="hint">{said.cutOff}</p>}
         {mayHaveEarlier.value && <Press act={showEarlier}>{said.earlier}</Press>}
       </section>
     </div>
+  );
+}
+
+function Nothing() {
+  const said = words.value.history;
+  if (!search.value) return <p>{said.none}</p>;
+  return (
+    <p role="status">
+      {said.noneFound(search.value)} <Press act={() => setFilter('search', '')}>{said.showAll}</Press>
+    </p>
   );
 }
 
@@ -61,9 +78,18 @@ function Filters() {
         options={Object.entries(said.parameters)}
         chosen={followed.value}
         choose={(value) => {
-          if (value in PARAMETERS) followed.value = value as Followed;
+          setFilter('shown', value === 'mass' ? '' : value);
         }}
       />
+      <label class="field search">
+        <span>{said.search}</span>
+        <input
+          type="search"
+          value={search.value}
+          placeholder={said.searchFor}
+          onInput={({ currentTarget }) => setFilter('search', currentTarget.value)}
+        />
+      </label>
     </section>
   );
 }

@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import type { PayloadAnswer } from '../api';
+import type { ResultPublic } from '../api';
 import { significance } from '../run/parameter-table';
 import { attempt } from '../ui/notice';
 import { to } from '../ui/route';
@@ -9,7 +9,7 @@ import { words } from '../words';
 import { type Compared, compare, runBefore } from './comparison';
 
 /** Whether a result differs from the run before it with the same tool. */
-export function RunBefore({ answer }: { answer: PayloadAnswer }) {
+export function RunBefore({ answer }: { answer: ResultPublic }) {
   const said = words.value.comparison;
   const found = useSignal<Compared | null>(null);
   useEffect(() => {

@@ -1,10 +1,11 @@
+import { AlarmBand } from '../alarms/alarm-band';
 import { session } from '../session/session';
 import { lost } from '../ui/connection';
-import { messageOf, notice } from '../ui/notice';
+import { NoticeList } from '../ui/notice-list';
 import { Press } from '../ui/press';
 import type { Screen } from '../ui/screen';
-import { Told } from '../ui/told';
 import { words } from '../words';
+import { AskForControl, ControlRequest } from './control-request';
 import { HoldButtons } from './hold-buttons';
 import { stopRobot } from './now';
 import { current } from './run';
@@ -14,22 +15,15 @@ import { isOver } from './runs';
 export function CommandBar({ screen }: { screen: Screen }) {
   const said = words.value.bar;
   const run = current.value;
-  const stoppable = run !== null && !isOver(run) && run.commands.includes('stop') && Boolean(session.value);
+  const signedIn = Boolean(session.value);
+  const stoppable = run !== null && !isOver(run) && run.commands.includes('stop') && signedIn;
   return (
     <footer class="command-bar">
-      {notice.value && (
-        <div class="notice" role="alert">
-          <span aria-hidden="true">▲</span>
-          <Told message={messageOf(notice.value)} />
-          <Press
-            act={() => {
-              notice.value = null;
-            }}
-          >
-            {words.value.close}
-          </Press>
-        </div>
-      )}
+      <div class="told-above">
+        <NoticeList />
+        {signedIn && <AlarmBand />}
+        {signedIn && !lost.value && <ControlRequest />}
+      </div>
       {stoppable && !lost.value && (
         <Press kind="stop" act={() => stopRobot(run.cell)}>
           <span aria-hidden="true">■</span> {said.stop}
@@ -41,6 +35,7 @@ export function CommandBar({ screen }: { screen: Screen }) {
       </p>
       <div class="actions">
         {!lost.value && <HoldButtons />}
+        {signedIn && !lost.value && <AskForControl />}
         {screen.Actions && <screen.Actions />}
       </div>
     </footer>

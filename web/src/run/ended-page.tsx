@@ -9,16 +9,18 @@ import { words } from '../words';
 import { holder, mine, takeControl } from './control';
 import { latenessSaid } from './lateness';
 import { ProposedBy } from './proposed-by';
+import { refusalSaid } from './refusal';
+import { RefusalRemedies } from './refusal-remedies';
 import { run } from './run';
 import { commandRun, continueRun } from './runs';
-import { Viewer } from './viewer';
 
-type End = 'stopped' | 'refused' | 'aborted';
+type End = 'stopped' | 'refused' | 'cancelled' | 'aborted';
 
 /** How a run ended that did not come through. */
 function endOf(): End {
   if (run.value?.state !== 'Stopped') return 'aborted';
-  return run.value.job_state === 'Aborted' && !run.value.released ? 'refused' : 'stopped';
+  if (run.value.reason_kind === 'cancelled') return 'cancelled';
+  return run.value.outcome === 'refused' ? 'refused' : 'stopped';
 }
 
 function Ended() {
@@ -26,30 +28,35 @@ function Ended() {
   const shown = run.value;
   if (shown === null) return null;
   const end = endOf();
+  const sentence = shown.reason && refusalSaid(shown.reason);
   return (
-    <div class="page ended">
-      <section class={`verdict verdict-${end}`}>
-        <StateMark state={shown.state} />
-        <h1>{said[end]}</h1>
-        <ProposedBy />
-        {shown.reason && <Told message={shown.reason} said={latenessSaid(shown)} />}
-        {shown.in_the_way && (
-          <p class="in-the-way">
-            <span aria-hidden="true">▲</span> {said.inTheWay}: <b>{shown.in_the_way}</b>
-          </p>
-        )}
-        {shown.released && (
-          <p>
-            {shown.may_continue && words.value.continuing.finished(shown.finished_steps, shown.steps)}{' '}
-            {said.samples}{' '}
-            <a class="download" href={addressOf('/api/runs/{run}/recording', { run: shown.run })} download>
-              {words.value.result.recording}
-            </a>
-          </p>
-        )}
-      </section>
-      <Viewer cell={shown.cell} />
-    </div>
+    <section class={`verdict verdict-${end}`}>
+      <StateMark state={shown.state} />
+      <h1>{end === 'cancelled' ? words.value.refusal.cancelled : said[end]}</h1>
+      <ProposedBy />
+      {shown.reason && <Told message={shown.reason} said={latenessSaid(shown) ?? sentence} />}
+      {shown.in_the_way && (
+        <p class="in-the-way">
+          <span aria-hidden="true">▲</span> {said.inTheWay}: <b>{shown.in_the_way}</b>
+        </p>
+      )}
+      {end === 'refused' && <RefusalRemedies run={shown} />}
+      {sentence && shown.reason && (
+        <details class="others">
+          <summary>{words.value.refusal.details}</summary>
+          <Told message={shown.reason} />
+        </details>
+      )}
+      {shown.released && (
+        <p>
+          {shown.may_continue && words.value.continuing.finished(shown.finished_steps, shown.steps)}{' '}
+          {said.samples}{' '}
+          <a class="download" href={addressOf('/api/runs/{run}/recording', { run: shown.run })} download>
+            {words.value.result.recording}
+          </a>
+        </p>
+      )}
+    </section>
   );
 }
 
@@ -111,7 +118,12 @@ function next(): string {
     return run.value?.state === 'Stopped' ? next : afterClear;
   }
   if (run.value?.reason_kind === 'plan-disputed') return said.disputedNext;
-  return { stopped: said.stoppedNext, refused: said.refusedNext, aborted: said.abortedNext }[endOf()];
+  return {
+    stopped: said.stoppedNext,
+    refused: said.refusedNext,
+    cancelled: words.value.refusal.cancelledNext,
+    aborted: said.abortedNext,
+  }[endOf()];
 }
 
 export const ended: Screen = { Page: Ended, Actions, next };

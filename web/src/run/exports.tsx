@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import type { ExportListed } from '../api';
+import type { ExportPublic } from '../api';
 import { addressOf, ask } from '../ui/client';
 import { MessageText } from '../ui/message-text';
 import { attempt } from '../ui/notice';
@@ -10,7 +10,7 @@ import { words } from '../words';
 /** The result as controllers and simulators take it, each with what it cannot hold. */
 export function Exports({ run }: { run: string }) {
   const said = words.value.result;
-  const targets = useSignal<ExportListed[]>([]);
+  const targets = useSignal<ExportPublic[]>([]);
   useEffect(() => {
     void attempt(async () => {
       targets.value = (await ask('GET /api/runs/{run}/exports', { path: { run } })).targets;

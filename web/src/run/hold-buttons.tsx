@@ -1,4 +1,4 @@
-import type { RunAnswer } from '../api';
+import type { RunPublic } from '../api';
 import { may } from '../session/session';
 import { Press } from '../ui/press';
 import { words } from '../words';
@@ -25,7 +25,7 @@ export function HoldButtons() {
 }
 
 /** One deliberate tap; where nobody has control any more it takes control first. */
-function Resume({ run }: { run: RunAnswer }) {
+function Resume({ run }: { run: RunPublic }) {
   const said = words.value.held;
   const restoring = mine.value && !answering.value;
   const what = restoring ? said.restoring : mine.value ? said.goesOn : said.takesControl;
@@ -39,7 +39,7 @@ function Resume({ run }: { run: RunAnswer }) {
   );
 }
 
-async function resume({ run, cell }: RunAnswer): Promise<void> {
+async function resume({ run, cell }: RunPublic): Promise<void> {
   if (!mine.value) await takeControl(cell);
   await commandRun(run, 'resume');
 }

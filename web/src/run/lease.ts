@@ -1,12 +1,12 @@
 import { computed, signal } from '@preact/signals';
-import type { Sent } from '../api';
+import type { FencingToken } from '../api';
 import { socketAddress } from '../ui/client';
 import { Flaw } from '../ui/notice';
 import type { FromLease, ToLease } from './lease-worker';
 
 const ALIVE_MS = 250;
 /** As long as the service waits for the first answered stamp. */
-const SETTLE_MS = 3000;
+const SETTLE_MS = 5000;
 /** How often the service has to say that nobody is in control, although its stamps are answered, until that is believed. */
 const DENIALS = 3;
 
@@ -20,14 +20,53 @@ interface Lease {
 }
 
 const lease = signal<Lease | null>(null);
+/** With which this screen asks for control: it answers stamps already, and becomes the lease when control has passed. */
+const asking = signal<Lease | null>(null);
 /** Whether stamps are answered now; false while the worker opens a lost socket again. */
 export const answering = signal(false);
 /** The cell that this screen is in control of, also over a lost connection; null where it is of none. */
 export const leasedCell = computed(() => lease.value?.cell ?? null);
 
+/** The fence with which this screen asks for control of a cell, or null. */
+export const askingFence = computed(() => asking.value?.fence ?? null);
+
 /** Keeps control of a cell; resolves when the first stamp was answered. */
-export function keepControl(cell: string, fence: number): Promise<void> {
+export async function keepControl(cell: string, fence: number): Promise<void> {
   dropControl();
+  const { held, answered } = answerStamps(cell, fence);
+  await answered;
+  lease.value = held;
+  answering.value = true;
+}
+
+/** Answers stamps for control that is asked for; resolves when the first was answered. */
+export async function keepAsking(cell: string, fence: number): Promise<void> {
+  dropAsking();
+  const { held, answered } = answerStamps(cell, fence);
+  asking.value = held;
+  await answered.catch((error) => {
+    if (asking.peek() === held) dropAsking();
+    throw error;
+  });
+}
+
+/** Control that was asked for has passed to this screen. */
+export function receiveControl(): void {
+  const held = asking.peek();
+  if (held === null) return;
+  asking.value = null;
+  dropControl();
+  lease.value = held;
+  answering.value = true;
+}
+
+/** Asks no longer. */
+export function dropAsking(): void {
+  asking.peek()?.end();
+  asking.value = null;
+}
+
+function answerStamps(cell: string, fence: number): { held: Lease; answered: Promise<void> } {
   const worker = new Worker(new URL('./lease-worker.ts', import.meta.url), { type: 'module' });
   const say = (message: ToLease) => worker.postMessage(message);
   const beat = window.setInterval(() => say({ kind: 'alive' }), ALIVE_MS);
@@ -37,32 +76,29 @@ export function keepControl(cell: string, fence: number): Promise<void> {
   };
   const held: Lease = { cell, fence, stamp_s: 0, commands: 0, denied: 0, end };
   say({ kind: 'keep', address: socketAddress(`/api/control/${cell}/lease`), fence });
-  return new Promise((resolve, reject) => {
+  const answered = new Promise<void>((resolve, reject) => {
     const fail = () => {
       end();
       if (lease.peek() === held) dropControl();
+      if (asking.peek() === held) dropAsking();
       reject(new Flaw('control-not-taken'));
     };
     const settling = window.setTimeout(fail, SETTLE_MS);
     worker.onmessage = ({ data }: MessageEvent<FromLease>) => {
       if (data.kind === 'refused') fail();
-      answering.value = data.kind === 'stamp';
+      if (lease.peek() === held) answering.value = data.kind === 'stamp';
       if (data.kind !== 'stamp') return;
       held.stamp_s = data.stamp_s;
-      if (lease.peek() !== held) begin(held, settling, resolve);
+      window.clearTimeout(settling);
+      resolve();
     };
   });
-}
-
-function begin(held: Lease, settling: number, resolve: () => void): void {
-  window.clearTimeout(settling);
-  lease.value = held;
-  resolve();
+  return { held, answered };
 }
 
 /** Keeps control no longer; the service notices that the stamps no longer come back. */
 export function dropControl(): void {
-  lease.value?.end();
+  lease.peek()?.end();
   lease.value = null;
   answering.value = false;
 }
@@ -75,13 +111,21 @@ export function hearFence(fence: number | null): void {
   if (held.denied >= DENIALS || (fence !== null && fence > held.fence)) dropControl();
 }
 
+/** Hears who asks for control: this screen does no more when the service says so again and again, as after its restart. */
+export function hearRequest(fence: number | null): void {
+  const held = asking.peek();
+  if (held === null) return;
+  held.denied = fence === held.fence ? 0 : held.denied + 1;
+  if (held.denied >= DENIALS) dropAsking();
+}
+
 /** The fence of this screen's control, or null. */
 export function ownFence(): number | null {
   return lease.value?.fence ?? null;
 }
 
 /** What a command of whoever is in control carries. */
-export function sent(): Sent {
+export function sent(): FencingToken {
   const held = lease.value;
   if (held === null) throw new Flaw('not-in-control');
   held.commands += 1;

@@ -1,4 +1,4 @@
-import type { LinkAnswer } from '../api';
+import type { LinkPublic } from '../api';
 import { number, percent, seconds } from '../ui/units';
 import { words } from '../words';
 import { control, mine } from './control';
@@ -25,7 +25,7 @@ export function LinkFigures() {
   );
 }
 
-function figures(link: LinkAnswer, lease: string): string {
+function figures(link: LinkPublic, lease: string): string {
   const [usual, mostly] = [milliseconds(link.round_trip_p50_s), milliseconds(link.round_trip_p99_s)];
   return words.value.link.figures(
     usual,

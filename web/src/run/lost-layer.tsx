@@ -1,6 +1,6 @@
 import { Fragment } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
-import type { RunAnswer } from '../api';
+import type { RunPublic } from '../api';
 import { session } from '../session/session';
 import { lostSince_ms, now_ms } from '../ui/connection';
 import { StateMark } from '../ui/state-mark';
@@ -11,7 +11,7 @@ import { robots } from './now';
 import { current } from './run';
 import { isOver } from './runs';
 
-const MOVES = new Set<RunAnswer['state']>([
+const MOVES = new Set<RunPublic['state']>([
   'Starting',
   'Execute',
   'Holding',

@@ -3,7 +3,7 @@ import { NumberField } from '../ui/number-field';
 import { Select } from '../ui/select';
 import { scaleOf, spelt } from '../ui/units';
 import { words } from '../words';
-import { axes, effort, rotations, speed, speed_m_s } from './order';
+import { axes, effort, rotations, SLOWEST_M_S, speed, speed_m_s } from './order';
 
 const AXES = ['x', 'y', 'z'];
 const EFFORTS = [1, 2, 4, 8, 16];
@@ -11,11 +11,12 @@ const EFFORTS = [1, 2, 4, 8, 16];
 /** What few people change of a run: folded away until it is wanted. */
 export function MoreSettings() {
   const said = words.value.setup;
-  const badSpeed = Number.isNaN(speed_m_s.value);
+  const limit = spelt('speed', cell.value?.limits?.cartesian_speed_m_s ?? 0);
+  const badSpeed = cell.value !== null && Number.isNaN(speed_m_s.value);
   return (
     <details class="others more-settings">
       <summary>{said.more}</summary>
-      <fieldset>
+      <fieldset id="field-axes">
         <legend>{said.axes}</legend>
         <div class="three">
           {AXES.map((axis) => (
@@ -43,7 +44,7 @@ export function MoreSettings() {
         </label>
         <p class="hint">{said.rotationsHint}</p>
       </fieldset>
-      <fieldset>
+      <fieldset id="field-speed">
         <legend>
           {said.slower}, {scaleOf('speed').unit}
         </legend>
@@ -57,10 +58,12 @@ export function MoreSettings() {
           }}
         />
         <p class={badSpeed ? 'hint flaw' : 'hint'}>
-          {said.slowerHint(spelt('speed', cell.value?.limits?.cartesian_speed_m_s ?? 0))}
+          {badSpeed
+            ? words.value.refusal.badSpeed(spelt('speed', SLOWEST_M_S), limit)
+            : said.slowerHint(limit)}
         </p>
       </fieldset>
-      <fieldset>
+      <fieldset id="field-effort">
         <legend>{said.effort}</legend>
         <Select
           label={said.effortTimes}

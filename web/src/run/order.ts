@@ -1,11 +1,11 @@
 import { computed, effect, signal } from '@preact/signals';
-import type { RunOrder } from '../api';
+import type { Box, RunCreate, RunOrder } from '../api';
 import { cell, payloads } from '../cells/cells';
 import { units } from '../session/settings';
 import { NARROW_SPACE, number, scaleOf, typed } from '../ui/units';
 
 /** Slower than this a transfer takes minutes; the service refuses it. */
-const SLOWEST_M_S = 0.01;
+export const SLOWEST_M_S = 0.01;
 
 /** Name of the tool on the robot, as the cell knows it. */
 export const tool = signal('');
@@ -36,7 +36,7 @@ function read(text: string, quantity: 'mass' | 'length' | 'speed'): number | nul
 }
 
 /** As `typed` reads it: without the spaces that group digits. */
-function written(value: number, quantity: 'mass' | 'length'): string {
+function written(value: number, quantity: 'mass' | 'length' | 'speed'): string {
   const { factor, places } = scaleOf(quantity);
   return number(factor * value, places).replaceAll(NARROW_SPACE, '');
 }
@@ -53,22 +53,48 @@ effect(() => {
   mass.value = written(chosen.mass_kg, 'mass');
 });
 
-/** What is to be identified, as the fields say; null while they cannot be read. */
-export const order = computed<RunOrder | null>(() => {
+/** The tool's box as the fields say it, sensor frame, and whether it is another one than the cell knows; null while they cannot be read. */
+const typed_box = computed<{ box: Box; edited: boolean } | null>(() => {
   const [x, y, z] = size_m.value;
-  const chosen = payload.value;
-  if (cell.value === null || chosen === null || mass_kg.value === null || !x || !y || !z) return null;
-  if (axes.value === '' || Number.isNaN(speed_m_s.value)) return null;
-  const [px = 0, py = 0] = chosen.box.pose?.xyz_m ?? [];
-  const pose = { xyz_m: [px, py, z / 2] as [number, number, number] };
-  const edited = [x, y, z].some((length, k) => Math.abs(length - (chosen.box.size_m[k] ?? 0)) > 1e-4);
-  const payload_box = edited
-    ? { kind: 'box' as const, size_m: [x, y, z] as [number, number, number], pose }
-    : null;
+  const chosen = payload.value?.box;
+  if (!chosen || !x || !y || !z) return null;
+  const edited = [x, y, z].some((length, k) => Math.abs(length - (chosen.size_m[k] ?? 0)) > 1e-4);
+  const [px = 0, py = 0] = chosen.pose?.xyz_m ?? [];
+  const box = { kind: 'box' as const, size_m: [x, y, z] as [number, number, number] };
+  return edited ? { box: { ...box, pose: { xyz_m: [px, py, z / 2] } }, edited } : { box: chosen, edited };
+});
+export const box = computed<Box | null>(() => typed_box.value?.box ?? null);
+
+export type Field = 'box' | 'tool' | 'axes' | 'speed' | 'effort' | 'mass';
+
+/** What keeps the fields from being an order; null where nothing does. */
+export const unfit = computed<'cell' | 'box' | 'mass' | 'axes' | 'speed' | null>(() => {
+  if (cell.value === null || payload.value === null) return 'cell';
+  if (typed_box.value === null) return 'box';
+  if (mass_kg.value === null) return 'mass';
+  if (axes.value === '') return 'axes';
+  return Number.isNaN(speed_m_s.value) ? 'speed' : null;
+});
+
+/** Puts into the fields what a run was asked for with. */
+export function takeOrder(asked: RunOrder): void {
+  tool.value = asked.payload ?? tool.value;
+  const [x, y, z] = asked.payload_box?.size_m ?? payload.value?.box.size_m ?? [];
+  if (x && y && z) size.value = [written(x, 'length'), written(y, 'length'), written(z, 'length')];
+  if (asked.mass_guess_kg) mass.value = written(asked.mass_guess_kg, 'mass');
+  axes.value = asked.axes ?? axes.value;
+  rotations.value = asked.rotations ?? rotations.value;
+  speed.value = asked.speed_m_s == null ? '' : written(asked.speed_m_s, 'speed');
+  effort.value = asked.effort ?? effort.value;
+}
+
+/** What is to be identified, as the fields say; null while they cannot be read. */
+export const order = computed<RunCreate | null>(() => {
+  if (unfit.value !== null || cell.value === null || mass_kg.value === null) return null;
   return {
     cell: cell.value.name,
     payload: tool.value,
-    payload_box,
+    payload_box: typed_box.value?.edited ? typed_box.value.box : null,
     mass_guess_kg: mass_kg.value,
     axes: axes.value,
     rotations: rotations.value,

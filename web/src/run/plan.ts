@@ -1,5 +1,5 @@
-import { computed, effect, signal } from '@preact/signals';
-import type { PlanAnswer } from '../api';
+import { batch, computed, effect, signal } from '@preact/signals';
+import type { PlanPublic } from '../api';
 import { ask } from '../ui/client';
 import { until } from '../ui/connection';
 import { sent } from './lease';
@@ -9,7 +9,7 @@ import { readRuns } from './runs';
 const TICK_MS = 250;
 
 /** The plan that waits for its release, as it is shown. */
-export const plan = signal<PlanAnswer | null>(null);
+export const plan = signal<PlanPublic | null>(null);
 const until_ms = signal(0);
 const now_ms = signal(performance.now());
 /** Seconds for which the shown plan may still be released. */
@@ -20,13 +20,15 @@ export async function showPlan(id: string): Promise<void> {
   const asked_ms = performance.now();
   const found = await ask('GET /api/runs/{run}/plan', { path: { run: id } });
   if (run.value?.run !== id) return;
-  plan.value = found;
-  until_ms.value = asked_ms + 1000 * found.expires_s;
-  now_ms.value = asked_ms;
+  batch(() => {
+    plan.value = found;
+    until_ms.value = asked_ms + 1000 * found.expires_s;
+    now_ms.value = performance.now();
+  });
 }
 
 /** Lets exactly the shown plan begin. */
-export async function releasePlan(shown: PlanAnswer): Promise<void> {
+export async function releasePlan(shown: PlanPublic): Promise<void> {
   const body = { plan_sha256: shown.plan.sha256, offer: shown.offer, sent: sent() };
   const released = await ask('POST /api/runs/{run}/release', { path: { run: shown.run }, body });
   if (run.value?.run === shown.run) run.value = released;

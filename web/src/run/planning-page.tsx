@@ -7,7 +7,6 @@ import { events } from './live';
 import { ProposedBy } from './proposed-by';
 import { run } from './run';
 import { activeRun } from './runs';
-import { Viewer } from './viewer';
 
 function Planning() {
   const said = words.value.planning;
@@ -15,21 +14,18 @@ function Planning() {
   const waits =
     run.value && activeRun.value && activeRun.value.run !== run.value.run ? activeRun.value.run : '';
   return (
-    <div class="page planning">
-      <section>
-        <h1>{said.title}</h1>
-        <ProposedBy />
-        {waits ? <Queue first={waits} /> : <p>{said.doing}</p>}
-        <ol class="found">
-          {found.map(([what, value]) => (
-            <li key={what}>
-              <span aria-hidden="true">✓</span> {what} <small>{value}</small>
-            </li>
-          ))}
-        </ol>
-      </section>
-      <Viewer cell={run.value?.cell ?? ''} />
-    </div>
+    <section>
+      <h1>{said.title}</h1>
+      <ProposedBy />
+      {waits ? <Queue first={waits} /> : <p>{said.doing}</p>}
+      <ol class="found">
+        {found.map(([what, value]) => (
+          <li key={what}>
+            <span aria-hidden="true">✓</span> {what} <small>{value}</small>
+          </li>
+        ))}
+      </ol>
+    </section>
   );
 }
 

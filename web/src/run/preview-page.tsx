@@ -1,5 +1,5 @@
 import { effect, signal } from '@preact/signals';
-import type { PlanAnswer, PlanSummary } from '../api';
+import type { PlanPublic, PlanSummary } from '../api';
 import { cell } from '../cells/cells';
 import { may } from '../session/session';
 import { type Fact, Facts } from '../ui/facts';
@@ -14,16 +14,15 @@ import { PlannedPoses } from './planned-poses';
 import { ProposedBy } from './proposed-by';
 import { run } from './run';
 import { betweenSaid, SecondLook } from './second-look';
-import { Viewer } from './viewer';
 
 /** The plan whose release was asked for and waits for its START: any other plan has to be asked for anew. */
-const armed = signal<PlanAnswer | null>(null);
+const armed = signal<PlanPublic | null>(null);
 effect(() => {
   if (armed.value !== plan.value || offered_s.value === 0) armed.value = null;
 });
 
 /** What was refused has to be asked for anew. */
-async function start(shown: PlanAnswer): Promise<void> {
+async function start(shown: PlanPublic): Promise<void> {
   try {
     await releasePlan(shown);
   } catch (refused) {
@@ -36,37 +35,34 @@ function Preview() {
   const said = words.value.preview;
   const found = plan.value?.plan;
   return (
-    <div class="page preview">
-      <Viewer cell={run.value?.cell ?? ''} />
-      <section>
-        <h1>{said.title}</h1>
-        <ProposedBy />
-        <Validity />
-        <LinkFigures />
-        {found && (
-          <>
-            <Facts
-              facts={[
-                { name: said.robotTime, value: clock(found.summary.robot_s) },
-                {
-                  name: said.margin,
-                  value: `+ ${spelt('length', found.summary.least_margin_m)}`,
-                  note: said.marginNote,
-                },
-                ...leastDistance(found.summary),
-                { name: said.speed, value: spelt('speed', cell.value?.limits?.cartesian_speed_m_s ?? 0) },
-                { name: said.zones, value: cell.value?.zones?.map((zone) => zone.name).join(', ') },
-              ]}
-            />
-            <PlannedPoses plan={found} />
-            <SecondLook summary={found.summary} />
-            <p class="hint">
-              {said.plan} {found.sha256.slice(0, 12)}
-            </p>
-          </>
-        )}
-      </section>
-    </div>
+    <section>
+      <h1>{said.title}</h1>
+      <ProposedBy />
+      <Validity />
+      <LinkFigures />
+      {found && (
+        <>
+          <Facts
+            facts={[
+              { name: said.robotTime, value: clock(found.summary.robot_s) },
+              {
+                name: said.margin,
+                value: `+ ${spelt('length', found.summary.least_margin_m)}`,
+                note: said.marginNote,
+              },
+              ...leastDistance(found.summary),
+              { name: said.speed, value: spelt('speed', cell.value?.limits?.cartesian_speed_m_s ?? 0) },
+              { name: said.zones, value: cell.value?.zones?.map((zone) => zone.name).join(', ') },
+            ]}
+          />
+          <PlannedPoses plan={found} />
+          <SecondLook summary={found.summary} />
+          <p class="hint">
+            {said.plan} {found.sha256.slice(0, 12)}
+          </p>
+        </>
+      )}
+    </section>
   );
 }
 
@@ -82,6 +78,7 @@ function leastDistance({ least_distance_m, second_opinion }: PlanSummary): Fact[
 function Validity() {
   const said = words.value.preview;
   const left = offered_s.value;
+  if (plan.value === null) return <p class="hint">{words.value.reading.title}</p>;
   return (
     <div class="validity" role="timer">
       <progress max={plan.value?.expires_s ?? 60} value={left} aria-label={said.valid} />

@@ -1,5 +1,6 @@
 import type { Message } from '../api';
 import { DiagnoseRun } from '../gap/diagnose-run';
+import { TwinShare } from '../gap/twin-share';
 import { RunBefore } from '../history/run-before';
 import { may } from '../session/session';
 import { language } from '../session/settings';
@@ -17,6 +18,7 @@ import { ParameterTable } from './parameter-table';
 import { ProposedBy } from './proposed-by';
 import { resultSentence } from './result-sentence';
 import { acceptResult, result as found, run } from './run';
+import { RunRecord } from './run-record';
 import { Verification } from './verification';
 import { Workpiece } from './workpiece';
 
@@ -39,6 +41,7 @@ function Result() {
       </section>
       <aside>
         <Warnings all={answer.warnings} />
+        <TwinShare shares={answer.twin} />
         <RunBefore answer={answer} />
         <Verification parts={answer.verification} />
         <Checks />
@@ -64,6 +67,7 @@ function Result() {
           <Press act={() => window.print()}>{said.print}</Press>
         </p>
         <Exports run={answer.run} />
+        <RunRecord />
       </aside>
     </div>
   );

@@ -1,10 +1,10 @@
-import type { PayloadAnswer } from '../api';
+import type { ResultPublic } from '../api';
 import { spelt } from '../ui/units';
 import { words } from '../words';
 import { payloadRows } from './payload-rows';
 
 /** What a run found, in a sentence: the mass, and what of the rest is determined. */
-export function resultSentence(answer: PayloadAnswer): string {
+export function resultSentence(answer: ResultPublic): string {
   const said = words.value.result;
   const { mass_kg, mass_std_kg } = answer;
   if (mass_kg === null) return said.verdict.nothing;

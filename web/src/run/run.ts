@@ -1,5 +1,5 @@
 import { computed, effect, signal } from '@preact/signals';
-import type { EventMessage, PayloadAnswer, RunAnswer } from '../api';
+import type { EventMessage, ResultPublic, RunPublic } from '../api';
 import { chosenCell } from '../cells/cells';
 import { session } from '../session/session';
 import { absent, sought } from '../ui/absent';
@@ -15,9 +15,9 @@ const ASK_MS = 30_000;
 const RETRY_MS = 1000;
 
 /** The run that the address names, as it stands now; null until it is known. */
-export const run = signal<RunAnswer | null>(null);
+export const run = signal<RunPublic | null>(null);
 /** Its result, once it is Complete. */
-export const result = signal<PayloadAnswer | null>(null);
+export const result = signal<ResultPublic | null>(null);
 
 /** The run that has the cell, as fresh as it is known; else the one that is looked at. */
 export const current = computed(() => {
@@ -26,7 +26,7 @@ export const current = computed(() => {
 });
 
 /** States that come with more than an event says: a result, what may be continued. */
-const RESTS = new Set<RunAnswer['state']>(['Complete', 'Stopped', 'Aborted', 'Held', 'Idle']);
+const RESTS = new Set<RunPublic['state']>(['Complete', 'Stopped', 'Aborted', 'Held', 'Idle']);
 
 type LiveEvent = EventMessage['event'];
 
@@ -58,12 +58,13 @@ function heard(id: string, message: EventMessage): void {
   const { event } = message;
   if (event.kind !== 'state_changed' || run.value?.run !== id || message.sequence <= run.value.sequence)
     return;
-  const { state, job_state, commands, reason, reason_kind } = event;
+  const { state, job_state, outcome, commands, reason, reason_kind } = event;
   run.value = {
     ...run.value,
     sequence: message.sequence,
     state,
     job_state,
+    outcome: outcome ?? null,
     commands,
     reason: reason ?? null,
     reason_kind: reason_kind ?? null,

@@ -4,14 +4,12 @@ import { EstimateSoFar } from './estimate-so-far';
 import { NearestNow } from './nearest-now';
 import { newest, run } from './run';
 import { RunProgress } from './run-progress';
-import { Viewer } from './viewer';
 import { MassPlot, WrenchPlot } from './wrench-plots';
 
 function Running() {
   return (
-    <div class="page running">
+    <>
       <RunProgress />
-      <Viewer cell={run.value?.cell ?? ''} />
       <div class="plots">
         <WrenchPlot part="force" />
         <WrenchPlot part="torque" />
@@ -21,7 +19,7 @@ function Running() {
         <EstimateSoFar />
         <MassPlot />
       </div>
-    </div>
+    </>
   );
 }
 

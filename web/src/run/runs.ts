@@ -1,5 +1,5 @@
 import { computed, effect, signal, untracked } from '@preact/signals';
-import type { RunAnswer, RunCommand, RunOrder } from '../api';
+import type { RunCommand, RunCreate, RunPublic } from '../api';
 import { chosenCell } from '../cells/cells';
 import { session } from '../session/session';
 import { ask } from '../ui/client';
@@ -10,10 +10,10 @@ import { sent } from './lease';
 /** What happens to the run that has the cell is told; the list beside it changes seldom. */
 const ASK_MS = 30_000;
 const RETRY_MS = 1000;
-const FINAL = new Set<RunAnswer['state']>(['Complete', 'Stopped']);
+const FINAL = new Set<RunPublic['state']>(['Complete', 'Stopped']);
 
 /** The newest runs of the chosen cell, newest first; null until they are known. */
-export const runs = signal<RunAnswer[] | null>(null);
+export const runs = signal<RunPublic[] | null>(null);
 /** The run that has the cell, else the oldest that is not over. */
 export const activeRun = computed(
   () => cellLive.value?.run ?? runs.value?.findLast((run) => !isOver(run)) ?? null,
@@ -22,7 +22,7 @@ export const activeRun = computed(
 const activeState = computed(() => `${activeRun.value?.run} ${activeRun.value?.state}`);
 
 /** Whether a run has let go of its cell. */
-export function isOver(run: RunAnswer): boolean {
+export function isOver(run: RunPublic): boolean {
   return FINAL.has(run.state);
 }
 
@@ -33,14 +33,14 @@ export async function readRuns(): Promise<void> {
 }
 
 /** Queues a run; nothing moves before its plan is released. */
-export async function queueRun(order: RunOrder): Promise<RunAnswer> {
+export async function queueRun(order: RunCreate): Promise<RunPublic> {
   const queued = await ask('POST /api/runs', { body: order, header: newKey() });
   void readRuns();
   return queued;
 }
 
 /** Queues the motion that a diagnosis proposes, as a run like any other. */
-export async function queueMotion(diagnosis: string): Promise<RunAnswer> {
+export async function queueMotion(diagnosis: string): Promise<RunPublic> {
   const path = { diagnosis };
   const queued = await ask('POST /api/diagnoses/{diagnosis}/motion', { path, body: {}, header: newKey() });
   void readRuns();
@@ -52,7 +52,7 @@ function newKey(): { 'Idempotency-Key': string } {
 }
 
 /** Queues the rest of a run that ended before it was through; what it has finished counts. */
-export async function continueRun(run: string): Promise<RunAnswer> {
+export async function continueRun(run: string): Promise<RunPublic> {
   const path = { run };
   const queued = await ask('POST /api/runs/{run}/continuation', { path, header: newKey() });
   void readRuns();
@@ -74,4 +74,9 @@ effect(() => {
 });
 effect(() => {
   if (activeState.value && runs.peek() !== null) void readRuns().catch(() => undefined);
+});
+effect(() => {
+  const told = cellLive.value;
+  const listed = runs.peek();
+  if (told?.run === null && listed?.some((run) => !isOver(run))) void readRuns().catch(() => undefined);
 });

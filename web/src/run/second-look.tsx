@@ -2,8 +2,8 @@ import type { ClosestPair, LeftOutPair, PlanSummary } from '../api';
 import { MessageText } from '../ui/message-text';
 import { number, seconds, spelt } from '../ui/units';
 import { words } from '../words';
-import type { Message } from '../words/catalogue';
-import { quote, say } from '../words/messages';
+import { say } from '../words/messages';
+import { partMessage } from './part-message';
 
 /** What a check found that shares no code with the planner: where it is closest, where it is fastest, and what it does not judge. */
 export function SecondLook({ summary }: { summary: PlanSummary }) {
@@ -130,23 +130,3 @@ const bodySaid = (name: string) => (name === 'payload' ? words.value.secondLook.
 
 const when = (part: string, time_s: number) =>
   words.value.secondLook.when(say(partMessage(part)), seconds(time_s));
-
-/** A part of the motion, such as `transfer x+`, in the words that the engine's messages have for it. */
-function partMessage(part: string): Message {
-  const [kind, axis = ''] = part.split(' ');
-  const parameters = { axis };
-  switch (kind) {
-    case 'transfer':
-      return { code: 'planning-part-transfer', parameters };
-    case 'rotation':
-      return { code: 'planning-part-rotation', parameters };
-    case 'wave':
-      return { code: 'planning-part-wave', parameters };
-    case 'home':
-      return { code: 'planning-part-home' };
-    case 'start':
-      return { code: 'planning-part-start' };
-    default:
-      return quote(part);
-  }
-}

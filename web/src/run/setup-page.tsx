@@ -1,3 +1,5 @@
+import { signal } from '@preact/signals';
+import { useEffect } from 'preact/hooks';
 import { CellChoice } from '../cells/cell-choice';
 import { CellFlaws } from '../cells/cell-flaws';
 import { cell, chosenCell, payloads } from '../cells/cells';
@@ -12,45 +14,70 @@ import { spelt } from '../ui/units';
 import { words } from '../words';
 import { holder, mine, takeControl } from './control';
 import { MoreSettings } from './more-settings';
-import { order, tool } from './order';
+import { type Field, order, tool, unfit } from './order';
 import { activeRun, queueRun } from './runs';
 import { ToolFields } from './tool-fields';
+import { Viewer } from './viewer';
+
+/** The field that somebody was led to; null where nobody was. */
+const wantedField = signal<Field | null>(null);
+
+/** Goes to where a run is set up, and there to one of its fields. */
+export function goToField(field: Field): void {
+  wantedField.value = field;
+  go();
+}
+
+function showWantedField(): void {
+  const found = document.getElementById(`field-${wantedField.value}`);
+  wantedField.value = null;
+  if (found === null) return;
+  found.closest('details')?.setAttribute('open', '');
+  found.scrollIntoView({ block: 'center' });
+  found.querySelector<HTMLElement>('input, select')?.focus({ preventScroll: true });
+}
 
 function Setup() {
   const said = words.value.setup;
+  useEffect(showWantedField, []);
   return (
     <div class="page setup">
-      <h1>{said.title}</h1>
-      {shownCell.value && isFlawed() && (
-        <section class="refused">
-          <CellFlaws shown={shownCell.value} />
-          <a class="download" href={to('cells', chosenCell.value)}>
-            {words.value.cells.lookAtCell}
-          </a>
-        </section>
-      )}
-      <CellChoice
-        legend={said.cell}
-        chosen={chosenCell.value}
-        choose={(value) => {
-          chosenCell.value = value;
-        }}
-      />
-      <Choice
-        legend={said.tool}
-        options={payloads.value.map(([name, payload]) => ({
-          value: name,
-          label: payload.title,
-          note: `${name} · ${spelt('mass', payload.mass_kg)}`,
-        }))}
-        chosen={tool.value}
-        choose={(value) => {
-          tool.value = value;
-        }}
-      />
-      <ToolFields />
-      <MoreSettings />
-      <CellFacts />
+      <Viewer cell={chosenCell.value} />
+      <div class="setup-form">
+        <h1>{said.title}</h1>
+        {shownCell.value && isFlawed() && (
+          <section class="refused">
+            <CellFlaws shown={shownCell.value} />
+            <a class="download" href={to('cells', chosenCell.value)}>
+              {words.value.cells.lookAtCell}
+            </a>
+          </section>
+        )}
+        <CellChoice
+          legend={said.cell}
+          chosen={chosenCell.value}
+          choose={(value) => {
+            chosenCell.value = value;
+          }}
+        />
+        <div id="field-tool">
+          <Choice
+            legend={said.tool}
+            options={payloads.value.map(([name, payload]) => ({
+              value: name,
+              label: payload.title,
+              note: `${name} · ${spelt('mass', payload.mass_kg)}`,
+            }))}
+            chosen={tool.value}
+            choose={(value) => {
+              tool.value = value;
+            }}
+          />
+        </div>
+        <ToolFields />
+        <MoreSettings />
+        <CellFacts />
+      </div>
     </div>
   );
 }
@@ -115,6 +142,7 @@ function next(): string {
   if (activeRun.value !== null) return said.running;
   if (!may('operator')) return said.mayNot;
   if (isFlawed()) return words.value.cells.nextFlawed;
+  if (unfit.value !== null) return words.value.refusal.correct[unfit.value];
   return heldElsewhere() ? said.busy(holder.value ?? '') : said.next;
 }
 

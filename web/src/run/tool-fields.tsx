@@ -1,16 +1,19 @@
 import { NumberField } from '../ui/number-field';
 import { scaleOf } from '../ui/units';
 import { words } from '../words';
-import { mass, mass_kg, size, size_m } from './order';
+import { mass, mass_kg, payload, size, size_m } from './order';
 
 const AXES = ['x', 'y', 'z'] as const;
 
 /** Bounding box and mass of the tool, in the chosen units. */
 export function ToolFields() {
   const said = words.value.setup;
+  const known = payload.value !== null;
+  const badBox = known && size_m.value.includes(null);
+  const badMass = known && mass_kg.value === null;
   return (
     <section class="tool-fields">
-      <fieldset>
+      <fieldset id="field-box">
         <legend>
           {said.box}, {scaleOf('length').unit}
         </legend>
@@ -20,16 +23,16 @@ export function ToolFields() {
               key={axis}
               label={axis}
               text={size.value[k] ?? ''}
-              flaw={size_m.value[k] === null}
+              flaw={known && size_m.value[k] === null}
               change={(text) => {
                 size.value = size.value.with(k, text) as [string, string, string];
               }}
             />
           ))}
         </div>
-        <p class="hint">{said.boxHint}</p>
+        <p class={badBox ? 'hint flaw' : 'hint'}>{badBox ? words.value.refusal.badBox : said.boxHint}</p>
       </fieldset>
-      <fieldset>
+      <fieldset id="field-mass">
         <legend>
           {said.mass}, {scaleOf('mass').unit}
         </legend>
@@ -37,14 +40,12 @@ export function ToolFields() {
           label={said.mass}
           hidden
           text={mass.value}
-          flaw={mass_kg.value === null}
+          flaw={badMass}
           change={(text) => {
             mass.value = text;
           }}
         />
-        <p class={mass_kg.value === null ? 'hint flaw' : 'hint'}>
-          {mass_kg.value === null ? said.badMass : said.massHint}
-        </p>
+        <p class={badMass ? 'hint flaw' : 'hint'}>{badMass ? said.badMass : said.massHint}</p>
       </fieldset>
     </section>
   );

@@ -1,6 +1,8 @@
+import { nameFile } from '../ui/file-name';
 import { type Line, Plot } from '../ui/plot';
 import { INTERVAL, scaleOf } from '../ui/units';
 import { words } from '../words';
+import { run } from './run';
 import { massTrace, wrenchTrace } from './traces';
 
 const COLOURS = ['--series-x', '--series-y', '--series-z'] as const;
@@ -14,7 +16,12 @@ export function WrenchPlot({ part }: { part: 'force' | 'torque' }) {
   const axes = COLOURS.map((colour, k) => ({ colour, label: `${'xyz'[k]}` }));
   const lines: Line[] = [
     ...axes,
-    ...axes.map(({ colour, label }) => ({ colour, label: `_${label}`, dashed: true })),
+    ...axes.map(({ colour, label }) => ({
+      colour,
+      label: `_${label}`,
+      name: `${label} ${said.reconstructed}`,
+      dashed: true,
+    })),
   ];
   const scaled = (value: number | null | undefined) => (value == null ? null : factor * value);
   const data = [
@@ -28,6 +35,10 @@ export function WrenchPlot({ part }: { part: 'force' | 'torque' }) {
       note={`— ${said.measured} – – ${said.reconstructed}`}
       lines={lines}
       data={data as [number[], ...(number | null)[][]]}
+      unit={unit}
+      file={nameOfFile(part)}
+      together="wrench"
+      live
     />
   );
 }
@@ -39,9 +50,9 @@ export function MassPlot() {
   const rows = massTrace.value;
   const at = (times: number) => rows.map((row) => factor * (row.mass_kg + times * row.std_kg));
   const lines: Line[] = [
-    { label: '_mass', colour: '--ink' },
-    { label: '_high', colour: '--band' },
-    { label: '_low', colour: '--band' },
+    { label: '_mass', name: said.mass, colour: '--ink' },
+    { label: '_high', name: words.value.charts.upper, colour: '--band' },
+    { label: '_low', name: words.value.charts.lower, colour: '--band' },
   ];
   const data = [rows.map((row) => row.t_s), at(0), at(INTERVAL), at(-INTERVAL)];
   return (
@@ -51,6 +62,15 @@ export function MassPlot() {
       lines={lines}
       data={data as [number[], ...number[][]]}
       bands={[[2, 3]]}
+      unit={unit}
+      file={nameOfFile('mass')}
+      live
     />
   );
+}
+
+/** By run, tool and day. */
+function nameOfFile(what: string): string {
+  const shown = run.value;
+  return nameFile(['run', shown?.run, shown?.payload, what], shown?.requested_at ?? new Date().toISOString());
 }

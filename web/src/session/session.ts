@@ -1,8 +1,8 @@
 import { computed, signal } from '@preact/signals';
-import type { Role, Session } from '../api';
+import type { Role, SessionPublic } from '../api';
 
 /** Who is signed in: null is nobody, undefined not known yet. */
-export const session = signal<Session | null | undefined>(undefined);
+export const session = signal<SessionPublic | null | undefined>(undefined);
 export const csrfToken = computed(() => session.value?.csrf_token ?? null);
 
 /** Whether the account has one of these roles. */

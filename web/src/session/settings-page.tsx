@@ -1,5 +1,6 @@
 import { Choice } from '../ui/choice';
 import { Press } from '../ui/press';
+import { to } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { words } from '../words';
 import { session } from './session';
@@ -40,7 +41,12 @@ function Settings() {
         <p>
           {session.value?.name} · {session.value?.roles.map((role) => all.roles[role]).join(', ')}
         </p>
-        <Press act={signOut}>{all.signIn.out}</Press>
+        <div class="row">
+          <a class="press" href={to('admin', 'account')}>
+            {all.settings.ownAccount}
+          </a>
+          <Press act={signOut}>{all.signIn.out}</Press>
+        </div>
       </section>
     </div>
   );

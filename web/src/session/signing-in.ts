@@ -11,11 +11,10 @@ export async function signIn(name: string, password: string): Promise<void> {
   session.value = await ask('POST /api/session', { body: { name, password } });
 }
 
-/** Signs in with a password that somebody else knows as well, and puts one's own in its place: that ends the session, so it begins anew. */
+/** Signs in with a password that somebody else knows as well, and puts one's own in its place. */
 export async function signInFirst(name: string, given: string, chosen: string): Promise<void> {
-  session.value = await ask('POST /api/session', { body: { name, password: given } });
+  await signIn(name, given);
   await ask('PUT /api/session/password', { body: { password: given, new_password: chosen } });
-  await signIn(name, chosen);
 }
 
 export async function signOut(): Promise<void> {

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { TrialsAnswer } from '../api';
+import type { TrialsPublic } from '../api';
 import type { Language } from '../session/settings';
 import { ask } from '../ui/client';
 import { jobsOf } from '../ui/jobs';
@@ -7,7 +7,7 @@ import { jobsOf } from '../ui/jobs';
 const SEEDS = 2 ** 31 - 1000;
 
 /** Blind trials, and those that are looked at. */
-export const { listed: trialsListed, shown: trials } = jobsOf<TrialsAnswer>(
+export const { listed: trialsListed, shown: trials } = jobsOf<TrialsPublic>(
   'trials',
   () => ask('GET /api/trials', { query: { limit: 30 } }),
   (id) => ask('GET /api/trials/{trials}', { path: { trials: id } }),
@@ -20,7 +20,7 @@ export async function readSheet(id: string, language: Language): Promise<string>
 }
 
 /** Begins trials whose faults nobody has chosen: their seed is drawn here. */
-export async function beginTrials(count: number): Promise<TrialsAnswer> {
+export async function beginTrials(count: number): Promise<TrialsPublic> {
   const [drawn = 0] = crypto.getRandomValues(new Uint32Array(1));
   return ask('POST /api/trials', { body: { count, seed: drawn % SEEDS } });
 }

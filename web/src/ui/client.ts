@@ -1,4 +1,4 @@
-import type { ProblemDetails, paths, Session } from '../api';
+import type { ProblemDetails, paths, SessionPublic } from '../api';
 import { csrfToken, session } from '../session/session';
 import { heard, unheard } from './connection';
 import { Refusal } from './refusal';
@@ -105,7 +105,7 @@ async function reached(address: string, request: RequestInit): Promise<Response>
 /** Somebody may have signed out and in again in another tab: then the token of this one is no longer good, and the next try has the new. */
 async function renewSession(): Promise<void> {
   const response = await fetch('/api/session');
-  if (response.ok) session.value = (await response.json()) as Session;
+  if (response.ok) session.value = (await response.json()) as SessionPublic;
 }
 
 async function problemOf(response: Response): Promise<ProblemDetails> {

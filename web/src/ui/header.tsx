@@ -1,3 +1,4 @@
+import { Bell } from '../alarms/bell';
 import { cell } from '../cells/cells';
 import { control, holder, mine } from '../run/control';
 import { following } from '../run/live';
@@ -7,7 +8,9 @@ import { runs } from '../run/runs';
 import { session } from '../session/session';
 import { words } from '../words';
 import { lost } from './connection';
+import { to } from './route';
 import { StateMark } from './state-mark';
+import { timeOfDay } from './units';
 
 /** Where this is, what the robot does, who moves it, whether there is a connection: on every page. */
 export function Header() {
@@ -24,12 +27,14 @@ export function Header() {
         {signedIn ? <Doing /> : <DoingAnywhere />}
       </div>
       {signedIn && (
-        <div class={mine.value ? 'who who-mine' : 'who'}>
+        <a class={mine.value ? 'who who-mine' : 'who'} href={to('control')}>
           <small>{said.control}</small>
           <b>{lost.value ? words.value.unknown : whoHasControl()}</b>
-        </div>
+          {!lost.value && <small>{sinceWhen()}</small>}
+        </a>
       )}
       <Line />
+      {signedIn && <Bell />}
     </header>
   );
 }
@@ -78,6 +83,15 @@ function Line() {
       </b>
     </div>
   );
+}
+
+/** Since when, and on which screen where that is not this one. */
+function sinceWhen(): string {
+  const said = words.value.handover;
+  const known = control.value;
+  if (known?.since == null) return '';
+  const since = said.sinceTime(timeOfDay(Date.parse(known.since)));
+  return mine.value || !known.device ? since : `${known.device}, ${since}`;
 }
 
 function whoHasControl(): string {

@@ -1,4 +1,5 @@
 import { activeRun } from '../run/runs';
+import { may } from '../session/session';
 import { words } from '../words';
 import { route, to } from './route';
 
@@ -13,6 +14,9 @@ export function Navigation() {
       <a href={work} aria-current={here === 'runs' ? 'page' : undefined}>
         {said.work}
       </a>
+      <a href={to('orders')} aria-current={here === 'orders' ? 'page' : undefined}>
+        {words.value.orders.nav}
+      </a>
       <a href={to('gap')} aria-current={here === 'gap' || here === 'trials' ? 'page' : undefined}>
         {words.value.gap.nav}
       </a>
@@ -25,6 +29,11 @@ export function Navigation() {
       <a href={to('settings')} aria-current={here === 'settings' ? 'page' : undefined}>
         {said.settings}
       </a>
+      {may('admin', 'engineer') && (
+        <a href={to('admin')} aria-current={here === 'admin' ? 'page' : undefined}>
+          {said.admin}
+        </a>
+      )}
     </nav>
   );
 }

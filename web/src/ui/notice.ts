@@ -14,6 +14,35 @@ export type Notice = Mishap | Message;
 /** What went wrong last; null where nothing did, or it was read. */
 export const notice = signal<Notice | null>(null);
 
+/** Something that is told and refuses nothing: it passes by itself, or stays until it was read. */
+export interface Remark {
+  id: number;
+  text: () => string;
+  kind: 'passes' | 'stays';
+}
+
+/** How long what passes by itself is to be seen: long enough to be read twice. */
+const SEEN_MS = 8000;
+/** More at a time would hide the page; of those the older ones go. */
+const MOST = 3;
+let remarked = 0;
+
+/** What was told and is still to be seen, oldest first. */
+export const remarks = signal<Remark[]>([]);
+
+/** Tells something, in whatever language is chosen by then. */
+export function say(text: () => string, kind: Remark['kind']): void {
+  remarked += 1;
+  const id = remarked;
+  remarks.value = [...remarks.peek(), { id, text, kind }].slice(-MOST);
+  if (kind === 'passes') window.setTimeout(() => dismiss(id), SEEN_MS);
+}
+
+/** It was read, or has been there for long enough. */
+export function dismiss(id: number): void {
+  remarks.value = remarks.peek().filter((each) => each.id !== id);
+}
+
 /** Does what a person asked for; a refusal becomes the notice. */
 export async function attempt(act: () => Promise<void>): Promise<void> {
   notice.value = null;

@@ -1,19 +1,15 @@
 import 'uplot/dist/uPlot.min.css';
+import { type Signal, useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import UPlot from 'uplot';
 import { dark, language } from '../session/settings';
-import { DATES, number } from './units';
+import { type Line, legendOf } from './plot-line';
+import { optionsOf, type Since } from './plot-options';
+import { PlotReadout } from './plot-readout';
+import { PlotTools } from './plot-tools';
+import { extentOf, followGestures, isZoomed } from './plot-zoom';
 
-export interface Line {
-  label: string;
-  /** Name of a colour in look/tokens.css. */
-  colour: string;
-  dashed?: boolean;
-  /** What is drawn in place of a line through the values: a dot at each, bars from them to the next line's values, or nothing. */
-  drawn?: 'dots' | 'bars' | 'not';
-}
-
-type Since = 'run' | '1970';
+export type { Line };
 
 interface Props {
   title: string;
@@ -21,35 +17,94 @@ interface Props {
   lines: Line[];
   /** Time (s), then one row per line. */
   data: UPlot.AlignedData;
+  /** Of the values. */
+  unit: string;
+  /** What a file of it is called, without its ending. */
+  file: string;
   /** What the times count from: the beginning of a run, or 1970. */
   since?: Since;
   /** Pairs of lines with the space between them shaded. */
   bands?: [number, number][];
+  /** Plots of one name have one crosshair. */
+  together?: string;
+  /** New samples arrive all the time: what is looked at closely stands still until all of it is shown again. */
+  live?: boolean;
 }
 
-const AXIS_PX = 56;
-const TICK_PX = 32;
-/** However low a plot is, there are about so many. */
-const FEWEST_TICKS = 2;
-const DIGIT_PX = 9;
-const DECIMALS = [0, 1, 2, 3, 4, 5, 6];
-const SECONDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60];
-const DAY_S = 86_400;
-const LEAST_S = 3600;
-const FONT = '14px system-ui, sans-serif';
-
-/** Lines over time, drawn again when the data change. */
-export function Plot({ title, note, lines, data, bands = [], since = 'run' }: Props) {
+/** Lines over time, drawn again when the data change; to be looked at closely, read off and saved. */
+export function Plot(props: Props) {
+  const { title, note, lines, unit, since = 'run' } = props;
   const frame = useRef<HTMLDivElement>(null);
   const plot = useRef<UPlot | null>(null);
+  const hidden = useSignal<readonly string[]>([]);
+  const zoomed = useSignal(false);
+  const row = useSignal<number | null>(null);
+  useDrawing(props, frame, plot, { hidden, zoomed, row });
+  return (
+    <figure class="plot">
+      <figcaption>
+        <b>{title}</b> <small>{note}</small>
+        {legendOf(lines).map((line) => (
+          <span
+            key={line.label}
+            class={line.dashed ? 'key dashed' : 'key'}
+            hidden={hidden.value.includes(line.label)}
+            style={{ color: `var(${line.colour})` }}
+          >
+            <span>{line.label}</span>
+          </span>
+        ))}
+      </figcaption>
+      <div class="plane">
+        <div class="canvas" ref={frame} role="img" aria-label={title} />
+        <PlotReadout
+          plot={plot}
+          row={row.value}
+          lines={lines}
+          hidden={hidden.value}
+          unit={unit}
+          since={since}
+        />
+      </div>
+      <PlotTools {...props} since={since} plot={plot} hidden={hidden} zoomed={zoomed} />
+    </figure>
+  );
+}
+
+interface Looking {
+  hidden: Signal<readonly string[]>;
+  zoomed: Signal<boolean>;
+  row: Signal<number | null>;
+}
+
+/** Keeps a drawing in its place: made anew when its lines, colours or words are others, drawn again when its data are. */
+function useDrawing(
+  { lines, data, bands = [], since = 'run', together, live = false }: Props,
+  frame: { current: HTMLDivElement | null },
+  plot: { current: UPlot | null },
+  { hidden, zoomed, row }: Looking,
+): void {
   const look = [...lines.map((line) => line.label + line.colour), dark.value, language.value].join();
-  // biome-ignore lint/correctness/useExhaustiveDependencies: made anew only when its lines, colours or words are others; the data follow below
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the data and what is hidden follow below
   useEffect(() => {
     const place = frame.current;
     if (place === null) return undefined;
     const size = () => ({ width: place.clientWidth, height: place.clientHeight });
-    const made = new UPlot({ ...size(), ...optionsOf(place, lines, bands, since) }, data, place);
+    const told = {
+      point: (at: number | null) => {
+        row.value = at;
+      },
+      scale: (of: UPlot) => {
+        zoomed.value = isZoomed(of);
+      },
+    };
+    const made = new UPlot(
+      { ...size(), ...optionsOf(place, lines, bands, since, together, told) },
+      data,
+      place,
+    );
     plot.current = made;
+    followGestures(made);
     const watcher = new ResizeObserver(() => made.setSize(size()));
     watcher.observe(place);
     return () => {
@@ -57,122 +112,20 @@ export function Plot({ title, note, lines, data, bands = [], since = 'run' }: Pr
       made.destroy();
     };
   }, [look]);
-  useEffect(() => plot.current?.setData(data), [data]);
-  return (
-    <figure class="plot">
-      <figcaption>
-        <b>{title}</b> <small>{note}</small>
-        {lines
-          .filter((line) => !line.label.startsWith('_'))
-          .map((line) => (
-            <span
-              key={line.label}
-              class={line.dashed ? 'key dashed' : 'key'}
-              style={{ color: `var(${line.colour})` }}
-            >
-              <span>{line.label}</span>
-            </span>
-          ))}
-      </figcaption>
-      <div class="canvas" ref={frame} role="img" aria-label={title} />
-    </figure>
-  );
-}
-
-function optionsOf(
-  place: HTMLElement,
-  lines: Line[],
-  bands: [number, number][],
-  since: Since,
-): Omit<UPlot.Options, 'width' | 'height'> {
-  const colour = (name: string) => coloured(place, name);
-  const axis = {
-    stroke: () => colour('--ink'),
-    grid: { stroke: () => colour('--line-faint'), width: 1 },
-    ticks: { show: false },
-    font: FONT,
-  };
-  return {
-    legend: { show: false },
-    cursor: { show: false },
-    scales: { x: since === 'run' ? { time: false } : { time: true, range: roomy } },
-    axes: [
-      { ...axis, ...TIMES[since] },
-      {
-        ...axis,
-        size: (_plot, texts) =>
-          Math.max(AXIS_PX, DIGIT_PX * Math.max(...(texts ?? []).map((text) => text.length)) + 12),
-        space: (_plot, _axis, _least, _most, height) => Math.min(TICK_PX, height / FEWEST_TICKS),
-        values: (_plot, ticks, _axis, _space, step) => ticks.map((value) => number(value, decimalsOf(step))),
-      },
-    ],
-    series: [
-      {},
-      ...lines.map(({ label, colour: name, dashed, drawn }) => ({
-        label,
-        stroke: () => colour(name),
-        width: 2,
-        dash: dashed ? [6, 5] : [],
-        ...(drawn ? { paths: drawn === 'bars' ? bars : () => null } : {}),
-        points: { show: drawn === 'dots', size: 10, fill: () => colour(name) },
-      })),
-    ],
-    bands: bands.map((series) => ({ series, fill: () => colour('--band') })),
-    hooks: { draw: [({ data: [times] }) => note(place, times.at(-1))] },
-  };
-}
-
-/** What a plot shows reaches up to here; by this the time from a sample to the screen is measured (bench/screen_latency.py). */
-function note(place: HTMLElement, newest_s: number | undefined): void {
-  place.dataset.drawnUpTo = String(newest_s);
-}
-
-/** The axis of time: seconds of a run, or days and times of day; the day stands at its first tick. */
-const TIMES: Record<Since, UPlot.Axis> = {
-  run: {
-    size: 28,
-    incrs: SECONDS,
-    values: (_plot, ticks, _axis, _space, step_s) => ticks.map((t) => `${number(t, decimalsOf(step_s))} s`),
-  },
-  '1970': { size: 48, space: 90, values: (_plot, ticks, _axis, _space, step) => datesOf(ticks, step) },
-};
-
-/** Upright bars between the values of one line and the next. */
-function bars(plot: UPlot, line: number): UPlot.Series.Paths {
-  const path = new Path2D();
-  const [times, from = [], to = []] = [plot.data[0], plot.data[line], plot.data[line + 1]];
-  times.forEach((t_s, k) => {
-    const [low, high] = [from[k], to[k]];
-    if (low == null || high == null) return;
-    const x = plot.valToPos(t_s, 'x', true);
-    path.moveTo(x, plot.valToPos(low, 'y', true));
-    path.lineTo(x, plot.valToPos(high, 'y', true));
-  });
-  return { stroke: path };
-}
-
-/** From a little before the first moment to a little after the last, and an hour at least. */
-function roomy(_plot: UPlot, first_s: number, last_s: number): [number, number] {
-  const room_s = Math.max(0.05 * (last_s - first_s), (LEAST_S - (last_s - first_s)) / 2);
-  return [first_s - room_s, last_s + room_s];
-}
-
-function datesOf(ticks: number[], step_s: number): string[] {
-  const day = new Intl.DateTimeFormat(DATES[language.value], { day: 'numeric', month: 'short' });
-  const time = new Intl.DateTimeFormat(DATES[language.value], { hour: '2-digit', minute: '2-digit' });
-  const days = ticks.map((t_s) => day.format(1000 * t_s));
-  if (step_s >= DAY_S) return days;
-  return ticks.map((t_s, k) => time.format(1000 * t_s) + (days[k] === days[k - 1] ? '' : `\n${days[k]}`));
-}
-
-/** As many decimals as tell ticks this far apart from each other. */
-function decimalsOf(step: number): number {
-  const enough = DECIMALS.find((places) => Math.abs(step - Number(step.toFixed(places))) < 1e-3 * step);
-  return enough ?? DECIMALS.length;
-}
-
-/** A colour of the present theme, as a canvas wants it. */
-function coloured(place: HTMLElement, name: string): string {
-  place.style.color = `var(${name})`;
-  return getComputedStyle(place).color;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: drawn when the data change, or the whole is shown again
+  useEffect(() => {
+    const drawn = plot.current;
+    if (drawn === null || (live && zoomed.value)) return;
+    const same = extentOf(drawn.data).join() === extentOf(data).join();
+    const { min, max } = drawn.scales.x ?? {};
+    drawn.setData(data, !(same && zoomed.value));
+    if (same && zoomed.value && min != null && max != null) drawn.setScale('x', { min, max });
+  }, [data, live && zoomed.value]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a new drawing shows everything
+  useEffect(() => {
+    lines.forEach(({ label }, k) => {
+      const show = !hidden.value.includes(label.replace(/^_/, ''));
+      if (plot.current?.series[k + 1]?.show !== show) plot.current?.setSeries(k + 1, { show });
+    });
+  }, [look, hidden.value]);
 }

@@ -4,7 +4,8 @@ import { computed, signal } from '@preact/signals';
 export const route = signal(pieces());
 
 function pieces(): string[] {
-  return location.hash.replace(/^#\/?/, '').split('/').filter(Boolean).map(decoded);
+  const [path = ''] = location.hash.replace(/^#\/?/, '').split('?');
+  return path.split('/').filter(Boolean).map(decoded);
 }
 
 /** What cannot be decoded names nothing that is there; it is shown as it stands. */
@@ -16,8 +17,26 @@ function decoded(piece: string): string {
   }
 }
 
+/** What the address says of a page besides: `#/history?tool=gripper`. */
+export const filters = signal(readFilters());
+
+function readFilters(): URLSearchParams {
+  return new URLSearchParams(location.hash.split('?')[1]);
+}
+
+/** Writes a filter into the address of this page, without a step of its own to go back to; an empty one is taken out. */
+export function setFilter(name: string, value: string): void {
+  const changed = new URLSearchParams(filters.value);
+  if (value) changed.set(name, value);
+  else changed.delete(name);
+  const [path = ''] = location.hash.split('?');
+  history.replaceState(null, '', changed.size > 0 ? `${path}?${changed}` : path);
+  filters.value = changed;
+}
+
 window.addEventListener('hashchange', () => {
   route.value = pieces();
+  filters.value = readFilters();
 });
 
 /** The address of a page in this console. */

@@ -1,7 +1,7 @@
-import type { RunAnswer } from '../api';
+import type { RunPublic } from '../api';
 import { words } from '../words';
 
-type State = RunAnswer['state'];
+type State = RunPublic['state'];
 type Shape = 'circle' | 'play' | 'pause' | 'octagon' | 'square' | 'check' | 'cross' | 'clock';
 type Tone = 'normal' | 'abnormal' | 'aborted';
 

@@ -16,11 +16,6 @@ export interface Message {
 /** The words of a language, ready to be filled in. */
 export type Catalogue = FluentBundle;
 
-/** All but what stands only in a terminal, a report or a score sheet. */
-const FILES = import.meta.glob<string>(
-  ['../../../core/words/*/*.ftl', '!../../../core/words/*/{cli,newcell,report,result,sheet}.ftl'],
-  { query: '?raw', import: 'default', eager: true },
-);
 const DECIMAL_MARK: Record<Language, string> = { en: '.', de: ',' };
 const FLAW = 'flaw';
 /** So many decimals tell whether a number lies exactly between two others. */
@@ -33,18 +28,19 @@ const SMALLEST_EXPONENT = -4;
 /**
  * All messages of a language.
  *
+ * @param files what they are read from, by whatever name.
  * @param transform changes the words themselves, and nothing that they name.
  */
 export function readCatalogue(
   language: Language,
+  files: Record<string, string>,
   transform: (words: string) => string = (words) => words,
 ): Catalogue {
   const functions = Object.fromEntries(
     Object.entries(NUMBERS).map(([name, print]) => [name, fluentFunction(print, language)]),
   );
   const catalogue = new FluentBundle(language, { useIsolating: false, functions, transform });
-  for (const [path, words] of Object.entries(FILES))
-    if (path.includes(`/${language}/`)) catalogue.addResource(new FluentResource(words));
+  for (const words of Object.values(files)) catalogue.addResource(new FluentResource(words));
   return catalogue;
 }
 

@@ -1,8 +1,10 @@
 import { deEffects } from './de-effects';
+import { verdict } from './de-verdict';
 import type { GapWords } from './en-gap';
 
 export const deGap: GapWords = {
   ...deEffects,
+  ...verdict,
   nav: 'Diagnose',
   title: 'Abweichung zwischen Simulation und Aufzeichnung',
   next: 'Wählen Sie einen Lauf oder eine Aufzeichnung. Eine Diagnose liest sie nur; nichts bewegt sich.',
@@ -53,12 +55,6 @@ export const deGap: GapWords = {
     unknown: 'Prüfen Sie Roboter und Sensor dort, wo die Abweichung liegt.',
     no_gap: 'Es ist nichts zu tun.',
     not_enough: 'Machen Sie eine längere Aufzeichnung mit mehr Bewegung.',
-  },
-  listed: {
-    explained: (effect) => `Erklärt: ${effect}`,
-    ambiguous: (effect) => `Nicht entschieden; am wahrscheinlichsten: ${effect}`,
-    unknown: 'Kein bekannter Effekt erklärt die Abweichung.',
-    also: (effects) => `Weitere Befunde: ${effects}.`,
   },
   adviceNext: 'Folgen Sie dem Rat.',
   notForTwin: 'Warum der Zwilling ihn nicht aufnehmen kann',

@@ -1,9 +1,15 @@
 import { cells } from './de-cells';
+import { charts } from './de-charts';
+import { handover } from './de-control';
 import { deGap } from './de-gap';
 import { comparison, history } from './de-history';
 import { absent, continuing, held, link, lost, now } from './de-link';
 import { mishaps } from './de-mishaps';
+import { alarms, orders } from './de-orders';
 import { secondLook } from './de-plan';
+import { record } from './de-record';
+import { refusal } from './de-refusal';
+import { view } from './de-view';
 import type { Words } from './en';
 
 export const de: Words = {
@@ -24,7 +30,14 @@ export const de: Words = {
     operator: 'ein Bediener',
     viewer: 'ein Zuschauer',
   },
-  nav: { label: 'Seiten', work: 'Lauf', history: 'Verlauf', cells: 'Zellen', settings: 'Einstellungen' },
+  nav: {
+    label: 'Seiten',
+    work: 'Lauf',
+    history: 'Verlauf',
+    cells: 'Zellen',
+    settings: 'Einstellungen',
+    admin: 'Verwaltung',
+  },
   header: {
     cell: 'Zelle',
     tool: 'Werkzeug',
@@ -63,15 +76,22 @@ export const de: Words = {
   },
   mishaps,
   secondLook,
+  view,
+  refusal,
   now,
   lost,
   held,
   link,
+  handover,
+  orders,
+  alarms,
   absent,
   continuing,
   reading: {
     title: 'Wird geladen',
     lost: 'Diese Seite lädt von selbst, sobald der Dienst antwortet.',
+    old: 'Die Seite konnte nicht geladen werden. Vielleicht wurde der Dienst aktualisiert, seit diese Konsole geöffnet ist.',
+    reload: 'Konsole neu laden',
   },
   bar: {
     next: 'Als Nächstes',
@@ -255,9 +275,11 @@ export const de: Words = {
     accept: 'Annehmen',
     again: 'Neuer Lauf',
   },
+  record,
   history,
   comparison,
   cells,
+  charts,
   settings: {
     title: 'Einstellungen',
     language: 'Sprache',
@@ -265,6 +287,7 @@ export const de: Words = {
     theme: 'Farbschema',
     next: 'Einstellungen gelten nur für diesen Bildschirm.',
     account: 'Konto',
+    ownAccount: 'Passwort und Geräte',
   },
   gap: deGap,
 };

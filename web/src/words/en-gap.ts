@@ -1,8 +1,10 @@
 import { enEffects } from './en-effects';
+import { verdict } from './en-verdict';
 
 /** Words about the gap between simulation and recording. */
 export const enGap = {
   ...enEffects,
+  ...verdict,
   nav: 'Diagnosis',
   title: 'Gap between simulation and recording',
   next: 'Choose a run or a recording. A diagnosis only reads it; nothing moves.',
@@ -53,12 +55,6 @@ export const enGap = {
     unknown: 'Check the robot and the sensor where the gap is.',
     no_gap: 'Nothing needs to be done.',
     not_enough: 'Make a longer recording with more motion.',
-  },
-  listed: {
-    explained: (effect: string) => `Explained: ${effect}`,
-    ambiguous: (effect: string) => `Not settled; most probable: ${effect}`,
-    unknown: 'No known effect explains the gap.',
-    also: (effects: string) => `Other findings: ${effects}.`,
   },
   adviceNext: 'Follow the advice.',
   notForTwin: 'Why it cannot be added to the twin',

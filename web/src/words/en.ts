@@ -1,9 +1,15 @@
 import { cells } from './en-cells';
+import { charts } from './en-charts';
+import { handover } from './en-control';
 import { enGap } from './en-gap';
 import { comparison, history } from './en-history';
 import { absent, continuing, held, link, lost, now } from './en-link';
 import { mishaps } from './en-mishaps';
+import { alarms, orders } from './en-orders';
 import { secondLook } from './en-plan';
+import { record } from './en-record';
+import { refusal } from './en-refusal';
+import { view } from './en-view';
 
 export const en = {
   product: 'Heft',
@@ -23,7 +29,14 @@ export const en = {
     operator: 'an operator',
     viewer: 'a viewer',
   },
-  nav: { label: 'Pages', work: 'Run', history: 'History', cells: 'Cells', settings: 'Settings' },
+  nav: {
+    label: 'Pages',
+    work: 'Run',
+    history: 'History',
+    cells: 'Cells',
+    settings: 'Settings',
+    admin: 'Admin',
+  },
   header: {
     cell: 'Cell',
     tool: 'Tool',
@@ -62,15 +75,22 @@ export const en = {
   },
   mishaps,
   secondLook,
+  view,
+  refusal,
   now,
   lost,
   held,
   link,
+  handover,
+  orders,
+  alarms,
   absent,
   continuing,
   reading: {
     title: 'Loading',
     lost: 'This page loads by itself as soon as the service answers.',
+    old: 'The page could not be loaded. The service may have been updated since this console was opened.',
+    reload: 'Reload the console',
   },
   bar: {
     next: 'Next',
@@ -250,9 +270,11 @@ export const en = {
     accept: 'Accept',
     again: 'New run',
   },
+  record,
   history,
   comparison,
   cells,
+  charts,
   settings: {
     title: 'Settings',
     language: 'Language',
@@ -260,6 +282,7 @@ export const en = {
     theme: 'Theme',
     next: 'Settings apply to this screen only.',
     account: 'Account',
+    ownAccount: 'Password and devices',
   },
   gap: enGap,
 };

@@ -1,10 +1,11 @@
 import { computed } from '@preact/signals';
-import { language } from '../session/settings';
-import { LONGER } from '.';
+import { messageFiles } from '.';
 import { formatMessage, formatPart, formatValue, type Message, readCatalogue } from './catalogue';
-import { lengthen } from './longer';
 
-const catalogue = computed(() => (LONGER ? readCatalogue('en', lengthen) : readCatalogue(language.value)));
+const catalogue = computed(() => {
+  const { language, messages, transform } = messageFiles.value;
+  return readCatalogue(language, messages, transform);
+});
 
 /** A message of the engine or the service, in the chosen language. */
 export const say = (message: Message): string => formatMessage(message, catalogue.value);

@@ -1,0 +1,24 @@
+"""What a page may want to see in a way of its own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from core.payload.shapes import Box
+
+Look = Literal["front", "top", "operator", "fit", "reset"]
+"""From where: `operator` from the first protected zone, where people are; `fit` from where the camera is; `reset` as at first."""
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What a page wants to see besides the cell as it is; what is None is not drawn.
+
+    Args:
+        payload_box: in the place of the run's, sensor frame.
+        q_rad: where the planned robot is drawn.
+    """
+
+    payload_box: Box | None = None
+    q_rad: tuple[float, ...] | None = None
