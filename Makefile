@@ -9,7 +9,7 @@ NODE_FITS := $(shell node -e 'const [a, b] = process.versions.node.split(".").ma
 CONSOLE := web/dist/index.html
 CONSOLE_SOURCES := $(shell find web/src core/words -type f ! -name '*.py*') web/index.html web/vite.config.ts web/tsconfig.json
 
-.PHONY: run test check check-console bench wheel clean
+.PHONY: run test test-thorough check check-console bench wheel clean
 
 run: $(VENV)/.run $(if $(filter true,$(NODE_FITS)),$(CONSOLE),without-console)
 	$(BIN)/heft serve
@@ -17,6 +17,9 @@ run: $(VENV)/.run $(if $(filter true,$(NODE_FITS)),$(CONSOLE),without-console)
 test: check $(CONSOLE)
 	$(BIN)/python -m pytest -n 2 --ignore=tests/web
 	$(BIN)/python -m pytest tests/web  # alone: browsers that draw without a graphics card keep both cores busy
+
+test-thorough: $(VENV)/.dev $(CONSOLE)
+	$(BIN)/python -m pytest -n 2 -m thorough
 
 check: $(VENV)/.dev
 	$(BIN)/ruff check .

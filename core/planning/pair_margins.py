@@ -25,22 +25,28 @@ class PairMargins:
     def __init__(self, collision: CollisionModel) -> None:
         self._collision, self._watched = collision, collision.watched
         self.share = collision.share
-        self.reach = np.array([_pair_reach(collision.robot, *pair) for pairs in collision.pairs for pair in pairs]).reshape(
-            -1, collision.robot.n
-        )
+        pairs = [_by_joint(pair) for both in collision.pairs for pair in both]
+        between = {(id(outer), inner.joint): (outer, inner.joint) for outer, inner in pairs}  # obstacles and the base share theirs
+        reach = {key: _reach(collision.robot, *ends) for key, ends in between.items()}
+        self.reach = np.array([reach[id(outer), inner.joint] for outer, inner in pairs]).reshape(-1, collision.robot.n)
 
     def __call__(self, q: Array) -> Array:
         """(n_pairs,), distance minus required distance of every pair at q (n,), m."""
         return np.asarray(self._collision.margins(q)[self._watched])
 
 
-def _pair_reach(robot: RobotModel, first: Body, second: Body) -> Array:
-    """(n,), largest distance from each axis between the two bodies that a point of the outer one can have."""
-    outer, inner = (first, second) if first.joint > second.joint else (second, first)
+def _by_joint(pair: tuple[Body, Body]) -> tuple[Body, Body]:
+    """The body farther out first."""
+    first, second = pair
+    return (first, second) if first.joint > second.joint else (second, first)
+
+
+def _reach(robot: RobotModel, outer: Body, inner_joint: int) -> Array:
+    """(n,), largest distance from each axis between the outer body and a joint below it that a point of that body can have."""
     placements, axes = robot.chain.placements, robot.chain.axes
     reach = np.zeros(robot.n)
     length = 0.0
-    for j in reversed(range(inner.joint, outer.joint)):
+    for j in reversed(range(inner_joint, outer.joint)):
         if j == outer.joint - 1:
             reach[j] = np.linalg.norm(np.cross(axes[j], outer.corners), axis=1).max()
             length = float(np.linalg.norm(outer.corners, axis=1).max())

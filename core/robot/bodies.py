@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import coal
@@ -57,7 +58,7 @@ class Body:
     placement: Any
     carried: bool = False
 
-    @property
+    @cached_property
     def corners(self) -> Array:
         """(8, 3), corners of the box round the body, in the joint's frame or the world, m."""
         self.geometry.computeLocalAABB()

@@ -42,7 +42,7 @@ def test_a_random_cell_is_free_at_home_and_always_the_same(robot: str, seed: int
     assert checker.check(home.repeat(3, axis=0), 0.001).too_close_m == {}
 
 
-@pytest.mark.parametrize("robot", ["panda", "ur5", "kinova", "tiago"])
+@pytest.mark.parametrize("robot", ["panda", *(pytest.param(robot, marks=pytest.mark.thorough) for robot in ("ur5", "kinova", "tiago"))])
 def test_a_real_robot_is_planned_without_violation_or_cannot_be_planned(robot: str) -> None:
     judgement = judge(robot, 0, candidates=300)
     assert judgement.violations == ()

@@ -179,7 +179,7 @@ def test_the_estimate_on_line_closes_in_on_the_payload_while_the_robot_moves(who
         assert seen[-1][k] == pytest.approx(truth[k], rel=0.1)  # the filter's lag is in it
 
 
-@pytest.mark.parametrize("name", ["lwr4_bench", "ur5e_line"])
+@pytest.mark.parametrize("name", ["lwr4_bench", pytest.param("ur5e_line", marks=pytest.mark.thorough)])
 def test_a_run_that_is_held_again_and_again_goes_on_along_its_plan_and_finds_the_same_payload(name):
     cell = load_cell(CELLS / name)
     carried = cell.payloads["steel_block"]

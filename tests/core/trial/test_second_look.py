@@ -16,6 +16,8 @@ from core.trial.draw import Drawn, Sealed
 from core.trial.second_look import second_look
 from tests.late_readings import CARRIED, LATE, SMOOTH, first_run, noisy_cell, short_plan
 
+pytestmark = pytest.mark.thorough
+
 
 @pytest.fixture(scope="module")
 def drawn() -> Drawn:
