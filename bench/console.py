@@ -1,8 +1,10 @@
 """How soon the console can be used on a slow tablet, how soon it shows again what is, and how large it is.
 
-Loads the built console in Chromium on a processor slowed down four times, each time with an empty cache, until its first field can be typed
-into; the same unslowed beside it, because this machine may be busy with other things. Then a tablet that looks on is loaded again, and cut
-off from the service while the run that it shows is cancelled: until it shows the run as it is, once it is asked for or has its line back.
+Loads the built console in Chromium on a processor slowed down four times, each time with an empty cache, until its first field can be
+typed into; the same unslowed beside it, because this machine may be busy with other things. The same from loading the page of somebody
+who is signed in until its picture of the cell shows a robot, drawn without a graphics card. Then a tablet that looks on is loaded
+again, and cut off from the service while the run that it shows is cancelled: until it shows the run as it is, once it is asked for or
+has its line back.
 """
 
 from __future__ import annotations
@@ -12,9 +14,12 @@ import gzip
 import re
 import tempfile
 import time
+from io import BytesIO
 from pathlib import Path
 from statistics import median
 
+import numpy as np
+from PIL import Image
 from playwright.sync_api import Browser, Page
 
 from core.words.catalogue import LANGUAGES
@@ -23,6 +28,8 @@ from tests.web.screens import show, signed_in
 from tests.web.tablet import LANDSCAPE, Tablet, chromium
 
 SLOWDOWNS = (1, 4)
+SOLID_SHARE = 0.03
+"""Of a picture with a robot and its table; one without has lines alone."""
 FIRST_FIELD_S = "() => document.activeElement?.name === 'username' && performance.now() / 1000"
 """Seconds since the page was asked for, once the field for the name has the cursor."""
 PLANNED_S = "() => document.querySelector('.preview table') && performance.now() / 1000"
@@ -45,6 +52,11 @@ def main() -> None:
         for slowdown in SLOWDOWNS:
             found = [interactive_s(browser, service, slowdown) for _ in range(times)]
             print(f"interactive, processor slowed {slowdown}x: median {median(found):.2f} s, worst {max(found):.2f} s of {times}")
+        for slowdown in SLOWDOWNS:
+            drawn = [drawn_s(browser, service, slowdown) for _ in range(times)]
+            print(
+                f"three dimensions shown, processor slowed {slowdown}x: median {median(drawn):.2f} s, worst {max(drawn):.2f} s of {times}"
+            )
         again, back = zip(*shown_again_s(browser, service, times), strict=True)
     for what, taken in (("loaded again", again), ("the line is back", back)):
         print(f"the run as it is, once {what}: median {median(taken):.2f} s, worst {max(taken):.2f} s of {times}")
@@ -57,6 +69,30 @@ def interactive_s(browser: Browser, service: RealService, slowdown: float) -> fl
         context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": slowdown})
         page.goto(f"http://{service.address}/")
         return float(page.wait_for_function(FIRST_FIELD_S, polling=10).json_value())
+
+
+def drawn_s(browser: Browser, service: RealService, slowdown: float) -> float:
+    """Seconds from asking for the set-up page until the viewer's picture has more than its background and the lines of its grid."""
+    with (
+        signed_in(service, browser) as at,
+        browser.new_context(storage_state=at.page.context.storage_state(), viewport=LANDSCAPE) as context,
+    ):
+        page = context.new_page()
+        context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": slowdown})
+        since = time.monotonic()
+        page.goto(f"http://{service.address}/", wait_until="commit")
+        page.frame_locator("iframe.viewer").locator("canvas[data-engine]").wait_for(timeout=60_000)
+        while solid_share(page) < SOLID_SHARE:
+            if time.monotonic() - since > 60.0:
+                raise SystemExit("no picture of the cell within a minute")
+        return time.monotonic() - since
+
+
+def solid_share(page: Page) -> float:
+    """How much of the viewer's picture is neither its most frequent colour nor close to it."""
+    picture = np.asarray(Image.open(BytesIO(page.locator("iframe.viewer").screenshot())).convert("RGB"), dtype=int)
+    background = np.median(picture.reshape(-1, 3), axis=0)
+    return float((np.abs(picture - background).max(axis=2) > 40).mean())
 
 
 def shown_again_s(browser: Browser, service: RealService, times: int) -> list[tuple[float, float]]:

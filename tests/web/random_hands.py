@@ -1,13 +1,17 @@
-"""Hands that tap, drag, turn, reload and type in an order that nobody has thought of, always the same for one seed."""
+"""Hands of several people that tap, drag, turn, reload and type on screens whose links come and go, in an order that nobody has thought of,
+always the same for one seed."""
 
 from __future__ import annotations
 
 import random
+import re
+import time
 from collections import Counter
 from collections.abc import Callable
 
-from playwright.sync_api import Error, Page
+from playwright.sync_api import BrowserContext, Error, Page
 
+from tests.server.real_service import Console
 from tests.web.tablet import LANDSCAPE, PORTRAIT, Tablet
 
 MOST_TABS = 3
@@ -21,6 +25,12 @@ MIDDLES = """selector => [...document.querySelectorAll(selector)].filter(each =>
     .map(each => each.getBoundingClientRect()).map(({x, y, width, height}) => [x + width / 2, y + height / 2])"""
 PLACE = "[location.hash, document.querySelector('main > *')?.className, document.querySelector('h1')?.textContent]"
 """Which page is shown."""
+TOLD_WITHIN_S = 2.0
+"""Within it a screen whose link is up says of its run what the service says."""
+LINK_LOST_MS = (100, 5_000)
+STATE = """() => document.querySelector('.line-lost, .lost-layer') ? null
+    : document.querySelector('.header [data-state]')?.dataset.state ?? null"""
+"""What a page says of its run; null where it says that it does not know."""
 TEXTS = ("1,5", "-3", "0", "abc", "", "1e9", "2.783", "  ", "0.2", "0.3", "0,25", "1.2")
 
 WATCH = """(() => {
@@ -45,34 +55,50 @@ RELEASE_THEN_START = ["press press-primary", "press press-start"]
 
 
 class RandomHands:
-    """Does one thing after the other with the console in one browser.
+    """Does one thing after the other with the console, in the browsers of several people.
 
     Args:
-        tablet: opened nowhere yet; its complaints are those of all its tabs.
+        people: name and password of each tablet's person; the tablets are opened nowhere yet, their complaints are those of all their tabs.
+        witness: asks the service what is.
 
     Attributes:
         acts: how often each kind of thing was done.
         blank: what was done last where a page was blank then.
+        contradictions: what a screen said of its run that the service did not say for longer than `TOLD_WITHIN_S`.
         releases: the last two buttons of the command bar that were tapped before each release that a page asked for, or one elsewhere.
     """
 
-    def __init__(self, tablet: Tablet, seed: int) -> None:
-        self.tablet, self.chance = tablet, random.Random(seed)
+    def __init__(self, people: list[tuple[Tablet, str, str]], witness: Console, seed: int) -> None:
+        self.chance, self.witness = random.Random(seed), witness
+        self.tablets = {at.page.context: at for at, _, _ in people}
+        self.names = {at.page.context: (name, password) for at, name, password in people}
         self.acts: Counter[str] = Counter()
         self.blank: list[str] = []
+        self.contradictions: list[str] = []
         self.releases: list[list[str]] = []
-        context = tablet.page.context
-        context.expose_function("releaseAsked", self._note)
-        context.add_init_script(WATCH)
-        tablet.hurry()
-        tablet.without_viewer()
-        tablet.open()
-        tablet.sign_in()
-        tablet.page.locator(".command-bar .press-primary").tap()
-        tablet.wait(".preview table")
+        for context, at in self.tablets.items():
+            context.expose_function("releaseAsked", self._note)
+            context.add_init_script(WATCH)
+            at.hurry()
+            at.without_viewer()
+            at.open()
+            self._sign_in(at.page)
+        first = people[0][0]
+        first.page.locator(".command-bar .press-primary").tap()
+        first.wait(".preview table")
 
     def _note(self, taps: list[str]) -> None:
         self.releases.append(taps)
+
+    @property
+    def complaints(self) -> list[str]:
+        """Of all browsers."""
+        return [said for at in self.tablets.values() for said in at.complaints]
+
+    @property
+    def pages(self) -> list[Page]:
+        """All tabs of all people."""
+        return [page for context in self.tablets for page in context.pages]
 
     @property
     def releases_without_start(self) -> list[list[str]]:
@@ -80,13 +106,12 @@ class RandomHands:
         return [taps for taps in self.releases if taps != RELEASE_THEN_START]
 
     def act(self) -> None:
-        """Does one thing, in any of the tabs, and looks whether all of them still show something."""
-        pages = self.tablet.page.context.pages
-        page = self.chance.choice(pages)
+        """Does one thing, in any of the tabs, and looks whether all of them still show something, and what is."""
+        page = self.chance.choice(self.pages)
         page.bring_to_front()
         kinds: dict[Callable[[Page], None], int] = {
             self.go_on: 20, self.press: 15, self.tap: 25, self.type: 6, self.poke: 10,
-            self.drag: 8, self.turn: 6, self.reload: 5, self.second_tab: 5,
+            self.drag: 8, self.turn: 6, self.reload: 5, self.second_tab: 5, self.lose_link: 3,
         }  # fmt: skip
         (kind,) = self.chance.choices(list(kinds), weights=list(kinds.values()))
         self.acts[kind.__name__] += 1
@@ -98,15 +123,32 @@ class RandomHands:
 
     def look_around(self, did: str) -> None:
         """A page that was signed out of is signed in to again; another tab may sign it out in that moment, then the next look does it."""
-        for page in self.tablet.page.context.pages:
+        for page in self.pages:
             page.wait_for_selector("h1, .page", timeout=15_000)
             if not page.inner_text("body").strip():
                 self.blank.append(did)
             if page.locator("form.sign-in").is_visible():
-                page.locator("input[name=username]").fill("operator")
-                page.locator("input[name=password]").fill(self.tablet.service.password)
-                with page.expect_response("**/api/session"):
-                    page.locator("form button").tap()
+                self._sign_in(page)
+            self._compare(page, did)
+
+    def _sign_in(self, page: Page) -> None:
+        name, password = self.names[page.context]
+        page.locator("input[name=username]").fill(name)
+        page.locator("input[name=password]").fill(password)
+        with page.expect_response("**/api/session"):
+            page.locator("form button").tap()
+
+    def _compare(self, page: Page, did: str) -> None:
+        """What a page of a run says of its state with what the service says, until they agree or it has taken too long."""
+        until = time.monotonic() + TOLD_WITHIN_S
+        while shown := re.search(r"#/runs/([^/]+)$", page.url):
+            says, is_now = page.evaluate(STATE), self.witness.run(shown[1]).get("state")
+            if says is None or says == is_now or is_now is None:
+                return
+            if time.monotonic() > until:
+                self.contradictions.append(f"{did}: {shown[1]} is {is_now}, the screen says {says}")
+                return
+            page.wait_for_timeout(100)
 
     def go_on(self, page: Page) -> None:
         """The button that leads on, as often as it takes from a plan to START: without it hardly any run would ever be released."""
@@ -163,7 +205,7 @@ class RandomHands:
         return self.chance.randrange(size["width"]), self.chance.randrange(size["height"])
 
     def turn(self, page: Page) -> None:
-        """The tablet."""
+        """The tablet, or what is in its place."""
         page.set_viewport_size(self.chance.choice((LANDSCAPE, PORTRAIT)))
 
     def reload(self, page: Page) -> None:
@@ -176,5 +218,12 @@ class RandomHands:
             self.chance.choice(context.pages[1:]).close()
             return
         other = context.new_page()
-        self.tablet.listen(other)
+        self.tablets[context].listen(other)
         other.goto(page.url)
+
+    def lose_link(self, page: Page) -> None:
+        """All tabs of one person, for a while."""
+        context: BrowserContext = page.context
+        context.set_offline(True)
+        page.wait_for_timeout(self.chance.uniform(*LINK_LOST_MS))
+        context.set_offline(False)

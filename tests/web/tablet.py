@@ -23,6 +23,8 @@ ARGUMENTS = [
 ]  # fmt: skip
 LANDSCAPE: ViewportSize = {"width": 1280, "height": 800}
 PORTRAIT: ViewportSize = {"width": 800, "height": 1280}
+PHONE: ViewportSize = {"width": 390, "height": 844}
+DESKTOP: ViewportSize = {"width": 1920, "height": 1080}
 PATIENCE_MS = 60_000
 STUB = "<!doctype html><title>viewer</title><body style='background:#888'>"
 NOT_SIGNED_IN = "401 (Unauthorized)"

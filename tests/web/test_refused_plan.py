@@ -5,19 +5,13 @@ That it stands out in the cell itself is drawn on the graphics card: `tests/serv
 
 from __future__ import annotations
 
-from playwright.sync_api import Browser, Page, ViewportSize, expect
+from playwright.sync_api import Browser, expect
 
 from tests.server.real_service import Console, RealService
 from tests.server.zone_at import AT_THE_ROBOT, zone_at
 from tests.web.judgement import check_looks
-from tests.web.looks import CUT, look
+from tests.web.looks import look
 from tests.web.screens import signed_in
-from tests.web.tablet import LANDSCAPE
-
-PHONE: ViewportSize = {"width": 390, "height": 844}
-DESKTOP: ViewportSize = {"width": 1920, "height": 1080}
-PHONE_PAGE_PX = 400
-"""What is left of a phone for the page."""
 
 
 def test_what_is_in_the_way_is_named_beside_the_cell_until_the_next_plan(service: RealService, browser: Browser) -> None:
@@ -60,7 +54,6 @@ def test_a_box_that_reaches_into_the_bench_is_refused_in_words_of_the_box_and_th
         expect(page.locator(".remedies button")).to_have_text(["Payload box", "Tool", "Home position"])
         expect(page.locator(".remark")).to_have_count(0, timeout=15_000)  # that control was taken is said for some seconds
         check_looks(look(page, "refused box"))
-        check_on_phone_and_desktop(page)
         page.get_by_role("textbox", name="z").wait_for(state="detached")
         at.press("Payload box")
         box = page.locator("#field-box input")
@@ -70,16 +63,6 @@ def test_a_box_that_reaches_into_the_bench_is_refused_in_words_of_the_box_and_th
         expect(page.locator("#field-box .flaw")).to_contain_text("Enter three lengths above 0")
         expect(page.locator("footer .next")).to_contain_text("Correct the payload box first.")
         check_looks(look(page, "no box"))
-        check_on_phone_and_desktop(page)
         box.nth(2).fill("0.08")
         expect(page.locator(".flaw")).to_have_count(0)
         assert at.complaints == []
-
-
-def check_on_phone_and_desktop(page: Page) -> None:
-    """Nothing is cut off there either; pages beside the edge of a phone are pushed into it by a finger."""
-    for size in (PHONE, DESKTOP):
-        page.set_viewport_size(size)
-        cut: list[str] = page.evaluate(CUT, PHONE_PAGE_PX)
-        assert [each for each in cut if not each.startswith("A: ")] == [], size
-    page.set_viewport_size(LANDSCAPE)
