@@ -121,12 +121,11 @@ def check_robot(cell: Cell, urdf: Urdf) -> None:
             raise BadCell(cell.locate(f"robot.{key}"), "cell-no-such-link", link=link, urdf=robot.urdf, links=urdf.links)
     joints = urdf.hinges(robot.base_frame, robot.sensor_frame)
     names = [joint.name for joint in joints]
-    of_joints = {key: getattr(robot, key) for key in ("home_rad", "acceleration_rad_s2", "velocity_rad_s")}
-    for key, values in [*of_joints.items(), *((f"friction.{key}", values) for key, values in robot.friction or ())]:
+    of_joints = {f"robot.{key}": getattr(robot, key) for key in ("home_rad", "acceleration_rad_s2", "velocity_rad_s")}
+    of_joints |= {f"robot.friction.{key}": values for key, values in robot.friction or ()}
+    for key, values in (of_joints | {"thresholds.joint_torque_nm": cell.thresholds.joint_torque_nm}).items():
         if values is not None and len(values) != len(joints):
-            raise BadCell(
-                cell.locate(f"robot.{key}"), "cell-not-one-for-each-joint", count=len(values), joints=names, joint_count=len(names)
-            )
+            raise BadCell(cell.locate(key), "cell-not-one-for-each-joint", count=len(values), joints=names, joint_count=len(names))
     for home, joint in zip(robot.home_rad, joints, strict=True):
         if not joint.lower < home < joint.upper:
             raise BadCell(

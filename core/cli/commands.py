@@ -38,6 +38,9 @@ COMMANDS = {
         "core.cli.exports",
         "Write the payload as a robot's controller or a simulator takes it, on standard output; say what that cannot hold.",
     ),
+    "requirement": Command(
+        "core.cli.requirement", "Say how exactly the controller has to know its payload, and whether an answer is good enough for it."
+    ),
     "plan": Command("core.cli.plan", "Plan the procedure and show start configurations, distances and times. Nothing moves."),
     "cells": Command("core.cli.list_cells", "List the cells at hand, and what keeps any of them from being used."),
     "twin": Command("core.cli.twins", "What has been added to a cell's simulation."),

@@ -1,0 +1,82 @@
+"""`heft requirement`: how exactly the controller has to know its payload, and whether an answer is good enough."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.table import Table
+
+from core.cell.folder import find_cell, load_cell
+from core.cli.answer import write_json
+from core.cli.exports import read_result_file
+from core.cli.options import CellArgument, JsonOption, PayloadOption, check_new, choose_payload
+from core.cli.terminal import answers, find_wording
+from core.errors import BadInput
+from core.estimation.result import Result
+from core.payload.inertia import InertialParameters
+from core.requirement.answer import GROUP_NAMES, AllowedPart, RequirementPart, requirement_part
+from core.requirement.motions import make_brisk_motion, read_program
+from core.requirement.requirement import Group, require
+from core.robot.model import RobotModel
+
+app = typer.Typer()
+
+
+@app.command()
+def requirement(
+    cell: CellArgument,
+    payload: PayloadOption = None,
+    program: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="A program's path: CSV, time (s) and joints (rad). [default: as brisk as the cell allows]"),
+    ] = None,
+    result: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="An answer of `heft run` or `heft identify`: is it good enough?")
+    ] = None,
+    json: JsonOption = None,
+) -> None:
+    """Say how exactly the controller has to know its payload, and whether an answer is good enough for it."""
+    check_new(None, json)
+    loaded = load_cell(find_cell(cell))
+    robot = RobotModel.of_cell(loaded)
+    answer = None if result is None else read_result_file(result)
+    carried = choose_payload(loaded, payload)[1].parameters if answer is None or result is None else _payload_of(answer, result)
+    motion = make_brisk_motion(loaded, robot) if program is None else read_program(program, robot)
+    found = requirement_part(require(loaded, robot, carried, motion), motion, None if answer is None else answer.estimate)
+    if json is not None:
+        write_json(found.model_dump_json(indent=2), json)
+    if json != "-":
+        _print(found)
+
+
+def _payload_of(answer: Result, file: Path) -> InertialParameters:
+    """What the answer says that the robot carries."""
+    values = [] if answer.estimate is None else answer.estimate.phi
+    known = [value for value in values if value is not None]
+    if len(known) < 10 or known[0] <= 0.0:
+        raise BadInput(str(file), "requirement-no-payload")
+    return InertialParameters(known)  # type: ignore[arg-type]  # it becomes an array
+
+
+def _print(found: RequirementPart) -> None:
+    words = find_wording()
+    table = Table()
+    for heading in (words.say("requirement-typed"), words.say("requirement-error"), words.say("requirement-because")):
+        table.add_column(heading)
+    for each in found.allowed:
+        because = words.say("requirement-nothing") if each.criterion is None else words.quote(each.criterion.message)
+        table.add_row(words.quote(GROUP_NAMES[Group(each.group)]), words.mark(_error(each)), because)
+    answers.print(table)
+    answers.print(words.say("requirement-motion", motion_s=found.motion_s), highlight=False)
+    if found.assumed:
+        answers.print(words.say("requirement-assumed"), highlight=False, markup=False)
+    answers.print(words.quote(found.message), highlight=False)
+
+
+def _error(allowed: AllowedPart) -> str:
+    if allowed.error is None:
+        return "–"
+    scale, unit = {"m": (1e3, "mm"), "kg": (1.0, "kg")}.get(allowed.unit, (1.0, allowed.unit))
+    return f"{scale * allowed.error:.3g} {unit}"
