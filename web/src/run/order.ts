@@ -48,8 +48,8 @@ function written(value: number, quantity: 'mass' | 'length' | 'speed'): string {
 
 effect(() => {
   const known = (library.value ?? []).map(({ name }) => name);
-  const first = Object.keys(cell.value?.payloads ?? {})[0] ?? known[0] ?? '';
-  if (library.value !== null && !known.includes(tool.peek())) tool.value = first;
+  if (library.value === null || cell.value === null || known.includes(tool.peek())) return;
+  tool.value = Object.keys(cell.value.payloads ?? {})[0] ?? known[0] ?? '';
 });
 /** What the chosen tool puts into the fields; the library is read again and again, and what is typed meanwhile stays. */
 const chosenFields = computed(() => {

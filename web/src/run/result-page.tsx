@@ -40,6 +40,7 @@ function Result() {
           {words.value.interval}, {said.frame}. {answer.reference?.source}
         </p>
         <Workpiece answer={answer} />
+        <SaveResult answer={answer} />
       </section>
       <aside>
         <Warnings all={answer.warnings} />
@@ -53,7 +54,6 @@ function Result() {
             <DiagnoseRun run={answer.run} label={words.value.gap.diagnoseRun} />
           </section>
         )}
-        <SaveResult answer={answer} />
         <h2 class="keep">{said.downloads}</h2>
         <p class="downloads">
           <a class="download" href={addressOf('/api/runs/{run}/recording', { run: answer.run })} download>

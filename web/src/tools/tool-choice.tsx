@@ -4,7 +4,7 @@ import { Choice } from '../ui/choice';
 import { spelt } from '../ui/units';
 import { words } from '../words';
 import { containsWords, expectedMass, library } from './library';
-import { ToolPicture } from './tool-picture';
+import { ToolThumbnail } from './tool-thumbnail';
 
 /** More than these are searched. */
 const FEW = 6;
@@ -59,7 +59,7 @@ function optionOf(tool: PayloadPublic) {
     value: tool.name,
     label: (
       <>
-        <ToolPicture box={tool.box} small /> {tool.title}
+        <ToolThumbnail box={tool.box} /> {tool.title}
       </>
     ),
     note: notes.join(' · '),

@@ -1,7 +1,8 @@
+import '../look/tool-picture.css';
 import type { Box } from '../api';
 import { hull, type Point, placed, type Three } from '../cells/footprint';
 import { sizeOf } from '../cells/shapes';
-import { scaleOf } from '../ui/units';
+import { number, scaleOf } from '../ui/units';
 
 const FLANGE_M = 0.04;
 const FLANGE_HEIGHT_M = 0.02;
@@ -61,7 +62,7 @@ export function ToolPicture({ box, com_m, bolted = [], small = false }: Props) {
   const dot = frame.size / 60;
   return (
     <svg
-      class={small ? 'tool-picture tool-picture-small' : 'tool-picture'}
+      class="tool-picture"
       viewBox={`${frame.left} ${frame.top} ${frame.size} ${frame.size}`}
       role="img"
       aria-label={sizeOf(box)}
@@ -121,15 +122,19 @@ function Scale({ frame: { left, top, size } }: { frame: Frame }) {
   const { factor, unit } = scaleOf('length');
   const [x, y] = [left + size * 0.04, top + size * 0.96];
   const tick = size / 60;
+  const length = (mark / 1000) * factor;
   return (
     <g class="scale">
       <path d={`M${x} ${y - tick}v${tick}h${mark}v${-tick}`} />
       <text x={x + mark + size / 40} y={y} font-size={size / 18}>
-        {`${(mark / 1000) * factor} ${unit}`}
+        {`${number(length, placesOf(length))} ${unit}`}
       </text>
     </g>
   );
 }
+
+/** Decimals of a length that is 1, 2 or 5 times a power of ten. */
+const placesOf = (length: number) => Math.max(0, -Math.floor(Math.log10(length) + 1e-9));
 
 const ring = (z: number): Point[] =>
   Array.from({ length: ROUND }, (_, k) => {

@@ -25,7 +25,7 @@ export const tools: typeof en = {
   boxCentre: (place) => `Mitte bei ${place}`,
   expected: 'Erwartete Masse',
   reference: 'Bekannte Masse',
-  mass: 'Zuletzt angenommene Masse',
+  mass: 'Zuletzt angenommen',
   unexpected: 'außerhalb des erwarteten Bereichs',
   com: 'Schwerpunkt',
   noResult: 'noch kein angenommenes Ergebnis',

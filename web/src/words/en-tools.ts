@@ -23,7 +23,7 @@ export const tools = {
   boxCentre: (place: string) => `centre at ${place}`,
   expected: 'Expected mass',
   reference: 'Known mass',
-  mass: 'Last accepted mass',
+  mass: 'Last accepted',
   unexpected: 'outside the expected range',
   com: 'Centre of mass',
   noResult: 'no accepted result yet',
