@@ -10,6 +10,7 @@ from functools import cached_property
 
 from server.alarms.watch import AlarmWatch
 from server.cells.folder import CellFolder
+from server.cells.tool_outlines import ToolOutlines
 from server.cells.uploads import CellChecker
 from server.http.console import Console
 from server.jobs import kinds as job_kinds
@@ -43,6 +44,7 @@ class Service:
     metrics: Metrics
     checker: CellChecker
     now: Callable[[], datetime] = field(default=utc_now)
+    tool_outlines: ToolOutlines = field(default_factory=ToolOutlines)
     control: ControlRegistry = field(default_factory=ControlRegistry)
     offers: Offers = field(default_factory=Offers)
     console: Console = field(default_factory=Console)

@@ -1,6 +1,7 @@
 """Every table of the store, known to its metadata once this is imported."""
 
 from server.alarms.tables import AlarmRow
+from server.cells.payloads import SavedPayload
 from server.cells.zones import ZonePosition
 from server.people.accounts import Account, ApiKey, SignIn
 from server.people.audit import AuditEntry
@@ -20,6 +21,7 @@ __all__ = [
     "LoginFailures",
     "RunEventRow",
     "RunRow",
+    "SavedPayload",
     "SignIn",
     "Table",
     "Webhook",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,8 +11,11 @@ from core.errors import BadCell
 from core.payload.channels import CHANNELS
 
 if TYPE_CHECKING:
-    from core.cell.cell import Cell, Payload
+    from core.cell.cell import Box, Cell, Payload
     from core.payload.inertia import InertialParameters
+
+Locate = Callable[[str], str]
+"""Where a key stands, as an error names it."""
 
 BASE_IN_ZONE = 0.001  # m; a robot may stand at the border of a zone
 BASE_IN_OBSTACLE = 0.05  # m; or be sunk into the table that carries it
@@ -29,7 +32,7 @@ def contradictions(cell: Cell) -> Iterator[BadCell]:
     yield from _place_contradictions(cell)
     yield from _sensor_contradictions(cell)
     for name, payload in cell.payloads.items():
-        yield from _payload_contradictions(f"payloads.{name}", payload, cell)
+        yield from payload_contradictions(f"payloads.{name}", payload, cell, _key_in(cell, f"payloads.{name}."))
 
 
 def _name_contradictions(cell: Cell) -> Iterator[BadCell]:
@@ -55,17 +58,26 @@ def _place_contradictions(cell: Cell) -> Iterator[BadCell]:
         yield BadCell(cell.locate("floor_z_m"), "cell-floor-above-base", floor_z_m=cell.floor_z_m, base_z_m=base[2])
     elif depth > DEEPEST_FLOOR:
         yield BadCell(cell.locate("floor_z_m"), "cell-floor-too-deep", floor_z_m=cell.floor_z_m, depth_m=depth, most_m=DEEPEST_FLOOR)
-    boxes = {"payload_box": cell.payload_box, **{f"payloads.{name}.box": payload.box for name, payload in cell.payloads.items()}}
-    for key, box in boxes.items():
-        farthest = float(np.linalg.norm(box.corners, axis=1).max())
-        if farthest > FARTHEST_PAYLOAD:
-            yield BadCell(cell.locate(key), "cell-box-too-large", distance_m=farthest, most_m=FARTHEST_PAYLOAD)
+    yield from box_contradictions(cell.payload_box, cell.locate("payload_box"))
+    for name, payload in cell.payloads.items():
+        yield from box_contradictions(payload.box, cell.locate(f"payloads.{name}.box"))
     for key, items, allowed in (("obstacles", cell.obstacles, BASE_IN_OBSTACLE), ("zones", cell.zones, BASE_IN_ZONE)):
         for item in items:
             depth = item.shape.depth(base)
             if depth > allowed:
                 where = cell.locate(f"{key}.{item.name}.shape")
                 yield BadCell(where, "cell-base-inside", in_the_way=item.name, depth_m=depth, most_m=allowed)
+
+
+def box_contradictions(box: Box, where: str) -> Iterator[BadCell]:
+    """What is wrong with the box of a payload, whatever the cell."""
+    farthest = float(np.linalg.norm(box.corners, axis=1).max())
+    if farthest > FARTHEST_PAYLOAD:
+        yield BadCell(where, "cell-box-too-large", distance_m=farthest, most_m=FARTHEST_PAYLOAD)
+
+
+def _key_in(cell: Cell, part: str) -> Locate:
+    return lambda key: cell.locate(f"{part}{key}")
 
 
 def _sensor_contradictions(cell: Cell) -> Iterator[BadCell]:
@@ -75,21 +87,32 @@ def _sensor_contradictions(cell: Cell) -> Iterator[BadCell]:
                 yield BadCell(cell.locate(f"sensor.{key}"), "cell-sensor-coarse", figure=figure, range=measured)
 
 
-def _payload_contradictions(key: str, payload: Payload, cell: Cell) -> Iterator[BadCell]:
+def payload_contradictions(name: str, payload: Payload, cell: Cell, locate: Locate) -> Iterator[BadCell]:
+    """What is wrong with a payload in a cell, but for what is wrong with its box alone.
+
+    Args:
+        name: of the payload, as the sentence on the sensor's range says what is carried.
+        locate: where a key of the payload stands.
+    """
     parameters = payload.parameters
     if not parameters.consistent:
         yield BadCell(
-            cell.locate(f"{key}.inertia_kg_m2"), "cell-payload-inertia",
+            locate("inertia_kg_m2"), "cell-payload-inertia",
             mass_kg=payload.mass_kg, first_moment_kg_m=payload.first_moment_kg_m, inertia_kg_m2=payload.inertia_kg_m2,
         )  # fmt: skip
         return
-    limit = cell.robot.payload_limit_kg
-    if limit is not None and payload.mass_kg > limit:
-        yield BadCell(cell.locate(f"{key}.mass_kg"), "cell-payload-too-heavy", mass_kg=payload.mass_kg, most_kg=limit)
+    yield from mass_contradictions(payload.mass_kg, cell, locate("mass_kg"))
     depth = payload.box.depth(parameters.com)
     if depth < 0:
-        yield BadCell(cell.locate(f"{key}.box"), "cell-payload-outside-box", com_m=np.round(parameters.com, 4).tolist(), distance_m=-depth)
-    yield from load_contradictions([key], parameters, cell)
+        yield BadCell(locate("box"), "cell-payload-outside-box", com_m=np.round(parameters.com, 4).tolist(), distance_m=-depth)
+    yield from load_contradictions([name], parameters, cell)
+
+
+def mass_contradictions(mass_kg: float, cell: Cell, where: str) -> Iterator[BadCell]:
+    """Whether a mass is more than the maker of the arm allows."""
+    limit = cell.robot.payload_limit_kg
+    if limit is not None and mass_kg > limit:
+        yield BadCell(where, "cell-payload-too-heavy", mass_kg=mass_kg, most_kg=limit)
 
 
 def load_contradictions(keys: Sequence[str], carried: InertialParameters, cell: Cell) -> Iterator[BadCell]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.array import Array
-from core.cell.cell import Box, Cell
+from core.cell.cell import Box, Cell, Payload
 from core.cell.tools import add_cell_tools
 from core.cell.urdf import check_urdf
 from core.errors import TooHeavy
@@ -46,8 +46,12 @@ class Load:
 
 def find_known_load(cell: Cell, name: str | None) -> Load | None:
     """A payload that the cell knows by name; None where it knows none of that name."""
-    known = cell.payloads.get(name or "")
-    return None if known is None else Load(known.parameters, Message.of("planning-load-known", payload=name or ""))
+    return describe_known_load(name or "", cell.payloads.get(name or ""))
+
+
+def describe_known_load(name: str, known: Payload | None) -> Load | None:
+    """What is known of a payload; None where nothing is."""
+    return None if known is None else Load(known.parameters, Message.of("planning-load-known", payload=name))
 
 
 def even_load(box: Box, mass_kg: float, source: Message) -> Load:

@@ -20,6 +20,7 @@ from server.cells import zones
 from server.cells.archive import UPLOAD
 from server.cells.folder import CellFolder, CellsDep
 from server.cells.now import read_now
+from server.cells.tool_outlines import ToolOutline, ToolOutlinesDep
 from server.cells.uploads import CheckerDep, take_in, upload_folder
 from server.cells.zones import ZonePosition
 from server.http.dependencies import MetricsDep, NowDep, StoreDep
@@ -116,6 +117,12 @@ def read_cell(cell: CellPath, cells: CellsDep, store: StoreDep, now: NowDep) -> 
         moved=[_place(row, in_file[zone]) for zone, row in known.items() if zone in in_file],
         read_at=now,
     )
+
+
+@router.get("/{cell}/tools")
+def list_tools(cell: CellPath, cells: CellsDep, outlines: ToolOutlinesDep) -> list[ToolOutline]:
+    """What is bolted between the sensor and the payload, as boxes in the sensor frame, in the order of `cell.toml`."""
+    return outlines.find(cells.read(cell).cell, cells.digest(cell))
 
 
 @router.post("/validate", openapi_extra=ZIP)

@@ -10,6 +10,7 @@ from typing import Any
 
 CELL = ("request-cell-unknown",)
 RUN = ("runs-unknown",)
+SAVED = ("library-unknown",)
 JOB = ("jobs-unknown",)
 STATE = ("runs-command-not-possible", "runs-command-impossible")
 HELD = ("runs-control-free", "runs-control-elsewhere")
@@ -49,6 +50,14 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "GET /api/cells/{cell}/twin": CELL,
     "POST /api/cells/{cell}/twin": (*CELL, *JOB, "jobs-no-effect-yet"),
     "DELETE /api/cells/{cell}/twin/{effect}": (*CELL, "jobs-effect-not-in-twin"),
+    "GET /api/cells/{cell}/tools": CELL,
+    "GET /api/cells/{cell}/payloads": CELL,
+    "GET /api/cells/{cell}/payloads/{saved}": (*CELL, *SAVED),
+    "POST /api/cells/{cell}/payloads": (
+        *CELL, *RESULT, "library-name-taken", "library-full", "library-run-of-other-cell", "library-without-box", "library-mass-range",
+    ),
+    "PATCH /api/cells/{cell}/payloads/{saved}": (*CELL, *SAVED, "library-name-taken", "library-mass-range"),
+    "DELETE /api/cells/{cell}/payloads/{saved}": (*CELL, *SAVED),
     "POST /api/control": (*CELL, "runs-control-taken", "runs-control-overtaken"),
     "GET /api/control/{cell}": CELL,
     "DELETE /api/control/{cell}": CELL,
@@ -56,7 +65,8 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "POST /api/control/{cell}/request/answer": (*CELL, *HELD, "runs-control-not-asked"),
     "DELETE /api/control/{cell}/request": CELL,
     "POST /api/runs": (
-        *CELL, "runs-cell-without-payload", "runs-payload-unknown", "runs-speed-not-allowed", "runs-start-of-other-robot", *REPEATED,
+        *CELL, "runs-cell-without-payload", "runs-payload-unknown", "library-mass-range", "runs-speed-not-allowed",
+        "runs-start-of-other-robot", *REPEATED,
     ),
     "GET /api/runs/{run}": RUN,
     "DELETE /api/runs/{run}": (*RUN, *STATE),
@@ -109,7 +119,12 @@ ENGINE_REFUSALS: dict[str, tuple[str, ...]] = {
     "GET /api/cells/{cell}/twin": (*UNUSABLE, "bad-twin"),
     "POST /api/cells/{cell}/twin": (*UNUSABLE, "bad-twin"),
     "DELETE /api/cells/{cell}/twin/{effect}": (*UNUSABLE, "bad-twin"),
-    "POST /api/runs": UNUSABLE,
+    "GET /api/cells/{cell}/tools": UNUSABLE,
+    "GET /api/cells/{cell}/payloads": UNUSABLE,
+    "GET /api/cells/{cell}/payloads/{saved}": UNUSABLE,
+    "POST /api/cells/{cell}/payloads": (*UNUSABLE, "bad-payload"),
+    "PATCH /api/cells/{cell}/payloads/{saved}": (*UNUSABLE, "bad-payload"),
+    "POST /api/runs": (*UNUSABLE, "bad-payload"),
     "POST /api/runs/{run}/continuation": UNUSABLE,
     "POST /api/runs/{run}/release": UNUSABLE,
     "GET /api/runs/{run}/comparison/{other}": (*UNUSABLE, "bad-payload"),

@@ -14,6 +14,7 @@ ZonePath = Annotated[Name, Path(description="Name of the protected zone.", examp
 EffectPath = Annotated[Name, Path(description="Name of the effect.", examples=["time_delay"])]
 AccountPath = Annotated[Name, Path(description="Name of the account.", examples=["anna"])]
 KeyPath = Annotated[Name, Path(description="Name of the machine whose key it is.", examples=["line-3"])]
+SavedPath = Annotated[str, Path(description="Identifier of the saved payload.", examples=["019ab1c2d3e44f1c2a9be7"])]
 RunPath = Annotated[str, Path(description="Identifier of the run.", examples=["019ab1c2d3e44f1c2a9be7"])]
 OtherRunPath = Annotated[str, Path(description="Identifier of the run to compare with.", examples=["019ab1c9aa210f6be35d08"])]
 DiagnosisPath = Annotated[str, Path(description="Identifier of the diagnosis.", examples=["019ab1c2e0a17d34a06c11"])]

@@ -69,7 +69,7 @@ def make_motion_order(motion: ProposedMotion, continued: RunRow | None, cell: Ce
     payload = manifest.payload if continued is None else continued.payload
     if payload is None:
         raise Conflict("jobs-payload-unnamed", job=motion.diagnosis, cell=cell.name)
-    if payload not in cell.payloads:
+    if payload not in cell.payloads and (continued is None or continued.saved_payload is None):
         raise Conflict("jobs-payload-unknown", job=motion.diagnosis, payload=payload, cell=cell.name)
     if body.payload is not None and body.payload != payload:
         raise Conflict("jobs-payload-differs", job=motion.diagnosis, payload=payload, given_payload=body.payload)

@@ -15,7 +15,8 @@ from core.array import Array
 from core.errors import Commanded, HeftError, Stopped
 from core.events import Event, Finished, Progress, RecordingWritten, RobotStopped, drive
 from core.files.whole_file import write_whole
-from core.planning.joint_torques import find_known_load
+from core.payload.inertia import InertialParameters
+from core.planning.joint_torques import describe_known_load, even_load
 from core.planning.plan import Plan
 from core.planning.stops import Stops
 from core.procedure.identify import move_and_estimate
@@ -78,26 +79,25 @@ def _stops_of(order: Order) -> Stops:
 def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, speaker: ChildSpeaker) -> None:
     lease = Lease(order.cell.control.lease_s)
     listener = Listener(connection, lease)
-    carried = order.cell.payloads[order.payload]
     pace = RealTime() if order.pace == "real_time" else AsFastAsPossible()
     twin = read_twin(order.cell)
     before = None if order.continues is None else read_recording(order.continues.recording)
     start = _find_start(order, before)
-    robot = SimulatedSession(order.cell, carried.parameters, seed=order.seed, pace=pace, twin=twin, start=start)
+    robot = SimulatedSession(order.cell, _find_carried(order), seed=order.seed, pace=pace, twin=twin, start=start)
     session = LeasedSession(robot, lease)
     model = RobotModel.of_cell(order.cell)
     done = 0
     if order.continues is not None and before is not None:
         check_same_robot(before, model.description, order.cell.gravity_in_base)
         done = order.continues.done or 0
-    log = SampleLog(order.cell, model, payload=order.payload, reference=carried, before=before, order=order.reference)
+    log = SampleLog(order.cell, model, payload=order.payload, reference=order.known, before=before, order=order.reference)
     online = build_estimator(log, session.period)
     elsewhere = PlanningElsewhere(
         stops=planning.stops,
         planner=order.planner,
         seed=order.seed,
         effort=order.effort,
-        load=find_known_load(order.cell, order.payload),
+        load=describe_known_load(order.payload, order.known),
         process=planning,
         listener=listener,
         lease=lease,
@@ -119,6 +119,13 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
         page = order.folder / name_report(language)
         write_report(page, recording=recording, identification=identification, run=outcome.summary, at=at, language=language)
     speaker.tell(Done(result))
+
+
+def _find_carried(order: Order) -> InertialParameters:
+    """What the simulated robot carries."""
+    if order.known is not None:
+        return order.known.parameters
+    return even_load(order.payload_box, order.mass_guess_kg, Message.of("planning-load-guessed")).parameters
 
 
 def _find_start(order: Order, before: Recording | None) -> Array:

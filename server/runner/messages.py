@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from core.cell.cell import Box, Cell, Pose
+from core.cell.cell import Box, Cell, Payload, Pose
 from core.errors import Lateness
 from core.estimation.result import Result
 from core.events import Event
@@ -43,7 +43,9 @@ class Order:
     Args:
         run: identifier.
         cell: with its zones where they are now.
-        payload: a payload that the cell knows; what the simulated robot carries.
+        payload: its name.
+        known: what is known of it: the simulated robot carries it, and the result is compared with it. None where it is its box alone: then
+            the simulated robot carries `mass_guess_kg`, spread evenly over `payload_box`.
         payload_box: what certainly contains it, sensor frame.
         folder: of the run; exists. Samples go there as they come, the recording in the end.
         continues: what the run goes on with; None for a procedure from its beginning.
@@ -56,6 +58,7 @@ class Order:
     run: str
     cell: Cell
     payload: str
+    known: Payload | None
     payload_box: Box
     timing: Timing
     planner: Planner

@@ -6,11 +6,13 @@ import secrets
 from collections.abc import Iterable, Sequence
 from datetime import datetime
 from itertools import count
+from typing import NamedTuple
 
 from pydantic import TypeAdapter
 from sqlalchemy import inspect, select
 from sqlalchemy.orm import Session
 
+from core.cell.cell import Payload
 from core.errors import Lateness
 from core.estimation.result import Result
 from core.events import Event
@@ -40,6 +42,18 @@ _motion: TypeAdapter[Motion] = TypeAdapter(Motion)
 _happening: TypeAdapter[Happening] = TypeAdapter(Happening)
 
 
+class CarriedPayload(NamedTuple):
+    """A payload of the tool library as a run carries it, whatever becomes of it in the library.
+
+    Args:
+        saved: its identifier.
+        known: what is known of it; None where that is its box alone.
+    """
+
+    saved: str
+    known: Payload | None
+
+
 def new_id(now: datetime) -> str:
     """An identifier that sorts by time, and in the same millisecond by which was made first."""
     return f"{round(now.timestamp() * 1000):012x}{next(_MADE) % 0x10000:04x}{secrets.token_hex(3)}"
@@ -50,11 +64,20 @@ def list_offered_commands(state: State) -> list[str]:
     return [] if state in FINAL else [OFFERED[command] for command in legal_commands(state) if command in OFFERED]
 
 
-def add_run(db: Session, order: RunOrder, who: str, now: datetime, motion: Motion | None = None) -> RunRow:
-    """A new run of the procedure, or of something else; it waits for its cell."""
+def add_run(
+    db: Session, order: RunOrder, who: str, now: datetime, motion: Motion | None = None, carried: CarriedPayload | None = None
+) -> RunRow:
+    """A new run of the procedure, or of something else; it waits for its cell.
+
+    Args:
+        carried: the payload of the tool library; None where it is one of cell.toml.
+    """
     row = RunRow(id=new_id(now), cell=order.cell, payload=order.payload, order=order.model_dump_json(), state=State.RESETTING)
     row.order_id, row.work_order, row.serial_number = order.order_id, order.work_order, order.serial_number
     row.requested_by, row.requested_at = who, now
+    if carried is not None:
+        row.saved_payload = carried.saved
+        row.known_payload = None if carried.known is None else carried.known.model_dump_json()
     row.released = row.aborted = False
     row.motion = None if motion is None else motion.model_dump_json()
     row.sequence = row.journaled = row.finished_steps = row.steps = 0
@@ -79,6 +102,13 @@ def load_run(db: Session, run: str) -> RunRow:
     if row is None:
         raise NotFound("runs-unknown", run=run[:80])
     return row
+
+
+def carried_by(row: RunRow) -> CarriedPayload | None:
+    """The payload of the tool library that a run carries; None where it is one of cell.toml."""
+    if row.saved_payload is None:
+        return None
+    return CarriedPayload(row.saved_payload, None if row.known_payload is None else Payload.model_validate_json(row.known_payload))
 
 
 def motion_of(row: RunRow) -> Motion | None:
@@ -212,6 +242,7 @@ def build_answer(row: RunRow, progress: float = 0.0, eta_s: float | None = None,
         run=row.id,
         cell=row.cell,
         payload=row.payload,
+        saved_payload=row.saved_payload,
         order_id=row.order_id,
         work_order=row.work_order,
         serial_number=row.serial_number,

@@ -4,29 +4,39 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from core.cell.cell import Cell
+from sqlalchemy.orm import Session
+
+from core.cell.cell import Cell, Payload
 from core.errors import BadPayload
 from core.planning.settings import Timing
 from core.planning.slow_run import find_speed_range, limit_speed
 from core.recording.order_reference import OrderReference
+from server.cells.payloads import check_saved, find_expected_mass, find_saved, known_payload, list_saved, read_box
 from server.http.errors import Conflict
 from server.runner.messages import Continuation, Order
-from server.runs.ledger import motion_of
-from server.runs.schemas import Motion, RestOfRun, RunOrder
+from server.runs.ledger import CarriedPayload, carried_by, motion_of
+from server.runs.schemas import Motion, RestOfRun, RunCreate, RunOrder
 from server.runs.tables import RunRow
 
 
 def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
-    """What the control process is told."""
+    """What the control process is told.
+
+    Raises:
+        BadPayload: the cell was replaced since by one that does not know the payload.
+    """
     order = RunOrder.model_validate_json(row.order)
     motion = motion_of(row)
-    payload = order.payload or next(iter(cell.payloads))  # orders of older services may name none
+    payload = order.payload or next(iter(cell.payloads), "")  # orders of older services may name none
+    carried = carried_by(row)
+    known = _load_payload(cell, payload) if carried is None else carried.known
     limit = cell.limits.cartesian_speed_m_s  # may have become lower since it was asked for
     return Order(
         run=row.id,
         cell=limit_speed(cell, min(order.speed_m_s or limit, limit), "speed_m_s"),
         payload=payload,
-        payload_box=order.payload_box or cell.payloads[payload].box,
+        known=known,
+        payload_box=order.payload_box or (cell.payload_box if known is None else known.box),
         timing=Timing(hold_s=order.hold_s, settle_s=order.settle_s, robot_s=order.robot_s, inertia_std=order.inertia_std),
         planner=order.planner,
         seed=order.seed,
@@ -50,19 +60,42 @@ def check_order(order: RunOrder, cell: Cell) -> None:
     """What is asked for goes with the cell; whether the robot may be where it is said to stand is for planning to say.
 
     Raises:
-        BadPayload: the cell does not know the payload, or knows none.
         Conflict: a speed that the cell does not allow, or not one joint position for each joint.
     """
-    if not cell.payloads:
-        raise BadPayload("payload", "runs-cell-without-payload", cell=cell.name)
-    if order.payload not in cell.payloads:
-        raise BadPayload("payload", "runs-payload-unknown", payload=order.payload or "", payloads=list(cell.payloads), cell=cell.name)
     slowest, limit = find_speed_range(cell)
     if order.speed_m_s is not None and not slowest <= order.speed_m_s <= limit:
         raise Conflict("runs-speed-not-allowed", speed_m_s=order.speed_m_s, least_m_s=slowest, most_m_s=limit)
     count = len(cell.robot.home_rad)
     if order.start_rad is not None and len(order.start_rad) != count:
         raise Conflict("runs-start-of-other-robot", given=len(order.start_rad), joints=count)
+
+
+def _load_payload(cell: Cell, name: str) -> Payload:
+    if name not in cell.payloads:
+        raise BadPayload("payload", "runs-payload-unknown", payload=name, payloads=list(cell.payloads), cell=cell.name)
+    return cell.payloads[name]
+
+
+def choose_payload(db: Session, order: RunCreate, cell: Cell) -> tuple[RunOrder, CarriedPayload | None]:
+    """The order with what the tool library says of its payload; None beside it where the payload is one of cell.toml, which goes first.
+
+    Raises:
+        BadPayload: the cell knows no such payload, or none at all, or what is saved of it does not go with the cell.
+    """
+    if order.payload in cell.payloads:
+        return order, None
+    saved = find_saved(db, cell.name, order.payload)
+    if saved is None:
+        known = [*cell.payloads, *(each.name for each in list_saved(db, cell.name))]
+        if not known:
+            raise BadPayload("payload", "runs-cell-without-payload", cell=cell.name)
+        raise BadPayload("payload", "runs-payload-unknown", payload=order.payload, payloads=known, cell=cell.name)
+    check_saved(saved, cell)
+    taken: dict[str, object] = {"payload_box": order.payload_box or read_box(saved)}
+    mass_kg = find_expected_mass(saved)
+    if mass_kg is not None and "mass_guess_kg" not in order.model_fields_set:
+        taken["mass_guess_kg"] = mass_kg
+    return order.model_copy(update=taken), CarriedPayload(saved.id, known_payload(saved))
 
 
 def _continuation(motion: Motion) -> Continuation:

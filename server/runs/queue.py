@@ -15,6 +15,7 @@ from server.people import audit
 from server.runs import idempotency
 from server.runs import ledger as run_ledger
 from server.runs.conductor import Conductor
+from server.runs.ledger import CarriedPayload
 from server.runs.schemas import Motion, RestOfRun, RunOrder, RunPublic
 from server.runs.tables import RunRow
 from server.store.store import Store
@@ -43,9 +44,18 @@ class RunRequest(NamedTuple):
 
 
 def queue_once(
-    store: Store, conductor: Conductor, response: Response, request: RunRequest, order: RunOrder, motion: Motion | None = None
+    store: Store,
+    conductor: Conductor,
+    response: Response,
+    request: RunRequest,
+    order: RunOrder,
+    motion: Motion | None = None,
+    carried: CarriedPayload | None = None,
 ) -> RunPublic:
     """The run that the request makes, or has made already.
+
+    Args:
+        carried: the payload of the tool library; None where it is one of cell.toml.
 
     Raises:
         Unprocessable: the key came with another body.
@@ -55,7 +65,7 @@ def queue_once(
     try:
         with store.write() as db:
             made = None if request.key is None else idempotency.recall_request(db, request.who, request.key, request.body)
-            row = _make(conductor, db, request, order, motion) if made is None else run_ledger.load_run(db, made)
+            row = _make(conductor, db, request, order, motion, carried) if made is None else run_ledger.load_run(db, made)
             found = run_ledger.build_answer(row)
     except IntegrityError as error:
         raise Conflict("request-key-busy", key=(request.key or "")[:60]) from error
@@ -64,9 +74,11 @@ def queue_once(
     return found
 
 
-def _make(conductor: Conductor, db: Session, request: RunRequest, order: RunOrder, motion: Motion | None) -> RunRow:
+def _make(
+    conductor: Conductor, db: Session, request: RunRequest, order: RunOrder, motion: Motion | None, carried: CarriedPayload | None
+) -> RunRow:
     conductor.load_plannable_cell(db, order.cell)
-    row = run_ledger.add_run(db, order, request.who, request.now, motion)
+    row = run_ledger.add_run(db, order, request.who, request.now, motion, carried)
     if request.key is not None:
         idempotency.remember_request(db, request.who, request.key, request.body, row.id, request.now)
     audit.record(db, request.who, "run.queue", {"run": row.id, "cell": order.cell, **_origin(motion)}, now=request.now)

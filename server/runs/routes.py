@@ -20,7 +20,7 @@ from server.runs import ledger as run_ledger
 from server.runs.answer import answer_now, answer_run
 from server.runs.conductor import ConductorDep
 from server.runs.lease import ControlDep
-from server.runs.order import check_order
+from server.runs.order import check_order, choose_payload
 from server.runs.packml import Command, RunOutcome, State
 from server.runs.queue import IdempotencyKeyHeader, RunRequest, queue_once
 from server.runs.reason import explain_cancellation
@@ -45,8 +45,10 @@ def queue_run(
     """Queues a run; nothing moves before an operator at the cell has released its plan. The same `Idempotency-Key` makes one run."""
     body = order.model_dump_json().encode()
     cell = cells.read(order.cell).cell
-    check_order(order, cell)
-    return queue_once(store, conductor, response, RunRequest(caller.who, now, idempotency_key, body), order)
+    with store.read() as db:
+        completed, carried = choose_payload(db, order, cell)
+    check_order(completed, cell)
+    return queue_once(store, conductor, response, RunRequest(caller.who, now, idempotency_key, body), completed, carried=carried)
 
 
 class RunFilter(RequestBody):
@@ -54,6 +56,11 @@ class RunFilter(RequestBody):
 
     cell: str | None = Field(default=None, description="Of this cell.", examples=["lwr4_bench"])
     payload: str | None = Field(default=None, description="With this payload.", examples=["steel_block"])
+    saved_payload: str | None = Field(
+        default=None,
+        description="With this payload of the cell's tool library, by its identifier: under whatever name it had then.",
+        examples=["019ab1c2d3e44f1c2a9be7"],
+    )
     state: State | None = Field(default=None, description="In this state (PackML).")
     outcome: RunOutcome | None = Field(default=None, description="That ended so.")
     order_id: str | None = Field(default=None, description="For this job order.", examples=["JO-2026-004711"])
@@ -65,7 +72,7 @@ class RunFilter(RequestBody):
     limit: int = Field(default=50, ge=1, le=500, description="How many runs are answered at most.", examples=[50])
 
 
-EQUAL = ("cell", "payload", "state", "outcome", "order_id", "work_order", "serial_number")
+EQUAL = ("cell", "payload", "saved_payload", "state", "outcome", "order_id", "work_order", "serial_number")
 """What of a filter a run's column has to equal."""
 
 
@@ -129,5 +136,11 @@ def continue_run(
     rest = rest_of(ended, settings.recordings_folder / run)
     order = RunOrder.model_validate_json(ended.order)
     return queue_once(
-        store, conductor, response, RunRequest(caller.who, now, idempotency_key, f"continuation of {run}".encode()), order, rest
+        store,
+        conductor,
+        response,
+        RunRequest(caller.who, now, idempotency_key, f"continuation of {run}".encode()),
+        order,
+        rest,
+        run_ledger.carried_by(ended),
     )

@@ -91,7 +91,7 @@ class RunCreate(RunOrder):
     """What is to be identified."""
 
     payload: Name = Field(
-        description="Payload that the cell knows: what the simulated robot carries, and the reference to compare with.",
+        description="Name of a payload of `cell.toml` or of the cell's tool library: what is carried, and the reference to compare with.",
         examples=["steel_block"],
     )
 
@@ -135,6 +135,11 @@ class RunPublic(Answer):
     cell: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
     payload: str | None = Field(
         description="Name of the payload; null in runs of older services that named none.", examples=["steel_block"]
+    )
+    saved_payload: str | None = Field(
+        description="Identifier of that payload in the cell's tool library, also once it is renamed or gone; null where it is one of "
+        "`cell.toml`.",
+        examples=["019ab1c2d3e44f1c2a9be7"],
     )
     order_id: str | None = Field(description="Identifier of the job order, as it was ordered.", examples=["JO-2026-004711"])
     work_order: str | None = Field(description="The work order, as it was ordered.", examples=["WO-88120"])

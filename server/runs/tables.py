@@ -20,6 +20,10 @@ class RunRow(Table):
     """Sorts by the time of its making."""
     cell: Mapped[str] = mapped_column(String(64), index=True)
     payload: Mapped[str | None] = mapped_column(String(64), index=True)
+    saved_payload: Mapped[str | None] = mapped_column(String(32), index=True)
+    """Identifier in the tool library, also when it is no longer there; None where `payload` is one of cell.toml."""
+    known_payload: Mapped[str | None] = mapped_column(Text)
+    """JSON (`core.cell.cell.Payload`): what was known of a saved payload when the run was asked for; None where only its box was."""
     order: Mapped[str] = mapped_column("run_order", Text)
     order_id: Mapped[str | None] = mapped_column(String(100), index=True)
     work_order: Mapped[str | None] = mapped_column(String(100), index=True)

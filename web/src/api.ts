@@ -352,6 +352,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/cells/{cell}/tools": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Tools
+         * @description What is bolted between the sensor and the payload, as boxes in the sensor frame, in the order of `cell.toml`.
+         */
+        get: operations["list_tools"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/cells/validate": {
         parameters: {
             query?: never;
@@ -430,6 +450,58 @@ export interface paths {
         options?: never;
         head?: never;
         patch?: never;
+        trace?: never;
+    };
+    "/api/cells/{cell}/payloads": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Payloads
+         * @description All payloads that may be ordered in a cell, by title: those of its `cell.toml` and those of its tool library.
+         */
+        get: operations["list_payloads"];
+        put?: never;
+        /**
+         * Save Payload
+         * @description Saves a payload in the tool library of a cell.
+         */
+        post: operations["save_payload"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/cells/{cell}/payloads/{saved}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Payload
+         * @description A payload of the tool library.
+         */
+        get: operations["read_payload"];
+        put?: never;
+        post?: never;
+        /**
+         * Delete Payload
+         * @description Takes a payload out of the tool library; its runs and their results stay.
+         */
+        delete: operations["delete_payload"];
+        options?: never;
+        head?: never;
+        /**
+         * Change Payload
+         * @description Renames or changes a payload of the tool library; runs that were asked for before keep what they were asked for with.
+         */
+        patch: operations["change_payload"];
         trace?: never;
     };
     "/api/cells/{cell}/twin": {
@@ -1342,6 +1414,69 @@ export interface webhooks {
 }
 export interface components {
     schemas: {
+        /**
+         * AcceptedPublic
+         * @description What the last accepted run found of a payload, without the tools that the cell knows; null is what it did not determine.
+         */
+        AcceptedPublic: {
+            /**
+             * Run
+             * @description Identifier of the run.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            run: string;
+            /**
+             * Ended At
+             * @description When it ended.
+             * @example 2026-03-01T08:00:24Z
+             */
+            ended_at: string | null;
+            /**
+             * Accepted By
+             * @description Who took the result for good.
+             * @example account:anna
+             */
+            accepted_by: string;
+            /**
+             * Accepted At
+             * Format: date-time
+             * @description When it was taken for good.
+             * @example 2026-03-01T08:03:00Z
+             */
+            accepted_at: string;
+            /**
+             * Mass Kg
+             * @description Mass, kg.
+             * @example 2.783
+             */
+            mass_kg: number | null;
+            /**
+             * Mass Std Kg
+             * @description Its standard uncertainty, kg.
+             * @example 0.002
+             */
+            mass_std_kg: number | null;
+            /**
+             * Com M
+             * @description Centre of mass, m, sensor frame.
+             * @example [
+             *       0,
+             *       -0.0168,
+             *       0.0365
+             *     ]
+             */
+            com_m: (number | null)[];
+            /**
+             * Com Std M
+             * @description Its standard uncertainties, m.
+             * @example [
+             *       0.0001,
+             *       0.0001,
+             *       0.0001
+             *     ]
+             */
+            com_std_m: (number | null)[];
+        };
         /**
          * AccountCreate
          * @description Somebody who is to sign in.
@@ -4521,6 +4656,144 @@ export interface components {
             readonly change_over_interval: (number | null)[];
         };
         /**
+         * PayloadPublic
+         * @description A payload that a cell knows; what has no `id` stands in its `cell.toml` and is changed there.
+         */
+        PayloadPublic: {
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
+            cell: string;
+            /**
+             * Name
+             * @description Name that orders give it.
+             * @example gripper_shaft
+             */
+            name: string;
+            /**
+             * Id
+             * @description Identifier in the tool library, which stays when it is renamed; null where it is one of `cell.toml`.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            id: string | null;
+            /**
+             * Title
+             * @description What people call it.
+             * @example Gripper with shaft
+             */
+            title: string;
+            /**
+             * Note
+             * @description What somebody should know who mounts or carries it.
+             * @example Jaws closed
+             */
+            note: string | null;
+            /** @description What certainly contains it, sensor frame. */
+            box: components["schemas"]["Box"];
+            /**
+             * Mass Least Kg
+             * @description It should weigh at least this, kg; null where nobody has said.
+             * @example 2.6
+             */
+            mass_least_kg: number | null;
+            /**
+             * Mass Most Kg
+             * @description It should weigh at most this, kg; null where nobody has said.
+             * @example 3
+             */
+            mass_most_kg: number | null;
+            /** @description What is known of it; null where nobody knows. */
+            reference: components["schemas"]["PayloadReference"] | null;
+            /**
+             * Saved By
+             * @description Who saved it; null where it is one of `cell.toml`.
+             * @example account:anna
+             */
+            saved_by: string | null;
+            /**
+             * Saved At
+             * @description When it was saved; null where it is one of `cell.toml`.
+             * @example 2026-03-01T08:00:00Z
+             */
+            saved_at: string | null;
+            /**
+             * Changed By
+             * @description Who changed it last; null where nobody has.
+             * @example account:ben
+             */
+            changed_by: string | null;
+            /**
+             * Changed At
+             * @description When it was changed last; null where nobody has.
+             * @example 2026-03-02T08:00:00Z
+             */
+            changed_at: string | null;
+            /**
+             * Runs
+             * @description How many runs carried it.
+             * @example 12
+             */
+            runs: number;
+            /** @description What the last accepted run found; null where there is none. */
+            last_accepted: components["schemas"]["AcceptedPublic"] | null;
+            /** @description Why it cannot be used in the cell as that is now; null where it can. */
+            flaw: components["schemas"]["Message"] | null;
+        };
+        /**
+         * PayloadReference
+         * @description What is known of a payload: results are compared with it, and the simulated robot carries it.
+         */
+        PayloadReference: {
+            /**
+             * Mass Kg
+             * @description Mass, kg.
+             * @example 2.783
+             */
+            mass_kg: number;
+            /**
+             * First Moment Kg M
+             * @description Mass times centre of mass, kg m, sensor frame.
+             * @example [
+             *       0,
+             *       -0.0468,
+             *       0.1015
+             *     ]
+             */
+            first_moment_kg_m: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Inertia Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the sensor's origin, kg m2.
+             * @example [
+             *       0.0069,
+             *       0,
+             *       0,
+             *       0.0066,
+             *       0.0017,
+             *       0.0033
+             *     ]
+             */
+            inertia_kg_m2: [
+                number,
+                number,
+                number,
+                number,
+                number,
+                number
+            ];
+            /**
+             * Source
+             * @description Where the numbers are from.
+             * @example CAD
+             */
+            source: string;
+        };
+        /**
          * PhaseStarted
          * @description The robot begins a step of the plan.
          */
@@ -5466,7 +5739,7 @@ export interface components {
             cell: string;
             /**
              * Payload
-             * @description Payload that the cell knows: what the simulated robot carries, and the reference to compare with.
+             * @description Name of a payload of `cell.toml` or of the cell's tool library: what is carried, and the reference to compare with.
              * @example steel_block
              */
             payload: string;
@@ -5788,6 +6061,12 @@ export interface components {
              */
             payload: string | null;
             /**
+             * Saved Payload
+             * @description Identifier of that payload in the cell's tool library, also once it is renamed or gone; null where it is one of `cell.toml`.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            saved_payload: string | null;
+            /**
              * Order Id
              * @description Identifier of the job order, as it was ordered.
              * @example JO-2026-004711
@@ -6004,6 +6283,92 @@ export interface components {
              * @example 0.052
              */
             min_distance_beyond_first_joint_m?: number | null;
+        };
+        /**
+         * SavedPayloadCreate
+         * @description A payload for the tool library of a cell.
+         */
+        SavedPayloadCreate: {
+            /**
+             * Name
+             * @description Name that orders give it; nothing else in the cell may have it.
+             * @example gripper_shaft
+             */
+            name: string;
+            /**
+             * Title
+             * @description What people call it: one line of text.
+             * @example Gripper with shaft
+             */
+            title: string;
+            /** @description What certainly contains it, sensor frame; that of `run` where null. */
+            box?: components["schemas"]["Box"] | null;
+            /**
+             * Note
+             * @description What somebody should know who mounts or carries it.
+             * @example Jaws closed
+             */
+            note?: string | null;
+            /**
+             * Mass Least Kg
+             * @description It should weigh at least this, kg; null where nobody has said.
+             * @example 2.6
+             */
+            mass_least_kg?: number | null;
+            /**
+             * Mass Most Kg
+             * @description It should weigh at most this, kg; null where nobody has said.
+             * @example 3
+             */
+            mass_most_kg?: number | null;
+            /** @description What is known of it; null where nobody knows, or `run` says. */
+            reference?: components["schemas"]["PayloadReference"] | null;
+            /**
+             * Run
+             * @description A run of this cell with a result: its box, and what it found where all ten parameters are determined, are taken where `box` and `reference` say nothing.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            run?: string | null;
+        };
+        /**
+         * SavedPayloadUpdate
+         * @description What changes of a saved payload: what is absent stays; null takes it away, but for name, title and box, which stay then too.
+         */
+        SavedPayloadUpdate: {
+            /**
+             * Name
+             * @description Name that orders give it; runs keep the one of then.
+             * @example gripper_shaft
+             */
+            name?: string | null;
+            /**
+             * Title
+             * @description What people call it: one line of text.
+             * @example Gripper with shaft
+             */
+            title?: string | null;
+            /** @description What certainly contains it, sensor frame. */
+            box?: components["schemas"]["Box"] | null;
+            /**
+             * Note
+             * @description What somebody should know who mounts or carries it.
+             * @example Jaws closed
+             */
+            note?: string | null;
+            /**
+             * Mass Least Kg
+             * @description It should weigh at least this, kg; null where nobody has said.
+             * @example 2.6
+             */
+            mass_least_kg?: number | null;
+            /**
+             * Mass Most Kg
+             * @description It should weigh at most this, kg; null where nobody has said.
+             * @example 3
+             */
+            mass_most_kg?: number | null;
+            /** @description What is known of it; null where nobody knows. */
+            reference?: components["schemas"]["PayloadReference"] | null;
         };
         /**
          * Seal
@@ -6559,6 +6924,29 @@ export interface components {
              *     ]
              */
             links?: string[] | null;
+        };
+        /**
+         * ToolOutline
+         * @description A tool that is bolted between sensor and payload.
+         */
+        ToolOutline: {
+            /**
+             * Name
+             * @description Name of the tool.
+             * @example gripper
+             */
+            name: string;
+            /**
+             * Title
+             * @description What people call it.
+             * @example Gripper
+             */
+            title: string;
+            /**
+             * Boxes
+             * @description What it takes up, sensor frame: its box, or one around each link that it is made of; empty where nobody knows.
+             */
+            boxes: components["schemas"]["Box"][];
         };
         /**
          * ToolPart
@@ -8151,6 +8539,32 @@ export interface components {
              */
             type: "/problems/zone-unknown";
         });
+        /** @description library-unknown = tool library of cell "{ $cell }": there is nothing with the identifier "{ $saved }". List what there is and ask again. */
+        LibraryUnknownProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/library-unknown";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "not-found";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description Identifier of the saved payload. */
+                saved: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/library-unknown";
+        });
         /** @description request-cell-unknown = cell: there is none called "{ $cell }". List what there is and ask again. */
         RequestCellUnknownProblem: {
             /**
@@ -9462,6 +9876,95 @@ export interface components {
              */
             type: "/problems/jobs-no-effect-yet";
         });
+        /**
+         * @description library-name-taken =
+         *         name: "{ $name }" is taken in cell "{ $cell }" by { $by ->
+         *             [obstacle] an obstacle
+         *             [zone] a protected zone
+         *             [tool] a tool of cell.toml
+         *             [payload] a payload of cell.toml
+         *            *[saved] a payload of the tool library
+         *         }; choose another
+         */
+        LibraryNameTakenProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/library-name-taken";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name that was given. */
+                name: string;
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description What has the name: obstacle, zone, tool, payload, or saved payload. */
+                by: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/library-name-taken";
+        });
+        /** @description library-full = tool library of cell "{ $cell }": it holds { $most_saved } payloads already; delete one that is no longer used */
+        LibraryFullProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/library-full";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description How many payloads it may hold. */
+                most_saved: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/library-full";
+        });
+        /** @description library-run-of-other-cell = run "{ $run }": is not one of cell "{ $cell }"; save it in the cell in which it was made */
+        LibraryRunOfOtherCellProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/library-run-of-other-cell";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the run. */
+                run: string;
+                /** @description Name of the cell. */
+                cell: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/library-run-of-other-cell";
+        });
         /** @description zone-measured-before = zone "{ $zone }": measured at { $measured_at }, but its place at { $known_at } is known already; send measurements in order */
         ZoneMeasuredBeforeProblem: {
             /**
@@ -9734,6 +10237,30 @@ export interface components {
              * @enum {string}
              */
             type: "/problems/zone-not-looked-at";
+        });
+        /** @description library-without-box = box: nothing says what certainly contains "{ $name }"; state its size, and where it is from the sensor on */
+        LibraryWithoutBoxProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/library-without-box";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "unprocessable";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name that was given. */
+                name: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/library-without-box";
         });
         /** @description uploads-no-zip = Content-Type: found "{ $found }", expected application/zip; send a zip of the { $what }'s folder */
         UploadsNoZipProblem: {
@@ -10129,6 +10656,38 @@ export interface components {
              * @enum {string}
              */
             type: "/problems/runs-payload-unknown";
+        });
+        /**
+         * @description library-mass-range =
+         *         .found = { SIGNIFICANT($least_kg, digits: 6) } kg
+         *         .expected = at most the upper end of the range, { SIGNIFICANT($most_kg, digits: 6) } kg
+         */
+        LibraryMassRangeProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/library-mass-range";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-payload";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description The least, kg. */
+                least_kg: number;
+                /** @description The most, kg. */
+                most_kg: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/library-mass-range";
         });
         /**
          * @description uploads-not-unpackable =
@@ -10901,7 +11460,7 @@ export interface components {
              */
             type: "EngineProblem";
         });
-        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
+        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
     };
     responses: never;
     parameters: never;
@@ -10909,6 +11468,7 @@ export interface components {
     headers: never;
     pathItems: never;
 }
+export type AcceptedPublic = components['schemas']['AcceptedPublic'];
 export type AccountCreate = components['schemas']['AccountCreate'];
 export type AccountPublic = components['schemas']['AccountPublic'];
 export type AccountUpdate = components['schemas']['AccountUpdate'];
@@ -10994,6 +11554,8 @@ export type PatchPart = components['schemas']['PatchPart'];
 export type PathPart = components['schemas']['PathPart'];
 export type Payload = components['schemas']['Payload'];
 export type PayloadPart = components['schemas']['PayloadPart'];
+export type PayloadPublic = components['schemas']['PayloadPublic'];
+export type PayloadReference = components['schemas']['PayloadReference'];
 export type PhaseStarted = components['schemas']['PhaseStarted'];
 export type PhiPart = components['schemas']['PhiPart'];
 export type PlanPublic = components['schemas']['PlanPublic'];
@@ -11021,6 +11583,8 @@ export type RunOutcome = components['schemas']['RunOutcome'];
 export type RunPlan = components['schemas']['RunPlan'];
 export type RunPublic = components['schemas']['RunPublic'];
 export type SafetyPart = components['schemas']['SafetyPart'];
+export type SavedPayloadCreate = components['schemas']['SavedPayloadCreate'];
+export type SavedPayloadUpdate = components['schemas']['SavedPayloadUpdate'];
 export type Seal = components['schemas']['Seal'];
 export type SecondOpinion = components['schemas']['SecondOpinion'];
 export type SecondsPart = components['schemas']['SecondsPart'];
@@ -11037,6 +11601,7 @@ export type Swings = components['schemas']['Swings'];
 export type ThrowPart = components['schemas']['ThrowPart'];
 export type Tied = components['schemas']['Tied'];
 export type Tool = components['schemas']['Tool'];
+export type ToolOutline = components['schemas']['ToolOutline'];
 export type ToolPart = components['schemas']['ToolPart'];
 export type TransferPlanned = components['schemas']['TransferPlanned'];
 export type TrialsCreate = components['schemas']['TrialsCreate'];
@@ -11087,6 +11652,7 @@ export type PeopleSessionUnknownProblem = components['schemas']['PeopleSessionUn
 export type JobsUnknownProblem = components['schemas']['JobsUnknownProblem'];
 export type JobsEffectNotInTwinProblem = components['schemas']['JobsEffectNotInTwinProblem'];
 export type ZoneUnknownProblem = components['schemas']['ZoneUnknownProblem'];
+export type LibraryUnknownProblem = components['schemas']['LibraryUnknownProblem'];
 export type RequestCellUnknownProblem = components['schemas']['RequestCellUnknownProblem'];
 export type RequestProblemUnknownProblem = components['schemas']['RequestProblemUnknownProblem'];
 export type RequestConsoleFileUnknownProblem = components['schemas']['RequestConsoleFileUnknownProblem'];
@@ -11138,6 +11704,9 @@ export type JobsMotionNotPlannedProblem = components['schemas']['JobsMotionNotPl
 export type JobsRobotChangedProblem = components['schemas']['JobsRobotChangedProblem'];
 export type JobsGravityChangedProblem = components['schemas']['JobsGravityChangedProblem'];
 export type JobsNoEffectYetProblem = components['schemas']['JobsNoEffectYetProblem'];
+export type LibraryNameTakenProblem = components['schemas']['LibraryNameTakenProblem'];
+export type LibraryFullProblem = components['schemas']['LibraryFullProblem'];
+export type LibraryRunOfOtherCellProblem = components['schemas']['LibraryRunOfOtherCellProblem'];
 export type ZoneMeasuredBeforeProblem = components['schemas']['ZoneMeasuredBeforeProblem'];
 export type ZoneClockAheadProblem = components['schemas']['ZoneClockAheadProblem'];
 export type ZoneNotMovedProblem = components['schemas']['ZoneNotMovedProblem'];
@@ -11149,6 +11718,7 @@ export type JobsUploadOfOtherRobotProblem = components['schemas']['JobsUploadOfO
 export type PeopleRoleNotForMachinesProblem = components['schemas']['PeopleRoleNotForMachinesProblem'];
 export type JobsWorkLostProblem = components['schemas']['JobsWorkLostProblem'];
 export type ZoneNotLookedAtProblem = components['schemas']['ZoneNotLookedAtProblem'];
+export type LibraryWithoutBoxProblem = components['schemas']['LibraryWithoutBoxProblem'];
 export type UploadsNoZipProblem = components['schemas']['UploadsNoZipProblem'];
 export type UploadsOtherCellProblem = components['schemas']['UploadsOtherCellProblem'];
 export type UploadsCheckerEndedProblem = components['schemas']['UploadsCheckerEndedProblem'];
@@ -11165,6 +11735,7 @@ export type UploadsOutsideFileProblem = components['schemas']['UploadsOutsideFil
 export type UploadsProgramProblem = components['schemas']['UploadsProgramProblem'];
 export type RunsCellWithoutPayloadProblem = components['schemas']['RunsCellWithoutPayloadProblem'];
 export type RunsPayloadUnknownProblem = components['schemas']['RunsPayloadUnknownProblem'];
+export type LibraryMassRangeProblem = components['schemas']['LibraryMassRangeProblem'];
 export type UploadsNotUnpackableProblem = components['schemas']['UploadsNotUnpackableProblem'];
 export type UploadsTooManyFilesProblem = components['schemas']['UploadsTooManyFilesProblem'];
 export type UploadsTooManyBytesProblem = components['schemas']['UploadsTooManyBytesProblem'];
@@ -12828,6 +13399,83 @@ export interface operations {
             };
         };
     };
+    list_tools: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ToolOutline"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     validate_cell: {
         parameters: {
             query?: never;
@@ -13205,6 +13853,457 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_payloads: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PayloadPublic"][];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    save_payload: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SavedPayloadCreate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PayloadPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_payload: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description Identifier of the saved payload. */
+                saved: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PayloadPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_payload: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description Identifier of the saved payload. */
+                saved: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    change_payload: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description Identifier of the saved payload. */
+                saved: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SavedPayloadUpdate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PayloadPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["LibraryNameTakenProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */
@@ -14221,6 +15320,8 @@ export interface operations {
                 cell?: string | null;
                 /** @description With this payload. */
                 payload?: string | null;
+                /** @description With this payload of the cell's tool library, by its identifier: under whatever name it had then. */
+                saved_payload?: string | null;
                 /** @description In this state (PackML). */
                 state?: components["schemas"]["State"] | null;
                 /** @description That ended so. */
@@ -14383,7 +15484,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                    "application/problem+json": components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */

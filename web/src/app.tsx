@@ -20,6 +20,7 @@ import { screenLater } from './ui/screen-later';
 
 const adminScreen = screenLater(async () => (await import('./admin/admin-page')).screenHere);
 const gapScreen = screenLater(async () => (await import('./gap/gap-page')).gapScreen);
+const toolsScreen = screenLater(async () => (await import('./tools/tools-page')).toolsScreen);
 const trialsScreen = screenLater(async () => (await import('./trials/trials-page')).trialsScreen);
 
 /** A page for each first piece of the address; a new page is a line here, and in parts/navigation.tsx. */
@@ -29,6 +30,7 @@ const SCREENS = new Map<string, () => Screen>([
   ['gap', gapScreen],
   ['trials', trialsScreen],
   ['history', historyScreen],
+  ['tools', toolsScreen],
   ['cells', () => cells],
   ['orders', () => ordersScreen],
   ['alarms', () => alarmsScreen],

@@ -1,9 +1,9 @@
 import { ask } from '../ui/client';
 import { nameOf } from '../ui/names';
 import { Press } from '../ui/press';
+import { TextField } from '../ui/text-field';
 import { adminWords } from './admin-words';
 import { useAnswer } from './answer';
-import { TextField } from './text-field';
 
 /** What is searched for; empty texts leave it open. Days are those of this device, both included. */
 export interface Filter {

@@ -1,11 +1,11 @@
 import { useSignal } from '@preact/signals';
 import type { AuditVerified } from '../api';
+import { ActWhen } from '../ui/act-when';
 import { ask } from '../ui/client';
+import { TextField } from '../ui/text-field';
 import { Told } from '../ui/told';
 import { number } from '../ui/units';
-import { ActWhen } from './act-when';
 import { adminWords } from './admin-words';
-import { TextField } from './text-field';
 
 const PATIENCE_MS = 120_000;
 

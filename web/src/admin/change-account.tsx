@@ -1,13 +1,13 @@
 import { useSignal } from '@preact/signals';
 import type { AccountPublic, Role } from '../api';
 import { session } from '../session/session';
+import { ActWhen } from '../ui/act-when';
 import { ask } from '../ui/client';
 import { Press } from '../ui/press';
-import { ActWhen } from './act-when';
+import { TextField } from '../ui/text-field';
 import { adminWords } from './admin-words';
 import { RoleChoice } from './roles';
 import { passwordLacking } from './rules';
-import { TextField } from './text-field';
 
 interface Props {
   account: AccountPublic;

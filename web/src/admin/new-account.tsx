@@ -1,12 +1,12 @@
 import { useSignal } from '@preact/signals';
 import type { Role } from '../api';
+import { ActWhen } from '../ui/act-when';
 import { ask } from '../ui/client';
 import { Press } from '../ui/press';
-import { ActWhen } from './act-when';
+import { TextField } from '../ui/text-field';
 import { adminWords } from './admin-words';
 import { RoleChoice } from './roles';
 import { nameFlaw, passwordLacking } from './rules';
-import { TextField } from './text-field';
 
 interface Props {
   /** Of the accounts that there are. */

@@ -1,13 +1,13 @@
 import { useSignal } from '@preact/signals';
 import type { KeyIssued, Role } from '../api';
+import { ActWhen } from '../ui/act-when';
 import { Choice } from '../ui/choice';
 import { ask } from '../ui/client';
 import { Press } from '../ui/press';
 import { Select } from '../ui/select';
-import { ActWhen } from './act-when';
+import { TextField } from '../ui/text-field';
 import { adminWords } from './admin-words';
 import { nameFlaw } from './rules';
-import { TextField } from './text-field';
 
 const MACHINE_ROLES = ['mes', 'viewer', 'engineer'] as const satisfies Role[];
 const DAYS = [30, 90, 365];

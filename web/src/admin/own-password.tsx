@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals';
 import { session } from '../session/session';
+import { ActWhen } from '../ui/act-when';
 import { ask } from '../ui/client';
-import { ActWhen } from './act-when';
+import { TextField } from '../ui/text-field';
 import { adminWords } from './admin-words';
 import { SHORTEST_PASSWORD } from './rules';
-import { TextField } from './text-field';
 
 /** A new password in place of one's own. */
 export function OwnPassword() {

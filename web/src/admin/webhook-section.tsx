@@ -1,13 +1,13 @@
 import { useSignal } from '@preact/signals';
 import type { WebhookPublic } from '../api';
+import { ActWhen } from '../ui/act-when';
 import { ask } from '../ui/client';
 import { Press } from '../ui/press';
-import { ActWhen } from './act-when';
+import { TextField } from '../ui/text-field';
 import { adminWords } from './admin-words';
 import { useAnswer } from './answer';
 import { EntryList } from './entry-list';
 import { ShownOnce } from './shown-once';
-import { TextField } from './text-field';
 import { WebhookTile } from './webhook-tile';
 
 const SIGNED = 'Heft-Signature: sha256=HMAC(secret, Heft-Timestamp + "." + body)';

@@ -1,11 +1,11 @@
-import { computed, effect, signal } from '@preact/signals';
-import type { Cell, CellSummary, Payload } from '../api';
+import { effect, signal } from '@preact/signals';
+import type { Cell, CellSummary } from '../api';
 import { session } from '../session/session';
 import { ask } from '../ui/client';
 import { until } from '../ui/connection';
 import { kept } from '../ui/kept';
 
-export type { Cell, Payload };
+export type { Cell };
 
 /** All cells; null until they are known. */
 export const cells = signal<CellSummary[] | null>(null);
@@ -13,7 +13,6 @@ export const cells = signal<CellSummary[] | null>(null);
 export const chosenCell = kept('cell', '', (_text): _text is string => true);
 /** The chosen cell, its zones where they were when it was read; null also where its file cannot be read. */
 export const cell = signal<Cell | null>(null);
-export const payloads = computed<[string, Payload][]>(() => Object.entries(cell.value?.payloads ?? {}));
 
 export async function readCells(): Promise<void> {
   cells.value = await ask('GET /api/cells');

@@ -1,7 +1,7 @@
 import type { Obstacle, Pose } from '../api';
 
 type Shape = Obstacle['shape'];
-type Three = [number, number, number];
+export type Three = [number, number, number];
 export type Point = [number, number];
 /** Two axes of the world frame: seen from above, seen from the side. */
 export type View = readonly [0, 1] | readonly [0, 2];
@@ -37,7 +37,7 @@ function circle([u, v]: Point, radius: number): Point[] {
 }
 
 /** A point of a pose's own frame in the frame that the pose refers to: yaw after pitch after roll. */
-function placed([x, y, z]: Three, pose: Pose | undefined): Three {
+export function placed([x, y, z]: Three, pose: Pose | undefined): Three {
   const [roll = 0, pitch = 0, yaw = 0] = pose?.rpy_rad ?? [];
   const [y1, z1] = turned([y, z], roll);
   const [z2, x2] = turned([z1, x], pitch);
@@ -52,7 +52,7 @@ function turned([a, b]: Point, angle: number): Point {
 }
 
 /** The smallest convex outline around points, counter-clockwise (Andrew's monotone chain). */
-function hull(points: Point[]): Point[] {
+export function hull(points: Point[]): Point[] {
   const sorted = [...points].sort(([a, b], [c, d]) => a - c || b - d);
   const half = (from: Point[]) => {
     const chain: Point[] = [];

@@ -36,7 +36,7 @@ function History() {
     <div class="page history">
       <h1>{said.title}</h1>
       <Filters />
-      <DriftPlot runs={runs} followed={followed.value} of={[historyCell.value, historyTool.value]} />
+      <DriftPlot runs={runs} followed={followed.value} of={[historyCell.value, toolName()]} />
       <section>
         {found.value?.length === 0 ? <Nothing /> : <RunList runs={runs} />}
         {search.value && isCutOff.value && <p class="hint">{said.cutOff}</p>}
@@ -69,7 +69,7 @@ function Filters() {
       />
       <Select
         label={said.tool}
-        options={[['', said.allTools], ...historyTools.value]}
+        options={[['', said.allTools], ...toolOptions()]}
         chosen={historyTool.value}
         choose={pickTool}
       />
@@ -92,6 +92,19 @@ function Filters() {
       </label>
     </section>
   );
+}
+
+/** As orders call it, for names of files. */
+function toolName(): string {
+  return historyTool.value && (found.value?.[0]?.payload ?? historyTool.value);
+}
+
+/** One that was deleted since, or is not known yet, is shown as the address has it. */
+function toolOptions(): [string, string][] {
+  const known = historyTools.value.map(({ value, title }): [string, string] => [value, title]);
+  const named = historyTool.value;
+  const gone = named !== '' && !known.some(([value]) => value === named);
+  return gone ? [...known, [named, found.value?.[0]?.payload ?? named]] : known;
 }
 
 function Actions() {

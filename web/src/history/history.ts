@@ -15,8 +15,9 @@ const MOST = 500;
 
 /** The cell whose runs are shown: the one that this console stands at, where the address names no other. */
 export const historyCell = computed(() => filters.value.get('cell') ?? chosenCell.value);
-/** The tool whose runs are shown; empty is any. */
-export const historyTool = computed(() => filters.value.get('tool') ?? '');
+/** The tool whose runs are shown: by its name, or by its identifier where it was saved; empty is any. */
+export const historyTool = computed(() => filters.value.get('saved') ?? filters.value.get('tool') ?? '');
+const isSaved = computed(() => filters.value.get('saved') !== null);
 /** What the runs have to contain; empty is anything. */
 export const search = computed(() => filters.value.get('search') ?? '');
 const length = signal(PAGE);
@@ -35,12 +36,15 @@ export const pair = signal<string[]>([]);
 
 export function pickCell(name: string): void {
   setFilter('tool', '');
+  setFilter('saved', '');
   setFilter('cell', name === chosenCell.value ? '' : name);
   begin();
 }
 
 export function pickTool(name: string): void {
-  setFilter('tool', name);
+  const saved = historyTools.value.find((each) => each.value === name)?.saved ?? false;
+  setFilter('tool', saved ? '' : name);
+  setFilter('saved', saved ? name : '');
   begin();
 }
 
@@ -59,19 +63,27 @@ export function pick(run: string): void {
   pair.value = others.length < pair.value.length ? others : [...others.slice(-1), run];
 }
 
-/** The tools that the cell knows, by name. */
-export const historyTools = signal<[string, string][]>([]);
-
-async function readTools(cell: string): Promise<void> {
-  const read = await ask('GET /api/cells/{cell}', { path: { cell } });
-  if (cell !== historyCell.value) return;
-  historyTools.value = Object.entries(read.cell?.payloads ?? {}).map(([name, { title }]) => [name, title]);
+interface HistoryTool {
+  /** As `historyTool` has it. */
+  value: string;
+  title: string;
+  saved: boolean;
 }
 
-async function readPast(cell: string, payload: string, most: number): Promise<void> {
-  const query = { cell, limit: most, ...(payload ? { payload } : {}) };
+/** The tools that the cell knows. */
+export const historyTools = signal<HistoryTool[]>([]);
+
+async function readTools(cell: string): Promise<void> {
+  const read = await ask('GET /api/cells/{cell}/payloads', { path: { cell } });
+  if (cell !== historyCell.value) return;
+  historyTools.value = read.map(({ id, name, title }) => ({ value: id ?? name, title, saved: id !== null }));
+}
+
+async function readPast(cell: string, tool: string, most: number): Promise<void> {
+  const named = isSaved.value ? { saved_payload: tool } : { payload: tool };
+  const query = { cell, limit: most, ...(tool ? named : {}) };
   const read = await ask('GET /api/runs', { query });
-  if (cell === historyCell.value && payload === historyTool.value) past.value = read;
+  if (cell === historyCell.value && tool === historyTool.value) past.value = read;
 }
 
 const looking = computed(() => Boolean(session.value) && route.value[0] === 'history');
@@ -86,7 +98,7 @@ effect(() => {
   past.value = null;
 });
 effect(() => {
-  const [cell, payload, most] = [historyCell.value, historyTool.value, limit.value];
+  const [cell, tool, most] = [historyCell.value, historyTool.value, limit.value];
   const pause_ms = most === PAGE ? ASK_MS : ASK_MANY_MS;
-  return looking.value && cell ? every(pause_ms, () => readPast(cell, payload, most)) : undefined;
+  return looking.value && cell ? every(pause_ms, () => readPast(cell, tool, most)) : undefined;
 });

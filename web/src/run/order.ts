@@ -1,7 +1,8 @@
 import { computed, effect, signal } from '@preact/signals';
 import type { Box, RunCreate, RunOrder } from '../api';
-import { cell, payloads } from '../cells/cells';
+import { cell } from '../cells/cells';
 import { units } from '../session/settings';
+import { expectedMass, library } from '../tools/library';
 import { NARROW_SPACE, number, scaleOf, typed } from '../ui/units';
 
 /** Slower than this a transfer takes minutes; the service refuses it. */
@@ -18,7 +19,11 @@ export const rotations = signal(true);
 export const speed = signal('');
 export const effort = signal(1);
 
-export const payload = computed(() => payloads.value.find(([name]) => name === tool.value)?.[1] ?? null);
+/** Of two of one name that of cell.toml, as for every order. */
+export const payload = computed(() => {
+  const named = (library.value ?? []).filter(({ name }) => name === tool.value);
+  return named.find(({ id }) => id === null) ?? named[0] ?? null;
+});
 /** SI; null where a field cannot be read. */
 export const mass_kg = computed(() => read(mass.value, 'mass'));
 /** null where nothing is written, NaN where it cannot be read or is above the cell's limit. */
@@ -42,15 +47,23 @@ function written(value: number, quantity: 'mass' | 'length' | 'speed'): string {
 }
 
 effect(() => {
-  const known = payloads.value.map(([name]) => name);
-  if (!known.includes(tool.peek())) tool.value = known[0] ?? '';
+  const known = (library.value ?? []).map(({ name }) => name);
+  if (library.value === null || cell.value === null || known.includes(tool.peek())) return;
+  tool.value = Object.keys(cell.value.payloads ?? {})[0] ?? known[0] ?? '';
+});
+/** What the chosen tool puts into the fields; the library is read again and again, and what is typed meanwhile stays. */
+const chosenFields = computed(() => {
+  const chosen = payload.value;
+  return chosen && JSON.stringify([chosen.cell, chosen.name, chosen.box.size_m, expectedMass(chosen)]);
 });
 effect(() => {
-  const chosen = payload.value;
-  if (chosen === null || !units.value) return;
+  if (chosenFields.value === null || !units.value) return;
+  const chosen = payload.peek();
+  if (chosen === null) return;
   const [x, y, z] = chosen.box.size_m;
+  const mass_kg = expectedMass(chosen);
   size.value = [written(x, 'length'), written(y, 'length'), written(z, 'length')];
-  mass.value = written(chosen.mass_kg, 'mass');
+  mass.value = mass_kg === null ? '' : written(mass_kg, 'mass');
 });
 
 /** The tool's box as the fields say it, sensor frame, and whether it is another one than the cell knows; null while they cannot be read. */

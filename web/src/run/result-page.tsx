@@ -1,9 +1,11 @@
-import type { Message } from '../api';
+import type { Message, ResultPublic } from '../api';
 import { DiagnoseRun } from '../gap/diagnose-run';
 import { TwinShare } from '../gap/twin-share';
 import { RunBefore } from '../history/run-before';
 import { may } from '../session/session';
 import { language } from '../session/settings';
+import { library } from '../tools/library';
+import { SaveTool } from '../tools/save-tool';
 import { addressOf } from '../ui/client';
 import { Facts } from '../ui/facts';
 import { MessageText } from '../ui/message-text';
@@ -38,6 +40,7 @@ function Result() {
           {words.value.interval}, {said.frame}. {answer.reference?.source}
         </p>
         <Workpiece answer={answer} />
+        <SaveResult answer={answer} />
       </section>
       <aside>
         <Warnings all={answer.warnings} />
@@ -70,6 +73,27 @@ function Result() {
         <RunRecord />
       </aside>
     </div>
+  );
+}
+
+/** The result as a tool for runs to come. */
+function SaveResult({ answer }: { answer: ResultPublic }) {
+  const { cell, payload } = answer;
+  const known = library.value?.find(({ name }) => name === payload);
+  const box = run.value?.order.payload_box ?? known?.box;
+  if (cell === null || !box) return null;
+  const { parameters } = answer.workpiece ? { parameters: answer.workpiece.phi } : answer;
+  const whole = !parameters.includes(null);
+  return (
+    <SaveTool
+      label={words.value.result.saveTool}
+      begin={() => ({
+        cell,
+        box,
+        mass_kg: whole ? null : (parameters[0] ?? null),
+        run: { id: answer.run, whole },
+      })}
+    />
   );
 }
 

@@ -2,10 +2,11 @@ import { signal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { CellChoice } from '../cells/cell-choice';
 import { CellFlaws } from '../cells/cell-flaws';
-import { cell, chosenCell, payloads } from '../cells/cells';
+import { cell, chosenCell } from '../cells/cells';
 import { shownCell } from '../cells/shown-cell';
 import { may, session } from '../session/session';
-import { Choice } from '../ui/choice';
+import { SaveTool } from '../tools/save-tool';
+import { ToolChoice } from '../tools/tool-choice';
 import { Facts } from '../ui/facts';
 import { Press } from '../ui/press';
 import { go, to } from '../ui/route';
@@ -14,7 +15,7 @@ import { spelt } from '../ui/units';
 import { words } from '../words';
 import { holder, mine, takeControl } from './control';
 import { MoreSettings } from './more-settings';
-import { type Field, order, tool, unfit } from './order';
+import { box, type Field, mass_kg, order, tool, unfit } from './order';
 import { activeRun, queueRun } from './runs';
 import { ToolFields } from './tool-fields';
 import { Viewer } from './viewer';
@@ -61,20 +62,27 @@ function Setup() {
           }}
         />
         <div id="field-tool">
-          <Choice
-            legend={said.tool}
-            options={payloads.value.map(([name, payload]) => ({
-              value: name,
-              label: payload.title,
-              note: `${name} · ${spelt('mass', payload.mass_kg)}`,
-            }))}
+          <ToolChoice
             chosen={tool.value}
-            choose={(value) => {
-              tool.value = value;
+            choose={(name) => {
+              tool.value = name;
             }}
           />
         </div>
         <ToolFields />
+        {box.value && (
+          <SaveTool
+            label={said.saveTool}
+            begin={() => ({
+              cell: chosenCell.value,
+              box: box.value ?? undefined,
+              mass_kg: mass_kg.value,
+            })}
+            saved={({ name }) => {
+              tool.value = name;
+            }}
+          />
+        )}
         <MoreSettings />
         <CellFacts />
       </div>

@@ -23,6 +23,9 @@ export function Navigation() {
       <a href={to('history')} aria-current={here === 'history' ? 'page' : undefined}>
         {said.history}
       </a>
+      <a href={to('tools')} aria-current={here === 'tools' ? 'page' : undefined}>
+        {said.tools}
+      </a>
       <a href={to('cells')} aria-current={here === 'cells' ? 'page' : undefined}>
         {said.cells}
       </a>

@@ -1,4 +1,4 @@
-import { Press } from '../ui/press';
+import { Press } from './press';
 
 interface Props {
   /** Why it cannot be done yet; null where it can. */
