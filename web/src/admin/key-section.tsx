@@ -1,11 +1,11 @@
 import { useSignal } from '@preact/signals';
 import type { KeyIssued, KeyPublic } from '../api';
+import { AskFirst } from '../ui/ask-first';
 import { ask } from '../ui/client';
 import { nameOf } from '../ui/names';
 import { moment } from '../ui/units';
 import { adminWords } from './admin-words';
 import { useAnswer } from './answer';
-import { AskFirst } from './ask-first';
 import { EntryList } from './entry-list';
 import { NewKey } from './new-key';
 import { ShownOnce } from './shown-once';

@@ -1,9 +1,9 @@
 import type { OwnSession } from '../api';
+import { AskFirst } from '../ui/ask-first';
 import { ask } from '../ui/client';
 import { moment } from '../ui/units';
 import { adminWords } from './admin-words';
 import { useAnswer } from './answer';
-import { AskFirst } from './ask-first';
 import { deviceOf } from './device';
 
 /** The devices that one is signed in on, each to be signed out from here. */

@@ -1,12 +1,12 @@
 import { useSignal } from '@preact/signals';
 import type { AccountPublic } from '../api';
 import { session } from '../session/session';
+import { AskFirst } from '../ui/ask-first';
 import { ask } from '../ui/client';
 import { Press } from '../ui/press';
 import { moment } from '../ui/units';
 import { adminWords } from './admin-words';
 import { useAnswer } from './answer';
-import { AskFirst } from './ask-first';
 import { ChangeAccount } from './change-account';
 import { NewAccount } from './new-account';
 import { namesOf } from './roles';

@@ -1,5 +1,6 @@
 import { useSignal } from '@preact/signals';
 import type { DeliveryPublic, WebhookPublic } from '../api';
+import { AskFirst } from '../ui/ask-first';
 import { ask } from '../ui/client';
 import { nameOf } from '../ui/names';
 import { Press } from '../ui/press';
@@ -9,7 +10,6 @@ import { moment } from '../ui/units';
 import { say } from '../words/messages';
 import { adminWords } from './admin-words';
 import { useAnswer } from './answer';
-import { AskFirst } from './ask-first';
 
 interface Props {
   webhook: WebhookPublic;

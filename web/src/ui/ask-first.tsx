@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { Press } from '../ui/press';
-import { adminWords } from './admin-words';
+import { words } from '../words';
+import { Press } from './press';
 
 interface Props {
   label: string;
@@ -44,7 +44,7 @@ export function AskFirst({ label, question, yes, act }: Props) {
         >
           {yes}
         </Press>
-        <Press act={shut}>{adminWords.value.cancel}</Press>
+        <Press act={shut}>{words.value.cancel}</Press>
       </div>
     </div>
   );
