@@ -8,11 +8,11 @@ from typing import Annotated
 import typer
 
 from core.cli.commands import EngineCommands
-from core.cli.terminal import HELP, LANGUAGES, answers, enter, start
+from core.cli.terminal import EPILOG, HELP, answers, enter, start
 from core.words.catalogue import find_language
 
 app = typer.Typer(
-    name="heft", cls=EngineCommands, help=HELP, epilog=LANGUAGES, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False
+    name="heft", cls=EngineCommands, help=HELP, epilog=EPILOG, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False
 )
 app.callback()(start)
 audit = typer.Typer(help="The log of what was done, by whom.", no_args_is_help=True)

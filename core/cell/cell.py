@@ -240,3 +240,12 @@ class Cell(Model):
             for field in ("obstacles", "zones")
         }
         return self.model_copy(update=moved)
+
+    def with_zone(self, name: str, shape: Shape | None) -> Cell:
+        """The same cell with the zone of that name so, a new one at the end; without it where `shape` is None."""
+        zones = {zone.name: zone for zone in self.zones}
+        if shape is None:
+            zones.pop(name, None)
+        else:
+            zones[name] = Zone(name=name, shape=shape)
+        return self.model_copy(update={"zones": tuple(zones.values())})

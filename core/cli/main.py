@@ -5,10 +5,10 @@ from __future__ import annotations
 import typer
 
 from core.cli.commands import EngineCommands
-from core.cli.terminal import HELP, LANGUAGES, enter, start
+from core.cli.terminal import EPILOG, HELP, enter, start
 
 app = typer.Typer(
-    name="heft", cls=EngineCommands, help=HELP, epilog=LANGUAGES, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False
+    name="heft", cls=EngineCommands, help=HELP, epilog=EPILOG, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False
 )
 
 

@@ -14,12 +14,12 @@ import typer
 from rich.console import Console
 
 from core.errors import BadInput, HeftError
-from core.words.catalogue import find_language
+from core.words.catalogue import LANGUAGES, find_language
 from core.words.wording import Wording
 
 HELP = "Finds out what a robot carries, safely, with people around. Not a safety function."
 
-LANGUAGES = "Answers and errors are in English or German: HEFT_LANGUAGE=en or de, else as LC_ALL, LC_MESSAGES or LANG say."
+EPILOG = f"Answers and errors are in the language of HEFT_LANGUAGE ({', '.join(LANGUAGES)}), else of LC_ALL, LC_MESSAGES or LANG."
 
 answers = Console()
 messages = Console(stderr=True)

@@ -81,7 +81,7 @@ class Guard:
     Args:
         cell: limits and sensor.
         robot: kinematics.
-        collision: distances; zones may be moved in it while the robot runs.
+        collision: distances; zones may change in it while the robot runs.
         period: control period, s.
         tracking_limit: largest distance of a joint from its command, rad.
         frozen_after: time without any change in the six wrench channels that counts as a dead sensor, s; `inf` where
@@ -186,10 +186,10 @@ class Guard:
         elif certified[0] < 0.0:
             certified[0] = self._remember(0, state.q, self.collision.margin(state.q))
         if certified[0] < 0.0:
-            raise make_distance_error(self.collision.nearest(state.q), self.cell, predicted=False, samples=self._history)
+            raise make_distance_error(self.collision.nearest(state.q), self.collision.cell, predicted=False, samples=self._history)
         stop = self._found.stop
         if certified[1] < 0.0 and self._remember(1, stop, self.collision.margin(stop)) < 0.0:
-            raise make_distance_error(self.collision.nearest(stop), self.cell, predicted=True, samples=self._history)
+            raise make_distance_error(self.collision.nearest(stop), self.collision.cell, predicted=True, samples=self._history)
 
     def _remember(self, k: int, q: Array, margin: float) -> float:
         """Keeps the exact margin at q, today's (k = 0) or the predicted stop's (1)."""

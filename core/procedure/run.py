@@ -8,13 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.array import Array
-from core.cell.cell import Box, Cell, Pose
+from core.cell.cell import Box, Cell
 from core.control.execute import execute
 from core.control.guard import Guard
 from core.control.movers import Mover, Playback, StandStill
 from core.control.rotation import Rotation
 from core.errors import Held, Stopped
 from core.events import Event, PhaseStarted, Progress, RobotStopped, StepFinished
+from core.payload.shapes import Shape
 from core.planning.joint_torques import Load
 from core.planning.plan import Leg, Plan
 from core.planning.settings import Planner
@@ -121,16 +122,13 @@ class Run:
             else:
                 return plan
 
-    def move_zone(self, name: str, pose: Pose) -> None:
-        """A zone or an obstacle has moved (world frame): the guard sees it at its next look, later plans keep clear of it.
+    def change_zone(self, name: str, shape: Shape | None) -> None:
+        """A zone has moved, grown, come or gone (None): the guard sees it at its next look, later plans keep clear of it (world frame).
 
         To be called between two events.
-
-        Raises:
-            BadCell: there is none of that name.
         """
-        self.collision.move(name, pose)
-        self.cell = self.cell.with_pose_of(name, pose)
+        self.collision.change_zone(name, shape)
+        self.cell = self.cell.with_zone(name, shape)
 
     def _follow(self, plan: Plan) -> Generator[Event, None, None]:
         """Leg after leg, then home."""

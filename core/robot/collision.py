@@ -18,6 +18,7 @@ from core.cell.body_name import name_body
 from core.cell.cell import Box, Cell, Obstacle, Pose, Zone
 from core.cell.contradictions import BASE_IN_OBSTACLE
 from core.errors import BadCell, NoRoomAtHome
+from core.payload.shapes import Shape
 from core.robot.bodies import (
     FLOOR,
     PAYLOAD,
@@ -67,11 +68,12 @@ class CollisionModel:
         things = [*self._things.values(), floor_body(cell.floor_z_m)]  # whose name may be an obstacle's as well
         self._zones = [self._things[zone.name] for zone in cell.zones]
         self._base = [body for body in bodies if body.joint == 0]
+        self._moving = [body for body in bodies if body.joint > 0]
         self.points = corners_of(bodies)
         self.reach = reach_of(robot, self.points)
         """(n,), the largest distance from axis i of any point behind joint i over all configurations, m."""
         self._why: dict[tuple[str, str], Message] = {}
-        standing = [(body, thing) for body in bodies if body.joint > 0 for thing in things]
+        standing = [(body, thing) for body in self._moving for thing in things]
         first_links = [pair for pair in standing if may_be_near(pair[0])]
         near = [pair for pair in first_links if not self._is_zone(pair[1])]
         asked = {Watch.CLEARANCE: cell.limits.clearance_m, Watch.TIGHT: cell.limits.clearance_m, Watch.CONTACT: CONTACT_M}
@@ -190,6 +192,39 @@ class CollisionModel:
         for group in (*self._standing.values(), self._clear):
             group.move(thing, placement)
         self._watch_standing(thing, placement)
+
+    def change_zone(self, name: str, shape: Shape | None) -> None:
+        """A zone is this now: another place, another size, a new one; None takes it away. World frame.
+
+        Raises:
+            BadCell: an obstacle has that name.
+        """
+        known = next((zone.shape for zone in self.cell.zones if zone.name == name), None)
+        if known is None and name in self._things:
+            raise BadCell(f"{self.cell.folder.name}/cell.toml", "cell-name-twice", name=name, count=2)
+        self.cell = self.cell.with_zone(name, shape)
+        if known is not None and shape is not None and known.model_copy(update={"pose": shape.pose}) == shape:
+            self.move(name, shape.pose)
+            return
+        if known is not None:
+            self._forget_zone(self._things.pop(name))
+        if shape is not None:
+            self._add_zone(make_fixed_body(name, shape))
+
+    def _forget_zone(self, zone: Body) -> None:
+        self._zones = [each for each in self._zones if each is not zone]
+        self._why = {names: why for names, why in self._why.items() if names[1] != zone.name}
+        for body in self._moving:
+            for group in (*self._standing.values(), self._clear):
+                group.use((body, zone), wanted=False)
+
+    def _add_zone(self, zone: Body) -> None:
+        self._things[zone.name] = zone
+        self._zones.append(zone)
+        pairs = [(body, zone) for body in self._moving]
+        self._standing[Watch.CLEARANCE].add(pairs)
+        self._clear.add([pair for pair in pairs if may_be_near(pair[0])])
+        self._watch_standing(zone, zone.placement)
 
     def _own_pairs(self, bodies: list[Body]) -> dict[Watch, list[tuple[Body, Body]]]:
         """The pairs within the arm, by what they have to keep."""

@@ -47,19 +47,28 @@ class PairGroup:
 
     def __init__(self, robot: RobotModel, required_m: float, bodies: list[tuple[Body, Body]]) -> None:
         self.required_m = required_m
-        self.bodies = bodies
-        self._index = {_key(pair): k for k, pair in enumerate(bodies)}
+        self.bodies: list[tuple[Body, Body]] = []
+        self._index: dict[tuple[int, int], int] = {}
         self._model, self._data = robot.model, robot.model.createData()
         self._geometry = pin.GeometryModel()
         self._ids: dict[str, int] = {}
-        for pair in bodies:
-            self._geometry.addCollisionPair(pin.CollisionPair(*[self._add(body) for body in pair]))
-        self._results = self._geometry.createData()
-        self.watched = np.ones(len(bodies), dtype=bool)
+        self.watched = np.ones(0, dtype=bool)
         """(n_pairs,), which of `bodies` are taken into the computation."""
+        self.add(bodies)
+
+    def add(self, pairs: list[tuple[Body, Body]]) -> None:
+        """More pairs, watched at first."""
+        for pair in pairs:
+            self._index[_key(pair)] = len(self.bodies)
+            self.bodies.append(pair)
+            self._geometry.addCollisionPair(pin.CollisionPair(*[self._add_body(body) for body in pair]))
+        self._results = self._geometry.createData()
+        for k in np.flatnonzero(~self.watched):
+            self._results.deactivateCollisionPair(int(k))
+        self.watched = np.append(self.watched, np.ones(len(pairs), dtype=bool))
         self._extra_m = -inf
 
-    def _add(self, body: Body) -> int:
+    def _add_body(self, body: Body) -> int:
         """Index of the geometry object of a body, which is added when it is new."""
         key = _id(body)
         if key not in self._ids:

@@ -1,4 +1,4 @@
-"""The words of every message, one folder of Fluent files (projectfluent.org) for each language.
+"""The words of every message, one folder of Fluent files (projectfluent.org) for each language: a new language is a new folder.
 
 The console reads the same files. What numbers look like in them is said by five functions that both have: `FIXED($x, digits: 2)`,
 `SIGNIFICANT($x, digits: 3)`, `MILLI($x_s, digits: 0)` (thousandths: m as mm, s as ms), `DEGREES($x_rad, digits: 1)` and
@@ -9,19 +9,29 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Callable, Mapping
 from functools import cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal
 
+FLAW = "flaw"
+FOLDER = Path(__file__).parent
+
+
+def _find_languages() -> tuple[str, ...]:
+    """English, then every other language that has a folder with words, by its code."""
+    others = sorted(file.parent.name for file in FOLDER.glob(f"*/{FLAW}.ftl") if file.parent.name != "en")
+    return ("en", *others)
+
+
+LANGUAGES = _find_languages()
 if TYPE_CHECKING:
     from fluent.runtime import FluentBundle
 
-Language = Literal["en", "de"]
-LANGUAGES: tuple[Language, ...] = get_args(Language)
-FLAW = "flaw"
-FOLDER = Path(__file__).parent
-DECIMAL_MARK: dict[Language, str] = {"en": ".", "de": ","}
+    Language = str
+else:
+    Language = Literal[LANGUAGES]
 
 
 def format_message(code: str, parameters: Mapping[str, bool | float | str], language: Language) -> str:
@@ -74,7 +84,8 @@ def find_language() -> Language:
     for name in ("HEFT_LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"):
         wanted = os.environ.get(name, "")
         if wanted:
-            return next((each for each in LANGUAGES if wanted.lower().startswith(each)), "en")
+            primary = re.split(r"[_.@-]", wanted.lower())[0]
+            return primary if primary in LANGUAGES else "en"
     return "en"
 
 
@@ -114,7 +125,15 @@ def _significant(language: Language, value: Any, digits: Any = 3) -> str:
 
 
 def _mark(shown: str, language: Language) -> str:
-    return shown.replace(".", DECIMAL_MARK[language])
+    return shown.replace(".", decimal_mark(language))
+
+
+@cache
+def decimal_mark(language: Language) -> str:
+    """What a language writes between the whole and the rest of a number."""
+    from babel.numbers import get_decimal_symbol  # noqa: PLC0415  as above: most processes never word a message
+
+    return get_decimal_symbol(language)
 
 
 NUMBERS: dict[str, Callable[..., str]] = {

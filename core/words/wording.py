@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from core.words.catalogue import DECIMAL_MARK, Language
+from core.words.catalogue import Language, decimal_mark
 from core.words.message import Message, Parameter
 
 
@@ -25,11 +25,11 @@ class Wording:
 
     def mark(self, number: str) -> str:
         """A number that is written already, with the language's decimal mark."""
-        return number.replace(".", DECIMAL_MARK[self.language])
+        return number.replace(".", decimal_mark(self.language))
 
     def list_numbers(self, numbers: Iterable[str]) -> str:
         """Numbers that are written already in a row; nothing between them looks like a decimal mark."""
-        return (", " if DECIMAL_MARK[self.language] == "." else "; ").join(map(self.mark, numbers))
+        return (", " if decimal_mark(self.language) == "." else "; ").join(map(self.mark, numbers))
 
 
 ENGLISH = Wording()

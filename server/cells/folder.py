@@ -93,7 +93,7 @@ class CellFolder:
         try:
             cell, robot_flaws = read_cell_folder(self.folder / name)
         except BadInput as error:
-            raise together([self._shorten_paths(each) for each in (error, *error.others)]) from error
+            raise together([self.shorten_paths(each) for each in (error, *error.others)]) from error
         if cell.name == name:
             return CellRead(cell, robot_flaws)
         misnamed = BadCell(f"{name}/{CELL_FILE}: name", "uploads-cell-misnamed", name=cell.name, folder=name)
@@ -101,9 +101,9 @@ class CellFolder:
 
     def flaws(self, found: CellRead) -> list[BadInput]:
         """What speaks against using a cell, with its zones where `found` has them."""
-        return [self._shorten_paths(each) for each in found.flaws]
+        return [self.shorten_paths(each) for each in found.flaws]
 
-    def _shorten_paths(self, flaw: BadInput) -> BadInput:
+    def shorten_paths(self, flaw: BadInput) -> BadInput:
         """A flaw whose files are named from the folder of the cells on: no screen needs to say where that is."""
         told = restore_flaw(type(flaw), _replace_text(flaw.message, f"{self.folder}/", ""))
         told.in_the_way = flaw.in_the_way
@@ -128,7 +128,7 @@ class CellFolder:
         try:
             return parse_twin(cell)
         except BadTwin as error:
-            raise self._shorten_paths(error) from error
+            raise self.shorten_paths(error) from error
 
     def put_twin(self, cell: Cell, twin: Twin) -> None:
         """Puts a twin into a cell's folder, whose effects a diagnosis has checked; one without effects is no file.
@@ -139,7 +139,7 @@ class CellFolder:
         try:
             put_twin(cell, twin)
         except BadTwin as error:
-            raise self._shorten_paths(error) from error
+            raise self.shorten_paths(error) from error
 
     def install(self, unpacked: Path, name: str, *, replace: bool) -> None:
         """Puts a checked folder into its place: all of it or nothing.

@@ -6,7 +6,7 @@ from sqlalchemy.orm import Session
 
 from core.cell.folder import CellRead
 from server.cells.folder import CellFolder
-from server.cells.zones import positions, with_zones_where_they_are
+from server.cells.zones import positions, with_zones_as_they_are
 
 
 def read_now(cells: CellFolder, db: Session, name: str) -> CellRead:
@@ -17,4 +17,4 @@ def read_now(cells: CellFolder, db: Session, name: str) -> CellRead:
         BadCell: its cell.toml cannot be read as a cell.
     """
     found = cells.read(name)
-    return found._replace(cell=with_zones_where_they_are(found.cell, positions(db, name)))
+    return found._replace(cell=with_zones_as_they_are(found.cell, positions(db, name)))

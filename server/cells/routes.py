@@ -14,7 +14,7 @@ from sqlalchemy.orm import Session
 from core.cell.cell import Cell
 from core.cell.folder import CellRead
 from core.errors import BadInput, BadTwin, HeftError
-from core.payload.shapes import Pose
+from core.payload.shapes import Shape
 from core.words.message import Message
 from server.cells import zones
 from server.cells.archive import UPLOAD
@@ -44,15 +44,15 @@ class CellSummary(Answer):
 
 
 class ZonePlace(Answer):
-    """When a zone was brought to where it is now, and by whom: measured by the clock of who measured it, received by ours."""
+    """When a zone became what it is now, and by whom: measured by the clock of who measured it, received by ours."""
 
     zone: str = Field(description="Name of the zone.", examples=["operator"])
-    moves: int = Field(description="How often it has moved.", examples=[3])
-    moved_by: str = Field(description="Who brought it to where it is now.", examples=["key:tracker"])
+    moves: int = Field(description="How often it has changed.", examples=[3])
+    moved_by: str = Field(description="Who moved, drew or removed it.", examples=["key:tracker"])
     measured_at: datetime = Field(description="When it was measured, by the clock of who did.", examples=["2026-03-01T08:00:00Z"])
     received_at: datetime = Field(description="When the service heard of it, by its own clock.", examples=["2026-03-01T08:00:00.120Z"])
-    previous: Pose = Field(description="Where it was before.")
-    in_file: Pose = Field(description="Where the cell's file has it.")
+    previous: Shape | None = Field(description="How it was before, world frame; null where there was none.")
+    in_file: Shape | None = Field(description="How the cell's file has it, world frame; null where it has none of that name.")
 
 
 class CellPublic(Answer):
@@ -67,7 +67,7 @@ class CellPublic(Answer):
     sha256: str = Field(
         description="SHA-256 of its files, hexadecimal.", examples=["9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"]
     )
-    moved: list[ZonePlace] = Field(description="Zones that were brought to where they are now.")
+    moved: list[ZonePlace] = Field(description="Zones that were moved, drawn or removed here; those removed are not in `cell`.")
     read_at: datetime = Field(
         description="The service's clock, for who measures zones and has none that agrees.", examples=["2026-03-01T08:00:00Z"]
     )
@@ -107,14 +107,14 @@ def read_cell(cell: CellPath, cells: CellsDep, store: StoreDep, now: NowDep) -> 
     with store.read() as db:
         cell_read, flaws = _inspect(cells, db, cell)
         known = zones.positions(db, cell)
-    in_file = {} if cell_read is None else {each.name: each.shape.pose for each in cells.read(cell).cell.zones}
+    in_file = None if cell_read is None else cells.read(cell).cell
     return CellPublic(
         cell=None if cell_read is None else cell_read.cell,
         flaws=list_flaws(flaws),
         in_the_way=[flaw.in_the_way for flaw in flaws if flaw.in_the_way is not None],
         drawn=cell_read is not None and not cell_read.robot_flaws,
         sha256=cells.digest(cell),
-        moved=[_place(row, in_file[zone]) for zone, row in known.items() if zone in in_file],
+        moved=[] if in_file is None else _list_places(known, in_file),
         read_at=now,
     )
 
@@ -187,14 +187,21 @@ def _summarise(name: str, cell_read: CellRead | None, flaws: list[BadInput]) -> 
     return CellSummary(name=name, title=title, flaw=flaws[0].message if flaws else None, flaws=list_flaws(flaws))
 
 
-def _place(row: ZonePosition, in_file: Pose) -> ZonePlace:
+def _list_places(known: dict[str, ZonePosition], cell: Cell) -> list[ZonePlace]:
+    """Of zones that there are, or were: one that only an earlier file of the cell had is none of them."""
+    places = [_place(row, zones.shape_in_file(cell, zone)) for zone, row in known.items()]
+    now = {zone.name for zone in zones.with_zones_as_they_are(cell, known).zones}
+    return [place for place in places if place.zone in now or (place.previous or place.in_file) is not None]
+
+
+def _place(row: ZonePosition, in_file: Shape | None) -> ZonePlace:
     return ZonePlace(
         zone=row.zone,
         moves=row.moves,
         moved_by=row.moved_by,
         measured_at=row.measured_at,
         received_at=row.received_at,
-        previous=zones.before(row, in_file),
+        previous=zones.shape_before(row, in_file),
         in_file=in_file,
     )
 

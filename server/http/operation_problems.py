@@ -25,6 +25,7 @@ CELL_ZIP = (
     "uploads-no-cell-file", "uploads-check-too-large", "uploads-check-too-slow", "uploads-check-broken-off", "uploads-cell-misnamed",
     "uploads-model-not-buildable",
 )  # fmt: skip
+DRAWN_ZONE = ("zone-too-small", "zone-too-large", "zone-too-far", "zone-not-looked-at", "jobs-work-lost")
 UNUSABLE = ("bad-cell", "bad-robot")
 """Kinds of what the engine says of a cell, with codes of its own."""
 
@@ -43,6 +44,9 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "POST /api/cells/validate": CELL_ZIP,
     "GET /api/cells/{cell}": CELL,
     "PUT /api/cells/{cell}": (*CELL_ZIP, "uploads-other-cell"),
+    "POST /api/cells/{cell}/zones": (*CELL, *DRAWN_ZONE, "zone-name-taken", "zone-exists"),
+    "PUT /api/cells/{cell}/zones/{zone}/shape": (*CELL, *DRAWN_ZONE, "zone-unknown"),
+    "DELETE /api/cells/{cell}/zones/{zone}": (*CELL, "zone-unknown"),
     "PUT /api/cells/{cell}/zones/{zone}": (*CELL, "zone-unknown", "zone-clock-ahead", "zone-measured-before"),
     "POST /api/cells/{cell}/zones/{zone}/check": (*CELL, "zone-unknown", "zone-not-looked-at", "jobs-work-lost"),
     "POST /api/cells/{cell}/zones/{zone}/undo": (*CELL, "zone-unknown", "zone-not-moved", "zone-moved-on"),
@@ -113,6 +117,9 @@ ENGINE_REFUSALS: dict[str, tuple[str, ...]] = {
     "POST /api/cells": (*UNUSABLE, "bad-twin", "bad-input"),
     "POST /api/cells/validate": (*UNUSABLE, "bad-twin", "bad-input"),
     "PUT /api/cells/{cell}": (*UNUSABLE, "bad-twin", "bad-input"),
+    "POST /api/cells/{cell}/zones": UNUSABLE,
+    "PUT /api/cells/{cell}/zones/{zone}/shape": UNUSABLE,
+    "DELETE /api/cells/{cell}/zones/{zone}": UNUSABLE,
     "PUT /api/cells/{cell}/zones/{zone}": UNUSABLE,
     "POST /api/cells/{cell}/zones/{zone}/check": UNUSABLE,
     "POST /api/cells/{cell}/zones/{zone}/undo": UNUSABLE,

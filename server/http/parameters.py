@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Annotated
 
 from fastapi import Path, Query
+from pydantic import AfterValidator
 
-from core.words.catalogue import Language
+from core.words.catalogue import LANGUAGES, Language
 from server.http.schemas import Name
 
 CellPath = Annotated[Name, Path(description="Name of the cell.", examples=["lwr4_bench"])]
@@ -26,4 +27,14 @@ ViewPath = Annotated[Name, Path(description="Name that the page gave its view of
 ProblemPath = Annotated[str, Path(description="Code of the situation, or a kind of problems.", examples=["runs-offer-old"])]
 
 LimitQuery = Annotated[int, Query(ge=1, le=200, description="How many items are answered at most.", examples=[50])]
-LanguageQuery = Annotated[Language, Query(description="Language of the answer.")]
+
+
+def _known_language(asked: str) -> Language:
+    return asked if asked in LANGUAGES else "en"
+
+
+LanguageQuery = Annotated[
+    str,
+    AfterValidator(_known_language),
+    Query(description="Language of the answer, by its code; in English where Heft has no words in it.", examples=["de"]),
+]

@@ -31,7 +31,7 @@ class ProblemDetails(BaseModel):
                     "type": "/problems/zone-not-moved",
                     "title": "It does not go with the present state",
                     "status": 409,
-                    "detail": 'zone "operator": is where the cell\'s file has it; there is nothing to undo',
+                    "detail": 'zone "operator": is as the cell\'s file has it; there is nothing to undo',
                     "kind": "conflict",
                     "parameters": {"zone": "operator"},
                     "request_id": "4f1c2a9be7d34a06",
@@ -45,7 +45,7 @@ class ProblemDetails(BaseModel):
     status: int = Field(description="HTTP status.", examples=[409])
     detail: str = Field(
         description="What happened, the value against the limit, and the next step, in English.",
-        examples=['zone "operator": is where the cell\'s file has it; there is nothing to undo'],
+        examples=['zone "operator": is as the cell\'s file has it; there is nothing to undo'],
     )
     kind: str = Field(description="For programs that know no single situations: few, and stable.", examples=["conflict"])
     parameters: dict[str, Any] = Field(

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Annotated
+from typing import Annotated, Any
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, SecretStr, StringConstraints
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, SecretStr, StringConstraints
+
+from core.payload.shapes import Shape
 
 Name = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
 """Of a cell, a zone, an account: safe in a path, a URL and a log line."""
@@ -37,3 +39,11 @@ def _check_aware(moment: datetime) -> datetime:
 
 Moment = Annotated[datetime, AfterValidator(_check_aware)]
 """A time with its offset from UTC, ISO 8601."""
+
+
+def _assume_box(shape: Any) -> Any:
+    return {"kind": "box", **shape} if isinstance(shape, dict) and "kind" not in shape else shape
+
+
+AnyShape = Annotated[Shape, BeforeValidator(_assume_box)]
+"""Of a request; a shape that says not which it is is a box, as the schema has it."""

@@ -93,6 +93,7 @@ SITUATIONS: dict[str, tuple[str, ...]] = {
         "zone-clock-ahead",
         "zone-not-moved",
         "zone-moved-on",
+        "zone-exists",
         "uploads-cell-exists",
         "request-key-busy",
     ),
@@ -138,6 +139,10 @@ SITUATIONS: dict[str, tuple[str, ...]] = {
         "uploads-check-too-slow",
         "uploads-check-broken-off",
         "uploads-cell-misnamed",
+        "zone-name-taken",
+        "zone-too-small",
+        "zone-too-large",
+        "zone-too-far",
     ),
     "bad-robot": ("uploads-model-not-buildable",),
     "bad-recording": (

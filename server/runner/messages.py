@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from core.cell.cell import Box, Cell, Payload, Pose
+from core.cell.cell import Box, Cell, Payload, Shape
 from core.errors import Lateness
 from core.estimation.result import Result
 from core.events import Event
@@ -115,14 +115,14 @@ class End:
 
 
 @dataclass(frozen=True)
-class ZoneMoved:
-    """A protected zone is somewhere else now (world frame)."""
+class ZoneChanged:
+    """A protected zone is this now (world frame); None: there is none of that name any more."""
 
     zone: str
-    pose: Pose
+    shape: Shape | None
 
 
-ToChild = Renewal | Beat | PageLate | Release | Hold | Resume | End | ZoneMoved
+ToChild = Renewal | Beat | PageLate | Release | Hold | Resume | End | ZoneChanged
 
 
 @dataclass(frozen=True)

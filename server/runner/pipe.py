@@ -13,7 +13,7 @@ from typing import Generic, TypeVar
 
 from core.sessions.leased import Lease, Renewal
 from core.words.message import Message
-from server.runner.messages import Beat, End, Hold, PageLate, Release, Resume, ToChild, ZoneMoved
+from server.runner.messages import Beat, End, Hold, PageLate, Release, Resume, ToChild, ZoneChanged
 
 Said = TypeVar("Said")
 
@@ -27,7 +27,7 @@ class Listener:
 
     def __init__(self, connection: Connection, lease: Lease) -> None:
         self._connection, self._lease = connection, lease
-        self.zones: deque[ZoneMoved] = deque()
+        self.zones: deque[ZoneChanged] = deque()
         self.released: str | None = None
         """SHA-256 of what was released."""
         self.ended = threading.Event()
@@ -57,7 +57,7 @@ class Listener:
                 self._lease.resume()
             case End(reason=reason):
                 self._end(reason)
-            case ZoneMoved():
+            case ZoneChanged():
                 self.zones.append(message)
 
     def _end(self, reason: Message) -> None:

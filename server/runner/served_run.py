@@ -40,7 +40,7 @@ class PlanningElsewhere(Planning):
 
     Args:
         process: plans.
-        listener, lease: whether zones have moved, and whether the run was ended meanwhile.
+        listener, lease: whether zones have changed, and whether the run was ended meanwhile.
     """
 
     process: PlanningProcess
@@ -81,10 +81,10 @@ def make_end_error(lease: Lease) -> Commanded:
 
 
 def look_at_zones(run: Run, listener: Listener) -> None:
-    """Zones that have moved since the last look. To be called between two events of the run."""
+    """Zones that have changed since the last look. To be called between two events of the run."""
     while listener.zones:
-        moved = listener.zones.popleft()
-        run.move_zone(moved.zone, moved.pose)
+        changed = listener.zones.popleft()
+        run.change_zone(changed.zone, changed.shape)
 
 
 class DiskRecorder(Recorder):

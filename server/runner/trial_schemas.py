@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pydantic import Field, TypeAdapter
 
-from core.words.catalogue import Language
 from core.words.message import Message
 from server.http.schemas import Answer
 
@@ -62,7 +61,7 @@ class TrialsResult(Answer):
 
     opened: list[OpenedTrial]
     sheet: str
-    sheets: dict[Language, str] = Field(default_factory=dict)
+    sheets: dict[str, str] = Field(default_factory=dict)
 
 
 SEALS = TypeAdapter(list[Seal])

@@ -36,7 +36,7 @@ from server.runner.messages import (
     Release,
     Resume,
     Sampled,
-    ZoneMoved,
+    ZoneChanged,
 )
 from server.runner.plan_schemas import RunPlan
 from server.runner.process import ControlProcess
@@ -158,8 +158,8 @@ class ActiveRun:
         self._ended_for = self._ended_for or reason
         self._process.tell(End(reason.message))
 
-    def tell_zone_move(self, message: ZoneMoved) -> None:
-        """Hands a zone's new place on."""
+    def tell_zone_change(self, message: ZoneChanged) -> None:
+        """Hands on how a zone is now."""
         self._process.tell(message)
 
     async def release(self, plan_sha256: str, who: str, deed: Deed) -> None:

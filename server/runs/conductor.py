@@ -18,7 +18,7 @@ from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell
 from core.errors import HeftError, refuse
-from core.payload.shapes import Pose
+from core.payload.shapes import Shape
 from core.sessions.leased import Renewal
 from core.words.message import Message
 from server.cells.folder import CellFolder
@@ -28,7 +28,7 @@ from server.http.errors import Conflict
 from server.people import audit
 from server.people.audit import Deed
 from server.runner.context import warm_up
-from server.runner.messages import ZoneMoved
+from server.runner.messages import ZoneChanged
 from server.runner.run_folder import is_unlocked
 from server.runs import ledger as run_ledger
 from server.runs.active_run import ActiveRun
@@ -117,12 +117,12 @@ class Conductor:
         if self._loop is not None:
             self._loop.call_soon_threadsafe(self._wake.set)
 
-    def tell_zone_move(self, cell: str, zone: str, pose: Pose) -> None:
+    def tell_zone_change(self, cell: str, zone: str, shape: Shape | None) -> None:
         """Tells the cell's run. From any thread."""
 
         def tell() -> None:
             if cell in self.active:
-                self.active[cell].tell_zone_move(ZoneMoved(zone, pose))
+                self.active[cell].tell_zone_change(ZoneChanged(zone, shape))
 
         if self._loop is not None:
             self._loop.call_soon_threadsafe(tell)

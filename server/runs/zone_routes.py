@@ -1,28 +1,30 @@
-"""Where the protected zones of a cell are now, where they would be, and the way back."""
+"""The protected zones of a cell as they are now: moved, drawn, resized, removed, what that would mean, and the way back."""
 
 from __future__ import annotations
 
 from datetime import datetime, timedelta
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Response
 from pydantic import Field
 from sqlalchemy.orm import Session
 
-from core.payload.shapes import Pose
+from core.errors import BadInput, refuse
+from core.payload.shapes import Pose, Shape
 from core.words.message import Message
 from server.cells import zones
 from server.cells.folder import CellFolder, CellsDep
 from server.cells.now import read_now
-from server.cells.zone_check import flaws_of_bodies
+from server.cells.zone_check import drawing_flaws
 from server.cells.zones import ZonePosition
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Conflict
 from server.http.flaws import Flaw, list_flaws
 from server.http.parameters import CellPath, ZonePath
-from server.http.schemas import Answer, Moment, RequestBody
+from server.http.schemas import Answer, AnyShape, Moment, Name, RequestBody
 from server.people import audit
 from server.people.auth import CallerDep
 from server.runs.conductor import ConductorDep
+from server.store.store import Store
 
 router = APIRouter(prefix="/api/cells/{cell}/zones", tags=["cells"])
 
@@ -39,31 +41,45 @@ class ZoneUpdate(RequestBody):
     )
 
 
-class ZoneCheckCreate(RequestBody):
-    """Where a zone's centre would be, in the world frame."""
+class ZoneCreate(RequestBody):
+    """A new zone."""
 
-    pose: Pose = Field(description="Where its centre would be, world frame.")
+    name: Name = Field(description="Its name: no other zone, obstacle, tool or link of the robot has it.", examples=["trolley"])
+    shape: AnyShape = Field(description="Its shape, size and place, world frame.")
+
+
+class ZoneShapeUpdate(RequestBody):
+    """A zone as it is from now on."""
+
+    shape: AnyShape = Field(description="Its shape, size and place, world frame.")
+
+
+class ZoneCheckCreate(RequestBody):
+    """A zone as it would be."""
+
+    shape: AnyShape = Field(description="Its shape, size and place, world frame.")
+    new: bool = Field(default=False, description="Whether it is a new one, whose name has to be free.", examples=[False])
 
 
 class ZoneUndoCreate(RequestBody):
     """The way back."""
 
-    to: zones.Back = Field(default="before", description="To where it was before, or to where the cell's file has it.")
+    to: zones.Back = Field(default="before", description="To how it was before, or to how the cell's file has it.")
     moves: int | None = Field(
         default=None,
-        description="How often it had moved when whoever asks saw it; refused where it has moved on since. Not compared where null.",
+        description="How often it had changed when whoever asks saw it; refused where it has changed since. Not compared where null.",
         examples=[3],
     )
 
 
 class ZonePublic(Answer):
-    """A zone's latest place."""
+    """A zone as it is now."""
 
     cell: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
     zone: str = Field(description="Name of the zone.", examples=["operator"])
-    pose: Pose = Field(description="Where its centre is, world frame.")
-    previous: Pose = Field(description="Where it was before that.")
-    moves: int = Field(description="How often it has moved.", examples=[3])
+    shape: Shape | None = Field(description="Its shape, size and place, world frame; null where it was removed.")
+    previous: Shape | None = Field(description="The same before that; null where there was none.")
+    moves: int = Field(description="How often it has changed.", examples=[3])
     measured_at: datetime = Field(description="When it was measured, by the clock of who did.", examples=["2026-03-01T08:00:00Z"])
     received_at: datetime = Field(description="When the service heard of it, by its own clock.", examples=["2026-03-01T08:00:00.120Z"])
     contradiction: Message | None = Field(description="Why nothing can be planned while it is there; null where something can.")
@@ -71,12 +87,33 @@ class ZonePublic(Answer):
 
 
 class ZoneCheckPublic(Answer):
-    """Why nothing could be planned with a zone at a place; nothing where `flaws` is empty. The zone has not moved."""
+    """What speaks against a zone as it would be; nothing where `flaws` is empty. It has not changed."""
 
     cell: str = Field(description="Name of the cell.", examples=["lwr4_bench"])
     zone: str = Field(description="Name of the zone.", examples=["operator"])
-    pose: Pose = Field(description="Where its centre would be, world frame.")
-    flaws: list[Flaw] = Field(description="Why nothing could be planned with it there; empty where something could. It has not moved.")
+    shape: Shape = Field(description="Its shape, size and place as asked, world frame.")
+    flaws: list[Flaw] = Field(
+        description="What would keep the robot from being planned for, or the zone from being drawn; empty where nothing would."
+    )
+
+
+@router.post("", status_code=201)
+def create_zone(
+    cell: CellPath,
+    body: ZoneCreate,
+    caller: CallerDep,
+    store: StoreDep,
+    cells: CellsDep,
+    conductor: ConductorDep,
+    now: NowDep,
+    response: Response,
+) -> ZonePublic:
+    """Adds a zone that somebody draws: its name has to be free, its size sensible, and the robot at home outside of it."""
+    _refuse_drawing(cells, store, cell, body.name, body.shape, is_new=True)
+    shown = _draw(cells, store, cell, body.name, body.shape, caller.who, now, is_new=True)
+    conductor.tell_zone_change(cell, body.name, shown.shape)
+    response.headers["Location"] = f"/api/cells/{cell}"
+    return shown
 
 
 @router.put("/{zone}")
@@ -96,22 +133,51 @@ def move_zone(
     loaded = cells.read(cell).cell
     with store.write() as db:
         row = zones.move(db, loaded, zone, body.pose, body.measured_at, caller.who, now)
-        said = {"cell": cell, "zone": zone, "pose": row.pose, "measured_at": body.measured_at.isoformat()}
+        pose = body.pose.model_dump_json()
+        said = {"cell": cell, "zone": zone, "pose": pose, "measured_at": body.measured_at.isoformat()}
         audit.record(db, caller.who, "zone.move", said, now=now)
         shown = _answer(cells, db, row)
-    conductor.tell_zone_move(cell, zone, body.pose)
+    conductor.tell_zone_change(cell, zone, shown.shape)
+    return shown
+
+
+@router.put("/{zone}/shape")
+def reshape_zone(
+    cell: CellPath,
+    zone: ZonePath,
+    body: ZoneShapeUpdate,
+    caller: CallerDep,
+    store: StoreDep,
+    cells: CellsDep,
+    conductor: ConductorDep,
+    now: NowDep,
+) -> ZonePublic:
+    """Gives a zone another size and place: the size has to be sensible, and the robot at home outside of it."""
+    _refuse_drawing(cells, store, cell, zone, body.shape, is_new=False)
+    shown = _draw(cells, store, cell, zone, body.shape, caller.who, now, is_new=False)
+    conductor.tell_zone_change(cell, zone, shown.shape)
+    return shown
+
+
+@router.delete("/{zone}")
+def delete_zone(
+    cell: CellPath, zone: ZonePath, caller: CallerDep, store: StoreDep, cells: CellsDep, conductor: ConductorDep, now: NowDep
+) -> ZonePublic:
+    """Takes a zone out of the cell; `undo` puts it back."""
+    loaded = cells.read(cell).cell
+    with store.write() as db:
+        row = zones.remove(db, loaded, zone, caller.who, now)
+        audit.record(db, caller.who, "zone.delete", {"cell": cell, "zone": zone}, now=now)
+        shown = _answer(cells, db, row)
+    conductor.tell_zone_change(cell, zone, None)
     return shown
 
 
 @router.post("/{zone}/check")
 def check_zone(cell: CellPath, zone: ZonePath, body: ZoneCheckCreate, store: StoreDep, cells: CellsDep) -> ZoneCheckPublic:
-    """What a zone would contradict at a place, the whole arm at home included, before anybody moves it there."""
-    with store.read() as db:
-        found = read_now(cells, db, cell)
-    zones.place_in_file(found.cell, zone)
-    there = zones.with_zones_at(found.cell, {zone: body.pose})
-    flaws = cells.flaws(found._replace(cell=there)) or flaws_of_bodies(there)
-    return ZoneCheckPublic(cell=cell, zone=zone, pose=body.pose, flaws=list_flaws(flaws))
+    """What a zone would contradict, the whole arm at home included, before anybody moves it there or draws it so."""
+    flaws = _find_flaws(cells, store, cell, zone, body.shape, is_new=body.new)
+    return ZoneCheckPublic(cell=cell, zone=zone, shape=body.shape, flaws=list_flaws(flaws))
 
 
 @router.post("/{zone}/undo")
@@ -125,24 +191,60 @@ def put_zone_back(
     now: NowDep,
     back: ZoneUndoCreate | None = None,
 ) -> ZonePublic:
-    """Puts a zone back to where it was before, or to where the cell's file has it; a later measurement moves it as ever."""
+    """Puts a zone back to how it was before, or to how the cell's file has it; a later measurement moves it as ever."""
     undo = back or ZoneUndoCreate()
     loaded = cells.read(cell).cell
     with store.write() as db:
         row = zones.put_back(db, loaded, zone, undo.to, undo.moves, caller.who, now)
-        audit.record(db, caller.who, "zone.undo", {"cell": cell, "zone": zone, "to": undo.to, "pose": row.pose}, now=now)
+        audit.record(db, caller.who, "zone.undo", {"cell": cell, "zone": zone, "to": undo.to, "place": row.place}, now=now)
         shown = _answer(cells, db, row)
-    conductor.tell_zone_move(cell, zone, shown.pose)
+    conductor.tell_zone_change(cell, zone, shown.shape)
     return shown
+
+
+def _find_flaws(cells: CellFolder, store: Store, cell: str, zone: str, shape: Shape, *, is_new: bool) -> list[BadInput]:
+    """What speaks against a zone as it would be.
+
+    Raises:
+        NotFound: there is no such cell; no such zone, where it is not a new one.
+        BadRobot: the robot cannot be used: nobody can say where its arm is.
+    """
+    with store.read() as db:
+        found = read_now(cells, db, cell)
+        if not is_new:
+            zones.find(db, cells.read(cell).cell, zone)
+    if found.robot_flaws:
+        refuse(cells.flaws(found))
+    return [cells.shorten_paths(each) for each in drawing_flaws(found.cell, zone, shape, is_new=is_new)]
+
+
+def _refuse_drawing(cells: CellFolder, store: Store, cell: str, zone: str, shape: Shape, *, is_new: bool) -> None:
+    """Refuses what speaks against this zone; what another one contradicts already is no fault of it.
+
+    Raises:
+        BadCell: its name, its size, or the robot in it.
+    """
+    flaws = _find_flaws(cells, store, cell, zone, shape, is_new=is_new)
+    refuse([flaw for flaw in flaws if flaw.in_the_way in (None, zone)])
+
+
+def _draw(cells: CellFolder, store: Store, cell: str, zone: str, shape: Shape, who: str, now: datetime, *, is_new: bool) -> ZonePublic:
+    loaded = cells.read(cell).cell
+    with store.write() as db:
+        row = (zones.create if is_new else zones.reshape)(db, loaded, zone, shape, who, now)
+        action = "zone.create" if is_new else "zone.reshape"
+        audit.record(db, who, action, {"cell": cell, "zone": zone, "shape": shape.model_dump_json()}, now=now)
+        return _answer(cells, db, row)
 
 
 def _answer(cells: CellFolder, db: Session, row: ZonePosition) -> ZonePublic:
     flaws = cells.flaws(read_now(cells, db, row.cell))
+    in_file = zones.shape_in_file(cells.read(row.cell).cell, row.zone)
     return ZonePublic(
         cell=row.cell,
         zone=row.zone,
-        pose=Pose.model_validate_json(row.pose),
-        previous=zones.before(row, zones.place_in_file(cells.read(row.cell).cell, row.zone)),
+        shape=zones.shape_now(row, in_file),
+        previous=zones.shape_before(row, in_file),
         moves=row.moves,
         measured_at=row.measured_at,
         received_at=row.received_at,

@@ -10,7 +10,6 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from core.cell.cell import Box, Cell
 from core.errors import HeftError
-from core.payload.shapes import Pose
 from server.http.dependencies import depend_on
 from server.runner.live_schemas import LiveBatch
 from server.runner.plan_schemas import RunPlan
@@ -195,12 +194,8 @@ def _find_start(row: RunRow, cell: Cell) -> tuple[float, ...] | None:
 
 
 def _select_static(cell: Cell) -> tuple[object, ...]:
-    """What a viewer draws once: all but where the zones are."""
-    return (
-        cell.model_copy(update={"zones": ()}),
-        cell.urdf,
-        [(zone.name, zone.shape.model_copy(update={"pose": Pose()})) for zone in cell.zones],
-    )
+    """What a viewer draws once: all but the zones."""
+    return cell.model_copy(update={"zones": ()}), cell.urdf
 
 
 GalleryDep = Annotated[Gallery, depend_on("gallery")]

@@ -88,8 +88,10 @@ class ViewerScene:
         return f"/robot/{self.robot.n}"
 
     def show_zones(self, cell: Cell) -> None:
-        """The protected zones where they are now."""
+        """The protected zones as they are now."""
         self.cell = cell
+        for gone in {thing.node for thing in self.things[len(self._obstacles) :]} - {f"/zones/{zone.name}" for zone in cell.zones}:
+            self._bodies.pop(gone).remove()
         zones = [Thing(f"/zones/{zone.name}", shape_faces(zone.shape), ZONE, ZONE_OPACITY) for zone in cell.zones]
         for zone in zones:
             self._mesh(*zone)

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from core.payload.shapes import Angle, Box
 from server.http.parameters import CellPath, ViewPath
-from server.http.schemas import RequestBody
+from server.http.schemas import AnyShape, RequestBody
 from server.viewer.gallery import GalleryDep
 from server.viewer.wish import Look, Wish
 
@@ -29,6 +29,10 @@ class ViewWish(RequestBody):
             examples=[[0.0, 0.52, 0.0, -1.57, 0.0, 1.05, 0.0]],
         ),
     ] = None
+    zone: Annotated[
+        AnyShape | None,
+        Field(description="A protected zone as it would be, drawn beside those that there are, world frame; null draws none."),
+    ] = None
     look: Annotated[
         Look | None,
         Field(
@@ -41,4 +45,4 @@ class ViewWish(RequestBody):
 @router.put("/{view}", status_code=status.HTTP_204_NO_CONTENT)
 async def show_in_view(cell: CellPath, view: ViewPath, wish: ViewWish, gallery: GalleryDep) -> None:
     """Draws what the page that called its view so wants to see: the page at `/viewer/{cell}/{view}/`."""
-    await gallery.show(cell, view, Wish(wish.payload_box, wish.q_rad), wish.look)
+    await gallery.show(cell, view, Wish(wish.payload_box, wish.q_rad, wish.zone), wish.look)

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import viser
 
 from core.array import Array
 from core.cell.cell import Box
-from core.report.faces import Faces
+from core.payload.shapes import Shape
+from core.report.faces import Faces, shape_faces
 from server.viewer.first_look import find_eye, find_occluded
+from server.viewer.in_the_way import EDGE_M, edges
 from server.viewer.scene import LOAD, LOAD_OPACITY, PATH, ViewerScene, add_body
 from server.viewer.wish import Look, Wish
 
@@ -24,6 +26,8 @@ FADED = 0.13
 """Opacity of what is seen through."""
 PLANNED = "/planned"
 PLANNED_OPACITY = 0.75
+DRAWN_ZONE = "/drawn_zone"
+DRAWN_OPACITY = 0.3
 NEAREST_M, FARTHEST = 0.25, 6.0
 """How near the camera may come, and how far it may go, times the distance at which everything is seen."""
 
@@ -67,7 +71,7 @@ class Views:
         with self._lock:
             for view in self._views.values():
                 if view.wish.q_rad is not None:
-                    view.wish = Wish(view.wish.payload_box)
+                    view.wish = replace(view.wish, q_rad=None)
                     for eye in view.eyes.values():
                         eye.draw(view.wish)
 
@@ -116,10 +120,12 @@ class Eye:
         self._faded: dict[str, Faces] = {}
 
     def draw(self, wish: Wish) -> None:
-        """The box and the planned robot that are wanted, for this page alone."""
+        """The box, the zone and the planned robot that are wanted, for this page alone."""
         before, self._wish = self._wish, wish
         if wish.payload_box != before.payload_box:
             self._draw_box(wish.payload_box)
+        if wish.zone != before.zone:
+            self._draw_zone(wish.zone)
         if wish.q_rad is None or len(wish.q_rad) != self._scene.robot.n:
             self._client.scene.remove_by_name(PLANNED)
             self._frames = []
@@ -145,6 +151,9 @@ class Eye:
 
     def see_through(self) -> None:
         """What hides the arm from this camera is drawn so that the arm is seen through it."""
+        for gone in self._faded.keys() - {thing.node for thing in self._scene.things}:
+            self._client.scene.remove_by_name(gone)
+            del self._faded[gone]
         eye, points = np.array(self._client.camera.position), self._points()
         for thing in self._scene.things:
             hidden = float(find_occluded(thing.faces, eye, points).mean())
@@ -171,6 +180,13 @@ class Eye:
             self._client.scene.remove_by_name(node)
         else:
             add_body(self._client.scene, node, self._scene.carry(box), LOAD, LOAD_OPACITY)
+
+    def _draw_zone(self, zone: Shape | None) -> None:
+        self._client.scene.remove_by_name(DRAWN_ZONE)
+        if zone is not None:
+            faces = shape_faces(zone)
+            add_body(self._client.scene, f"{DRAWN_ZONE}/body", faces, PATH, DRAWN_OPACITY)
+            self._client.scene.add_line_segments(f"{DRAWN_ZONE}/edges", edges(faces), PATH, thickness=EDGE_M)
 
     def _draw_planned(self, q: Array) -> None:
         with self._client.atomic():

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from core.payload.shapes import Box
+from core.payload.shapes import Box, Shape
 
 Look = Literal["front", "top", "operator", "fit", "reset"]
 """From where: `operator` from the first protected zone, where people are; `fit` from where the camera is; `reset` as at first."""
@@ -18,7 +18,9 @@ class Wish:
     Args:
         payload_box: in the place of the run's, sensor frame.
         q_rad: where the planned robot is drawn.
+        zone: a protected zone as it would be, world frame.
     """
 
     payload_box: Box | None = None
     q_rad: tuple[float, ...] | None = None
+    zone: Shape | None = None

@@ -392,6 +392,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/cells/{cell}/zones": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Create Zone
+         * @description Adds a zone that somebody draws: its name has to be free, its size sensible, and the robot at home outside of it.
+         */
+        post: operations["create_zone"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/cells/{cell}/zones/{zone}": {
         parameters: {
             query?: never;
@@ -405,6 +425,30 @@ export interface paths {
          * @description Keeps a zone's new place. A place that makes planning impossible is kept too: people are where they are.
          */
         put: operations["move_zone"];
+        post?: never;
+        /**
+         * Delete Zone
+         * @description Takes a zone out of the cell; `undo` puts it back.
+         */
+        delete: operations["delete_zone"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/cells/{cell}/zones/{zone}/shape": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Reshape Zone
+         * @description Gives a zone another size and place: the size has to be sensible, and the robot at home outside of it.
+         */
+        put: operations["reshape_zone"];
         post?: never;
         delete?: never;
         options?: never;
@@ -423,7 +467,7 @@ export interface paths {
         put?: never;
         /**
          * Check Zone
-         * @description What a zone would contradict at a place, the whole arm at home included, before anybody moves it there.
+         * @description What a zone would contradict, the whole arm at home included, before anybody moves it there or draws it so.
          */
         post: operations["check_zone"];
         delete?: never;
@@ -443,7 +487,7 @@ export interface paths {
         put?: never;
         /**
          * Put Zone Back
-         * @description Puts a zone back to where it was before, or to where the cell's file has it; a later measurement moves it as ever.
+         * @description Puts a zone back to how it was before, or to how the cell's file has it; a later measurement moves it as ever.
          */
         post: operations["put_zone_back"];
         delete?: never;
@@ -1919,6 +1963,13 @@ export interface components {
              */
             control?: components["schemas"]["Control"];
             /**
+             * @description From which external torques and forces the controller acts.
+             * @default {
+             *       "observer_rate_per_s": 50
+             *     }
+             */
+            thresholds?: components["schemas"]["Thresholds"];
+            /**
              * Gravity M S2
              * @description Gravity in the world frame, m/s2.
              * @default [
@@ -2050,7 +2101,7 @@ export interface components {
             sha256: string;
             /**
              * Moved
-             * @description Zones that were brought to where they are now.
+             * @description Zones that were moved, drawn or removed here; those removed are not in `cell`.
              */
             moved: components["schemas"]["ZonePlace"][];
             /**
@@ -6745,6 +6796,63 @@ export interface components {
             repetitions?: number | null;
         };
         /**
+         * Thresholds
+         * @description `[thresholds]`: what the controller takes for contact with somebody. What an error of the payload adds must stay below.
+         */
+        Thresholds: {
+            /**
+             * Joint Torque Nm
+             * @description External torque of each joint at which the controller sees a collision, N m.
+             * @example [
+             *       20,
+             *       20,
+             *       18,
+             *       18,
+             *       16,
+             *       14,
+             *       12
+             *     ]
+             */
+            joint_torque_nm?: number[] | null;
+            /**
+             * Tcp Force N
+             * @description External force at the sensor frame at which the controller sees a collision, N.
+             * @example 20
+             */
+            tcp_force_n?: number | null;
+            /**
+             * Guiding Force N
+             * @description Force at the sensor frame with which the arm may push at most while it is guided by hand, N.
+             * @example 5
+             */
+            guiding_force_n?: number | null;
+            /**
+             * Observer Rate Per S
+             * @description Gain of the observer that estimates external torques, 1/s: it sees what lasts longer than its inverse.
+             * @default 50
+             * @example 50
+             */
+            observer_rate_per_s?: number;
+            /**
+             * Mass Kg
+             * @description Error of the mass that the controller's maker allows, kg; null where nobody has said.
+             * @example 0.1
+             */
+            mass_kg?: number | null;
+            /**
+             * Com M
+             * @description Error of the centre of mass that the controller's maker allows, m; null likewise.
+             * @example 0.01
+             */
+            com_m?: number | null;
+            /**
+             * Source
+             * @description Where the values are from.
+             * @example safety configuration of line 3
+             */
+            source?: string | null;
+        };
+        /**
          * ThrowPart
          * @description Where the load would come nearest to a protected zone if it let go during a rotation.
          */
@@ -7442,6 +7550,11 @@ export interface components {
              */
             q_rad?: number[] | null;
             /**
+             * Zone
+             * @description A protected zone as it would be, drawn beside those that there are, world frame; null draws none.
+             */
+            zone?: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
+            /**
              * Look
              * @description Turns the camera once: `operator` from where people stand, `fit` so that all is seen, `reset` as at first; null leaves it.
              */
@@ -7779,15 +7892,25 @@ export interface components {
         };
         /**
          * ZoneCheckCreate
-         * @description Where a zone's centre would be, in the world frame.
+         * @description A zone as it would be.
          */
         ZoneCheckCreate: {
-            /** @description Where its centre would be, world frame. */
-            pose: components["schemas"]["Pose"];
+            /**
+             * Shape
+             * @description Its shape, size and place, world frame.
+             */
+            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
+            /**
+             * New
+             * @description Whether it is a new one, whose name has to be free.
+             * @default false
+             * @example false
+             */
+            new?: boolean;
         };
         /**
          * ZoneCheckPublic
-         * @description Why nothing could be planned with a zone at a place; nothing where `flaws` is empty. The zone has not moved.
+         * @description What speaks against a zone as it would be; nothing where `flaws` is empty. It has not changed.
          */
         ZoneCheckPublic: {
             /**
@@ -7802,17 +7925,37 @@ export interface components {
              * @example operator
              */
             zone: string;
-            /** @description Where its centre would be, world frame. */
-            pose: components["schemas"]["Pose"];
+            /**
+             * Shape
+             * @description Its shape, size and place as asked, world frame.
+             */
+            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
             /**
              * Flaws
-             * @description Why nothing could be planned with it there; empty where something could. It has not moved.
+             * @description What would keep the robot from being planned for, or the zone from being drawn; empty where nothing would.
              */
             flaws: components["schemas"]["Flaw"][];
         };
         /**
+         * ZoneCreate
+         * @description A new zone.
+         */
+        ZoneCreate: {
+            /**
+             * Name
+             * @description Its name: no other zone, obstacle, tool or link of the robot has it.
+             * @example trolley
+             */
+            name: string;
+            /**
+             * Shape
+             * @description Its shape, size and place, world frame.
+             */
+            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
+        };
+        /**
          * ZonePlace
-         * @description When a zone was brought to where it is now, and by whom: measured by the clock of who measured it, received by ours.
+         * @description When a zone became what it is now, and by whom: measured by the clock of who measured it, received by ours.
          */
         ZonePlace: {
             /**
@@ -7823,13 +7966,13 @@ export interface components {
             zone: string;
             /**
              * Moves
-             * @description How often it has moved.
+             * @description How often it has changed.
              * @example 3
              */
             moves: number;
             /**
              * Moved By
-             * @description Who brought it to where it is now.
+             * @description Who moved, drew or removed it.
              * @example key:tracker
              */
             moved_by: string;
@@ -7847,14 +7990,20 @@ export interface components {
              * @example 2026-03-01T08:00:00.120Z
              */
             received_at: string;
-            /** @description Where it was before. */
-            previous: components["schemas"]["Pose"];
-            /** @description Where the cell's file has it. */
-            in_file: components["schemas"]["Pose"];
+            /**
+             * Previous
+             * @description How it was before, world frame; null where there was none.
+             */
+            previous: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
+            /**
+             * In File
+             * @description How the cell's file has it, world frame; null where it has none of that name.
+             */
+            in_file: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
         };
         /**
          * ZonePublic
-         * @description A zone's latest place.
+         * @description A zone as it is now.
          */
         ZonePublic: {
             /**
@@ -7869,13 +8018,19 @@ export interface components {
              * @example operator
              */
             zone: string;
-            /** @description Where its centre is, world frame. */
-            pose: components["schemas"]["Pose"];
-            /** @description Where it was before that. */
-            previous: components["schemas"]["Pose"];
+            /**
+             * Shape
+             * @description Its shape, size and place, world frame; null where it was removed.
+             */
+            shape: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
+            /**
+             * Previous
+             * @description The same before that; null where there was none.
+             */
+            previous: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
             /**
              * Moves
-             * @description How often it has moved.
+             * @description How often it has changed.
              * @example 3
              */
             moves: number;
@@ -7902,20 +8057,31 @@ export interface components {
             flaws: components["schemas"]["Flaw"][];
         };
         /**
+         * ZoneShapeUpdate
+         * @description A zone as it is from now on.
+         */
+        ZoneShapeUpdate: {
+            /**
+             * Shape
+             * @description Its shape, size and place, world frame.
+             */
+            shape: components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"];
+        };
+        /**
          * ZoneUndoCreate
          * @description The way back.
          */
         ZoneUndoCreate: {
             /**
              * To
-             * @description To where it was before, or to where the cell's file has it.
+             * @description To how it was before, or to how the cell's file has it.
              * @default before
              * @enum {string}
              */
             to?: "before" | "file";
             /**
              * Moves
-             * @description How often it had moved when whoever asks saw it; refused where it has moved on since. Not compared where null.
+             * @description How often it had changed when whoever asks saw it; refused where it has changed since. Not compared where null.
              * @example 3
              */
             moves?: number | null;
@@ -7956,7 +8122,7 @@ export interface components {
          * ProblemDetails
          * @description What went wrong.
          * @example {
-         *       "detail": "zone \"operator\": is where the cell's file has it; there is nothing to undo",
+         *       "detail": "zone \"operator\": is as the cell's file has it; there is nothing to undo",
          *       "kind": "conflict",
          *       "parameters": {
          *         "zone": "operator"
@@ -7989,7 +8155,7 @@ export interface components {
             /**
              * Detail
              * @description What happened, the value against the limit, and the next step, in English.
-             * @example zone "operator": is where the cell's file has it; there is nothing to undo
+             * @example zone "operator": is as the cell's file has it; there is nothing to undo
              */
             detail: string;
             /**
@@ -10019,7 +10185,7 @@ export interface components {
              */
             type: "/problems/zone-clock-ahead";
         });
-        /** @description zone-not-moved = zone "{ $zone }": is where the cell's file has it; there is nothing to undo */
+        /** @description zone-not-moved = zone "{ $zone }": is as the cell's file has it; there is nothing to undo */
         ZoneNotMovedProblem: {
             /**
              * @description Address of what describes the situation.
@@ -10043,7 +10209,7 @@ export interface components {
              */
             type: "/problems/zone-not-moved";
         });
-        /** @description zone-moved-on = zone "{ $zone }": has moved { $moves } times, not { $seen_moves }; look where it is now and ask again */
+        /** @description zone-moved-on = zone "{ $zone }": has changed { $moves } times, not { $seen_moves }; look at it as it is now and ask again */
         ZoneMovedOnProblem: {
             /**
              * @description Address of what describes the situation.
@@ -10070,6 +10236,30 @@ export interface components {
              * @enum {string}
              */
             type: "/problems/zone-moved-on";
+        });
+        /** @description zone-exists = zone "{ $zone }": there is one of that name by now; choose another name */
+        ZoneExistsProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/zone-exists";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name of the zone. */
+                zone: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-exists";
         });
         /** @description uploads-cell-exists = cell "{ $cell }" exists already; PUT /api/cells/{ $cell } replaces it */
         UploadsCellExistsProblem: {
@@ -11200,6 +11390,134 @@ export interface components {
             type: "/problems/uploads-cell-misnamed";
         });
         /**
+         * @description zone-name-taken =
+         *         .found = the name "{ $name }", which { $owner } has
+         *         .expected = a name of its own
+         */
+        ZoneNameTakenProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/zone-name-taken";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-cell";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description Name that was given. */
+                name: string;
+                /** @description What has that name already. */
+                owner: string | components["schemas"]["NestedMessage"];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-name-taken";
+        });
+        /**
+         * @description zone-too-small =
+         *         .found = a zone of { FIXED($length_m, digits: 3) } m
+         *         .expected = at least { FIXED($least_m) } m
+         */
+        ZoneTooSmallProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/zone-too-small";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-cell";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description Length that was given, m. */
+                length_m: number;
+                /** @description The least, m. */
+                least_m: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-too-small";
+        });
+        /**
+         * @description zone-too-large =
+         *         .found = a zone of { FIXED($length_m, digits: 1) } m
+         *         .expected = at most { FIXED($most_m, digits: 0) } m
+         */
+        ZoneTooLargeProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/zone-too-large";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-cell";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description Length that was given, m. */
+                length_m: number;
+                /** @description The most, m. */
+                most_m: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-too-large";
+        });
+        /**
+         * @description zone-too-far =
+         *         .found = its centre { FIXED($distance_m, digits: 1) } m from the robot's base
+         *         .expected = at most { FIXED($most_m, digits: 0) } m
+         */
+        ZoneTooFarProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/zone-too-far";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-cell";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description Distance that was given, m. */
+                distance_m: number;
+                /** @description The most, m. */
+                most_m: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/zone-too-far";
+        });
+        /**
          * @description uploads-model-not-buildable =
          *         .found = a model that cannot be built ({ $reason })
          *         .expected = links and meshes that can
@@ -11460,7 +11778,7 @@ export interface components {
              */
             type: "EngineProblem";
         });
-        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
+        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
     };
     responses: never;
     parameters: never;
@@ -11598,6 +11916,7 @@ export type StateChanged = components['schemas']['StateChanged'];
 export type StepFinished = components['schemas']['StepFinished'];
 export type Stop = components['schemas']['Stop'];
 export type Swings = components['schemas']['Swings'];
+export type Thresholds = components['schemas']['Thresholds'];
 export type ThrowPart = components['schemas']['ThrowPart'];
 export type Tied = components['schemas']['Tied'];
 export type Tool = components['schemas']['Tool'];
@@ -11625,8 +11944,10 @@ export type WorkpiecePart = components['schemas']['WorkpiecePart'];
 export type Zone = components['schemas']['Zone'];
 export type ZoneCheckCreate = components['schemas']['ZoneCheckCreate'];
 export type ZoneCheckPublic = components['schemas']['ZoneCheckPublic'];
+export type ZoneCreate = components['schemas']['ZoneCreate'];
 export type ZonePlace = components['schemas']['ZonePlace'];
 export type ZonePublic = components['schemas']['ZonePublic'];
+export type ZoneShapeUpdate = components['schemas']['ZoneShapeUpdate'];
 export type ZoneUndoCreate = components['schemas']['ZoneUndoCreate'];
 export type ZoneUpdate = components['schemas']['ZoneUpdate'];
 export type NestedMessage = components['schemas']['NestedMessage'];
@@ -11711,6 +12032,7 @@ export type ZoneMeasuredBeforeProblem = components['schemas']['ZoneMeasuredBefor
 export type ZoneClockAheadProblem = components['schemas']['ZoneClockAheadProblem'];
 export type ZoneNotMovedProblem = components['schemas']['ZoneNotMovedProblem'];
 export type ZoneMovedOnProblem = components['schemas']['ZoneMovedOnProblem'];
+export type ZoneExistsProblem = components['schemas']['ZoneExistsProblem'];
 export type UploadsCellExistsProblem = components['schemas']['UploadsCellExistsProblem'];
 export type RequestKeyBusyProblem = components['schemas']['RequestKeyBusyProblem'];
 export type JobsUploadOfOtherCellProblem = components['schemas']['JobsUploadOfOtherCellProblem'];
@@ -11753,6 +12075,10 @@ export type UploadsCheckTooLargeProblem = components['schemas']['UploadsCheckToo
 export type UploadsCheckTooSlowProblem = components['schemas']['UploadsCheckTooSlowProblem'];
 export type UploadsCheckBrokenOffProblem = components['schemas']['UploadsCheckBrokenOffProblem'];
 export type UploadsCellMisnamedProblem = components['schemas']['UploadsCellMisnamedProblem'];
+export type ZoneNameTakenProblem = components['schemas']['ZoneNameTakenProblem'];
+export type ZoneTooSmallProblem = components['schemas']['ZoneTooSmallProblem'];
+export type ZoneTooLargeProblem = components['schemas']['ZoneTooLargeProblem'];
+export type ZoneTooFarProblem = components['schemas']['ZoneTooFarProblem'];
 export type UploadsModelNotBuildableProblem = components['schemas']['UploadsModelNotBuildableProblem'];
 export type UploadsRecordingTooLargeProblem = components['schemas']['UploadsRecordingTooLargeProblem'];
 export type UploadsTwoRecordingsProblem = components['schemas']['UploadsTwoRecordingsProblem'];
@@ -13554,6 +13880,114 @@ export interface operations {
             };
         };
     };
+    create_zone: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ZoneCreate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ZonePublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ZoneExistsProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     move_zone: {
         parameters: {
             query?: never;
@@ -13642,6 +14076,186 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_zone: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description Name of the protected zone. */
+                zone: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ZonePublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    reshape_zone: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the cell. */
+                cell: string;
+                /** @description Name of the protected zone. */
+                zone: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ZoneShapeUpdate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ZonePublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */
@@ -16596,8 +17210,8 @@ export interface operations {
     download_report: {
         parameters: {
             query?: {
-                /** @description Language of the answer. */
-                language?: "en" | "de";
+                /** @description Language of the answer, by its code; in English where Heft has no words in it. */
+                language?: string;
             };
             header?: never;
             path: {
@@ -17281,8 +17895,8 @@ export interface operations {
     download_diagnosis_report: {
         parameters: {
             query?: {
-                /** @description Language of the answer. */
-                language?: "en" | "de";
+                /** @description Language of the answer, by its code; in English where Heft has no words in it. */
+                language?: string;
             };
             header?: never;
             path: {
@@ -17636,8 +18250,8 @@ export interface operations {
     read_trials: {
         parameters: {
             query?: {
-                /** @description Language of the answer. */
-                language?: "en" | "de";
+                /** @description Language of the answer, by its code; in English where Heft has no words in it. */
+                language?: string;
             };
             header?: never;
             path: {

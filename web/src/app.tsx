@@ -1,5 +1,4 @@
 import { alarmsScreen } from './alarms/alarms-page';
-import { cells } from './cells/cells-page';
 import { historyScreen } from './history/history-page';
 import { ordersScreen } from './orders/orders-page';
 import { CommandBar } from './run/command-bar';
@@ -17,11 +16,19 @@ import { notThere } from './ui/not-there-page';
 import { route } from './ui/route';
 import type { Screen } from './ui/screen';
 import { screenLater } from './ui/screen-later';
+import { fetchLaterMessages } from './words/messages';
 
 const adminScreen = screenLater(async () => (await import('./admin/admin-page')).screenHere);
-const gapScreen = screenLater(async () => (await import('./gap/gap-page')).gapScreen);
+const cellsScreen = screenLater(async () => (await import('./cells/cells-page')).cellsScreen);
+const gapScreen = screenLater(async () => {
+  await fetchLaterMessages();
+  return (await import('./gap/gap-page')).gapScreen;
+});
 const toolsScreen = screenLater(async () => (await import('./tools/tools-page')).toolsScreen);
-const trialsScreen = screenLater(async () => (await import('./trials/trials-page')).trialsScreen);
+const trialsScreen = screenLater(async () => {
+  await fetchLaterMessages();
+  return (await import('./trials/trials-page')).trialsScreen;
+});
 
 /** A page for each first piece of the address; a new page is a line here, and in parts/navigation.tsx. */
 const SCREENS = new Map<string, () => Screen>([
@@ -31,7 +38,7 @@ const SCREENS = new Map<string, () => Screen>([
   ['trials', trialsScreen],
   ['history', historyScreen],
   ['tools', toolsScreen],
-  ['cells', () => cells],
+  ['cells', cellsScreen],
   ['orders', () => ordersScreen],
   ['alarms', () => alarmsScreen],
   ['control', () => controlScreen],

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.cell.cell import Box, Cell, Limits, Obstacle, Pose, Zone
+from core.cell.cell import Box, Cell, Limits, Obstacle, Pose, Sphere, Zone
 from core.cell.folder import load_cell
 from core.errors import BadCell
 from core.robot.bodies import link_bodies
@@ -190,6 +190,33 @@ def test_an_obstacle_that_comes_near_the_first_link_is_watched_from_then_on():
     assert collision.nearest(home).second == "fixture"
     collision.move("fixture", Pose(xyz_m=(0.45, -0.6, 0.1)))
     assert ("link1", "fixture") not in {(body.name, thing.name) for body, thing in collision.pairs[0]}
+
+
+def test_a_zone_that_comes_grows_moves_and_goes_is_kept_clear_of_as_if_it_had_always_been_so(cell):
+    """The oracle is a model that is made of such a cell from the beginning."""
+    collision = model_of(cell)
+    far = Box(size_m=(0.3, 0.4, 0.5), pose=Pose(xyz_m=(0.6, 1.4, 1.0), rpy_rad=(0.0, 0.0, 0.4)))
+    ball = Sphere(kind="sphere", radius_m=0.3, pose=Pose(xyz_m=(-1.4, 0.3, 1.2)))
+    first = cell.zones[0].name
+    changes = [("trolley", far), ("trolley", ball), ("trolley", ball.model_copy(update={"pose": Pose(xyz_m=(-1.5, 0.2, 0.9))})),
+               (first, None), ("trolley", None), (first, cell.zones[0].shape)]  # fmt: skip
+    now = cell
+    for name, shape in changes:
+        collision.change_zone(name, shape)
+        now = now.with_zone(name, shape)
+        there = model_of(now)
+        assert {zone.name for zone in collision.cell.zones} == {zone.name for zone in now.zones}
+        assert sorted((a.name, b.name) for a, b in collision.pairs[0]) == sorted((a.name, b.name) for a, b in there.pairs[0])
+        for q in random_q(collision, 20):
+            assert collision.margin(q) == pytest.approx(there.margin(q), abs=1e-9)
+            assert collision.is_free(q) is there.is_free(q)
+            assert collision.obstacle_distance(q).second == there.obstacle_distance(q).second
+
+
+def test_a_zone_cannot_take_the_name_of_an_obstacle():
+    collision = model_of(load_cell(ROOT / "cells" / "lwr4_bench"))
+    with pytest.raises(BadCell, match="bench"):
+        collision.change_zone("bench", Box(size_m=(0.1, 0.1, 0.1), pose=Pose(xyz_m=(2.0, 0.0, 0.0))))
 
 
 def test_an_unknown_obstacle_cannot_be_moved():

@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
-from server.cells.zones import positions, with_zones_where_they_are
+from server.cells.zones import positions, with_zones_as_they_are
 from server.people.roles import Role
-from server.runner.messages import Failed, ZoneMoved
+from server.runner.messages import Failed, ZoneChanged
 from server.runs.active_run import ActiveRun
 from server.service import Service
 from tests.server.made_people import BOTH_STORES, As, Clock
@@ -24,6 +24,7 @@ IN_FILE = [1.35, 0.0, 0.625]
 ON_THE_BASE = [0.0, 0.0, 0.0]
 OVER_THE_ARM = [0.95, 0.0, 0.625]
 """Beside the base, but where the arm is at home."""
+OPERATOR = {"kind": "box", "size_m": [1.0, 3.0, 2.75]}
 
 
 def moved(client: TestClient, x: float, at: str) -> int:
@@ -41,7 +42,7 @@ def test_a_zone_stands_where_it_was_last_seen(signed_in: As, service: Service) -
     with service.store.read() as db:
         known = positions(db, "lwr4_bench")
     assert known["operator"].moves == 2
-    there = with_zones_where_they_are(cell, known).zones[0].shape
+    there = with_zones_as_they_are(cell, known).zones[0].shape
     assert there.corners.mean(axis=0) == pytest.approx([1.6, 0.0, 0.625])
     assert cell.zones[0].shape.pose.xyz_m[0] == 1.35
 
@@ -134,16 +135,16 @@ def test_a_run_that_waits_when_the_zone_comes_ends_with_the_flaw_as_its_reason(
 def test_a_zone_is_put_back_to_where_it_was_and_to_where_the_file_has_it(signed_in: As, clock: Clock) -> None:
     operator = signed_in(Role.operator)
     place(operator, [1.5, 0.0, 0.625])
-    assert place(operator, ON_THE_BASE, "2026-03-01T08:00:00.1Z")["previous"]["xyz_m"] == [1.5, 0.0, 0.625]
+    assert place(operator, ON_THE_BASE, "2026-03-01T08:00:00.1Z")["previous"]["pose"]["xyz_m"] == [1.5, 0.0, 0.625]
     (known,) = operator.get(CELL).json()["moved"]
-    assert (known["previous"]["xyz_m"], known["in_file"]["xyz_m"]) == ([1.5, 0.0, 0.625], IN_FILE)
+    assert (known["previous"]["pose"]["xyz_m"], known["in_file"]["pose"]["xyz_m"]) == ([1.5, 0.0, 0.625], IN_FILE)
     clock.go_on(seconds=5)
     back = operator.post(f"{ZONE}/undo", json={"moves": known["moves"]}).json()
-    assert (back["pose"]["xyz_m"], back["previous"]["xyz_m"], back["flaws"]) == ([1.5, 0.0, 0.625], ON_THE_BASE, [])
+    assert (back["shape"]["pose"]["xyz_m"], back["previous"]["pose"]["xyz_m"], back["flaws"]) == ([1.5, 0.0, 0.625], ON_THE_BASE, [])
     assert datetime.fromisoformat(back["received_at"]) == clock()
     assert datetime.fromisoformat(back["measured_at"]) == datetime(2026, 3, 1, 8, 0, 0, 100_000, tzinfo=UTC)
-    assert operator.post(f"{ZONE}/undo").json()["pose"]["xyz_m"] == ON_THE_BASE
-    assert operator.post(f"{ZONE}/undo", json={"to": "file"}).json()["pose"]["xyz_m"] == IN_FILE
+    assert operator.post(f"{ZONE}/undo").json()["shape"]["pose"]["xyz_m"] == ON_THE_BASE
+    assert operator.post(f"{ZONE}/undo", json={"to": "file"}).json()["shape"]["pose"]["xyz_m"] == IN_FILE
     assert shown_at(operator) == IN_FILE
     entries = signed_in(Role.engineer).get("/api/audit").json()
     assert [entry["action"] for entry in entries] == ["zone.undo", "zone.undo", "zone.undo", "zone.move", "zone.move"]
@@ -152,15 +153,15 @@ def test_a_zone_is_put_back_to_where_it_was_and_to_where_the_file_has_it(signed_
 
 def test_the_first_move_is_undone_to_where_the_file_has_the_zone(signed_in: As) -> None:
     operator = signed_in(Role.operator)
-    assert place(operator, ON_THE_BASE)["previous"]["xyz_m"] == IN_FILE
-    assert operator.post(f"{ZONE}/undo").json()["pose"]["xyz_m"] == IN_FILE
+    assert place(operator, ON_THE_BASE)["previous"]["pose"]["xyz_m"] == IN_FILE
+    assert operator.post(f"{ZONE}/undo").json()["shape"]["pose"]["xyz_m"] == IN_FILE
 
 
 def test_who_stands_still_under_a_tracker_can_still_be_put_back(signed_in: As) -> None:
     operator = signed_in(Role.operator)
     for tenth in range(3):
         place(operator, ON_THE_BASE, f"2026-03-01T08:00:00.{tenth}Z")
-    assert operator.post(f"{ZONE}/undo").json()["pose"]["xyz_m"] == IN_FILE
+    assert operator.post(f"{ZONE}/undo").json()["shape"]["pose"]["xyz_m"] == IN_FILE
 
 
 def test_a_tracker_whose_clock_is_behind_goes_on_after_an_undo(signed_in: As, clock: Clock) -> None:
@@ -168,7 +169,7 @@ def test_a_tracker_whose_clock_is_behind_goes_on_after_an_undo(signed_in: As, cl
     clock.go_on(minutes=5)
     place(operator, ON_THE_BASE)
     assert operator.post(f"{ZONE}/undo").status_code == 200
-    assert place(operator, [1.6, 0.0, 0.625], "2026-03-01T08:00:00.1Z")["pose"]["xyz_m"] == [1.6, 0.0, 0.625]
+    assert place(operator, [1.6, 0.0, 0.625], "2026-03-01T08:00:00.1Z")["shape"]["pose"]["xyz_m"] == [1.6, 0.0, 0.625]
 
 
 def test_an_undo_of_what_nobody_saw_or_did_is_refused(signed_in: As) -> None:
@@ -184,29 +185,29 @@ def test_an_undo_of_what_nobody_saw_or_did_is_refused(signed_in: As) -> None:
 def test_the_run_is_told_where_the_zone_is_after_an_undo(
     nothing_planned: None, service: Service, signed_in: As, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    told: list[ZoneMoved] = []
-    monkeypatch.setattr(ActiveRun, "tell_zone_move", lambda _, moved: told.append(moved))
+    told: list[ZoneChanged] = []
+    monkeypatch.setattr(ActiveRun, "tell_zone_change", lambda _, changed: told.append(changed))
     operator = signed_in(Role.operator)
     assert operator.post("/api/runs", json={"cell": "lwr4_bench", "payload": "steel_block"}).status_code == 202
     wait_for(lambda: "lwr4_bench" in service.conductor.active, "the run to have its cell")
     place(operator, ON_THE_BASE)
     operator.post(f"{ZONE}/undo")
     wait_for(lambda: len(told) == 2, "the run to be told", lambda: told)
-    assert [moved.pose.xyz_m for moved in told] == [(0.0, 0.0, 0.0), tuple(IN_FILE)]
+    assert [changed.shape and changed.shape.pose.xyz_m for changed in told] == [(0.0, 0.0, 0.0), tuple(IN_FILE)]
 
 
 def test_a_place_is_looked_at_before_the_zone_moves_there(signed_in: As) -> None:
     operator = signed_in(Role.operator)
 
     def flaws_at(xyz_m: list[float]) -> list[str]:
-        answer = operator.post(f"{ZONE}/check", json={"pose": {"xyz_m": xyz_m}})
+        answer = operator.post(f"{ZONE}/check", json={"shape": {**OPERATOR, "pose": {"xyz_m": xyz_m}}})
         assert answer.status_code == 200, answer.text
         return [flaw["where"] for flaw in answer.json()["flaws"]]
 
     assert flaws_at([1.5, 0.0, 0.625]) == []
     assert flaws_at(ON_THE_BASE) == ["lwr4_bench/cell.toml: zones.operator.shape"]
     assert flaws_at(OVER_THE_ARM) == ["lwr4_bench/cell.toml: robot.home_rad"]
-    assert operator.post(f"{CELL}/zones/nobody/check", json={"pose": {}}).status_code == 404
+    assert operator.post(f"{CELL}/zones/nobody/check", json={"shape": OPERATOR}).status_code == 404
     assert shown_at(operator) == IN_FILE
     assert operator.get(CELL).json()["moved"] == []
 
@@ -224,3 +225,119 @@ def test_a_place_is_looked_at_before_the_zone_moves_there(signed_in: As) -> None
 )
 def test_a_move_that_means_nothing_is_refused(address: str, body: dict[str, object], status: int, signed_in: As) -> None:
     assert signed_in(Role.operator).put(address, json=body).status_code == status
+
+
+TROLLEY = {"kind": "cylinder", "radius_m": 0.3, "length_m": 1.5, "pose": {"xyz_m": [0.0, 1.6, 0.0]}}
+
+
+def draw(client: TestClient, name: str = "trolley", **changed: Any) -> Any:
+    return client.post(f"{CELL}/zones", json={"name": name, "shape": TROLLEY | changed})
+
+
+def zones_of(client: TestClient) -> dict[str, Any]:
+    return {zone["name"]: zone["shape"] for zone in client.get(CELL).json()["cell"]["zones"]}
+
+
+@BOTH_STORES
+def test_a_zone_is_drawn_resized_deleted_and_brought_back_and_the_log_has_it_all(signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+    made = draw(operator)
+    assert (made.status_code, made.json()["previous"], made.json()["shape"]["radius_m"]) == (201, None, 0.3)
+    assert list(zones_of(operator)) == ["operator", "trolley"]
+    larger = operator.put(f"{CELL}/zones/trolley/shape", json={"shape": TROLLEY | {"radius_m": 0.4}})
+    assert (larger.status_code, larger.json()["previous"]["radius_m"]) == (200, 0.3)
+    gone = operator.delete(f"{CELL}/zones/trolley")
+    assert (gone.status_code, gone.json()["shape"]) == (200, None)
+    assert list(zones_of(operator)) == ["operator"]
+    (place,) = operator.get(CELL).json()["moved"]
+    assert (place["zone"], place["previous"]["radius_m"], place["in_file"]) == ("trolley", 0.4, None)
+    assert operator.post(f"{CELL}/zones/trolley/undo", json={"moves": place["moves"]}).status_code == 200
+    assert zones_of(operator)["trolley"]["radius_m"] == 0.4
+    entries = signed_in(Role.engineer).get("/api/audit").json()
+    assert [entry["action"] for entry in entries] == ["zone.undo", "zone.delete", "zone.reshape", "zone.create"]
+    assert operator.post(f"{CELL}/zones/trolley/undo", json={"to": "file"}).json()["shape"] is None
+
+
+def test_a_zone_of_the_file_is_deleted_and_its_file_brings_it_back(signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+    assert operator.delete(ZONE).status_code == 200
+    assert zones_of(operator) == {}
+    assert moved(operator, 1.5, "2026-03-01T08:00:01Z") == 404
+    assert operator.delete(ZONE).status_code == 404
+    assert operator.post(f"{ZONE}/undo", json={"to": "file"}).status_code == 200
+    assert shown_at(operator) == IN_FILE
+
+
+def test_a_zone_that_was_resized_here_keeps_its_size_when_a_tracker_moves_it(signed_in: As, clock: Clock) -> None:
+    operator = signed_in(Role.operator)
+    assert operator.put(f"{ZONE}/shape", json={"shape": {"kind": "sphere", "radius_m": 0.5, "pose": {"xyz_m": IN_FILE}}}).status_code == 200
+    clock.go_on(seconds=2)
+    assert place(operator, [1.5, 0.0, 0.625], "2026-03-01T08:00:01Z")["shape"]["kind"] == "sphere"
+    assert zones_of(operator)["operator"]["radius_m"] == 0.5
+
+
+@pytest.mark.parametrize(
+    ("name", "owner"),
+    [("operator", "another zone"), ("bench", "an obstacle"), ("link2", "a link of the robot"), ("payload", "the payload or the floor")],
+)
+def test_a_new_zone_needs_a_name_that_nothing_in_the_cell_has(name: str, owner: str, signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+    refused = draw(operator, name)
+    assert refused.status_code == 422, refused.text
+    assert [(flaw["code"], flaw["found"]) for flaw in refused.json()["flaws"]] == [
+        ("zone-name-taken", f'the name "{name}", which {owner} has')
+    ]
+    assert operator.get(CELL).json()["moved"] == []
+
+
+@pytest.mark.parametrize(
+    ("changed", "code"),
+    [
+        ({"radius_m": 0.005}, "zone-too-small"),
+        ({"radius_m": 600.0}, "zone-too-large"),
+        ({"pose": {"xyz_m": [300.0, 0.0, 0.0]}}, "zone-too-far"),
+        ({"pose": {"xyz_m": ON_THE_BASE}}, "cell-base-inside"),
+        ({"pose": {"xyz_m": [0.5, 0.0, 0.6]}}, "robot-home-too-close"),
+    ],
+)
+def test_a_drawn_zone_that_is_a_slip_or_stands_on_the_robot_at_home_is_refused_in_words(
+    changed: dict[str, Any], code: str, signed_in: As
+) -> None:
+    operator = signed_in(Role.operator)
+    asked = operator.post(f"{CELL}/zones/trolley/check", json={"shape": TROLLEY | changed, "new": True})
+    refused = draw(operator, **changed)
+    assert (asked.status_code, refused.status_code) == (200, 422), refused.text
+    assert [flaw["code"] for flaw in asked.json()["flaws"]] == [flaw["code"] for flaw in refused.json()["flaws"]] == [code]
+    assert draw(operator).status_code == 201
+    reshaped = operator.put(f"{CELL}/zones/trolley/shape", json={"shape": TROLLEY | changed})
+    assert [flaw["code"] for flaw in reshaped.json()["flaws"]] == [code]
+
+
+def test_what_another_zone_contradicts_keeps_nobody_from_drawing_one(signed_in: As) -> None:
+    operator = signed_in(Role.operator)
+    place(operator, ON_THE_BASE)
+    assert draw(operator).status_code == 201
+    assert operator.post(f"{CELL}/zones", json={"name": "trolley", "shape": TROLLEY}).status_code == 422
+
+
+def test_who_only_watches_changes_no_zone(signed_in: As) -> None:
+    viewer = signed_in(Role.viewer)
+    assert draw(viewer).status_code == 403
+    assert viewer.put(f"{ZONE}/shape", json={"shape": TROLLEY}).status_code == 403
+    assert viewer.delete(ZONE).status_code == 403
+
+
+def test_the_run_is_told_of_zones_that_come_grow_and_go(
+    nothing_planned: None, service: Service, signed_in: As, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[ZoneChanged] = []
+    monkeypatch.setattr(ActiveRun, "tell_zone_change", lambda _, changed: told.append(changed))
+    operator = signed_in(Role.operator)
+    assert operator.post("/api/runs", json={"cell": "lwr4_bench", "payload": "steel_block"}).status_code == 202
+    wait_for(lambda: "lwr4_bench" in service.conductor.active, "the run to have its cell")
+    draw(operator)
+    operator.put(f"{CELL}/zones/trolley/shape", json={"shape": TROLLEY | {"radius_m": 0.4}})
+    operator.delete(f"{CELL}/zones/trolley")
+    wait_for(lambda: len(told) == 3, "the run to be told", lambda: told)
+    sizes = [getattr(changed.shape, "radius_m", None) for changed in told]
+    assert (sizes, {changed.zone for changed in told}) == ([0.3, 0.4, None], {"trolley"})

@@ -1,3 +1,4 @@
+import '../look/zones.css';
 import { Viewer } from '../run/viewer';
 import { may } from '../session/session';
 import { FlawList } from '../ui/flaw-list';
@@ -11,7 +12,9 @@ import { CellSketch } from './cell-sketch';
 import { CellUpload } from './cell-upload';
 import { cells as allCells, type Cell } from './cells';
 import { looked, shownCell } from './shown-cell';
-import { ZonePlaces } from './zone-places';
+import { draft, drawing } from './zone-draft';
+import { ZoneEditor } from './zone-editor';
+import { zoneWords } from './zone-words';
 
 function Cells() {
   const said = words.value.cells;
@@ -23,13 +26,13 @@ function Cells() {
         <CellChoice legend={said.list} chosen={looked.value} choose={(name) => go('cells', name)} />
         <Flawed />
         {may('engineer') && <CellUpload />}
-        {shown?.cell && <ZonePlaces shown={shown} />}
       </section>
       <section>
         {shown?.drawn && <Viewer key={shown.sha256} cell={looked.value} />}
         {shown?.cell && !shown.drawn && <Undrawn cell={shown.cell} />}
-        {shown?.cell && <CellFacts cell={shown.cell} />}
       </section>
+      {shown?.cell && <ZoneEditor shown={shown} />}
+      {shown?.cell && <CellFacts cell={shown.cell} />}
     </div>
   );
 }
@@ -53,8 +56,12 @@ function Undrawn({ cell }: { cell: Cell }) {
 
 function next(): string {
   const said = words.value.cells;
+  if (drawing.value) return zoneWords.value.nextDrawing;
+  if (draft.value) return zoneWords.value.nextChanging;
   if (shownCell.value?.flaws.length) return said.nextFlawed;
   return may('engineer') ? said.nextEngineer : said.next;
 }
 
-export const cells: Screen = { Page: Cells, next };
+const page: Screen = { Page: Cells, next };
+
+export const cellsScreen = (): Screen => page;

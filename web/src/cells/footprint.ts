@@ -1,10 +1,12 @@
-import type { Obstacle, Pose } from '../api';
+import type { Pose } from '../api';
+import type { Shape, Three } from './shapes';
 
-type Shape = Obstacle['shape'];
-export type Three = [number, number, number];
 export type Point = [number, number];
 /** Two axes of the world frame: seen from above, seen from the side. */
 export type View = readonly [0, 1] | readonly [0, 2];
+export type ViewName = 'above' | 'side';
+
+export const VIEWS: Record<ViewName, View> = { above: [0, 1], side: [0, 2] };
 
 const ROUND = 32;
 
@@ -67,4 +69,24 @@ export function hull(points: Point[]): Point[] {
 
 function isLeft([a, b]: Point = [0, 0], [c, d]: Point = [0, 0], [e, f]: Point): boolean {
   return (c - a) * (f - b) - (d - b) * (e - a) > 0;
+}
+
+/** A square of a picture, as SVG has it, whose y points down, m. */
+export interface Square {
+  left: number;
+  top: number;
+  size: number;
+}
+
+/** The square around points, with so much beside them, m. */
+export function square(points: Point[], around: number): Square {
+  const [us, vs] = [points.map(([u]) => u), points.map(([, v]) => -v)];
+  const [left, right, top, bottom] = [Math.min(...us), Math.max(...us), Math.min(...vs), Math.max(...vs)];
+  const size = Math.max(right - left, bottom - top) + 2 * around;
+  return { left: (left + right - size) / 2, top: (top + bottom - size) / 2, size };
+}
+
+/** An outline as SVG has it. */
+export function pointsOf(outline: Point[]): string {
+  return outline.map(([u, v]) => `${u.toFixed(4)},${(-v).toFixed(4)}`).join(' ');
 }

@@ -1,7 +1,9 @@
 import type { Obstacle } from '../api';
 import { number, scaleOf, spelt } from '../ui/units';
 
-type Shape = Obstacle['shape'];
+export type Shape = Obstacle['shape'];
+export type ShapeKind = Shape['kind'];
+export type Three = [number, number, number];
 
 /** How large a shape is: edges of a box, diameter of a ball, diameter and length of a capsule or a cylinder. */
 export function sizeOf(shape: Shape): string {
@@ -11,8 +13,19 @@ export function sizeOf(shape: Shape): string {
 }
 
 /** Where its centre is, world frame. */
-export function centreOf(shape: Shape): [number, number, number] {
+export function centreOf(shape: Shape): Three {
   return shape.pose?.xyz_m ?? [0, 0, 0];
+}
+
+/** Roll, pitch and yaw, rad. */
+export function anglesOf(shape: Shape): Three {
+  return shape.pose?.rpy_rad ?? [0, 0, 0];
+}
+
+/** Whether its own z axis is that of the world: turned about the vertical at most. */
+export function isUpright(shape: Shape): boolean {
+  const [roll, pitch] = anglesOf(shape);
+  return roll === 0 && pitch === 0;
 }
 
 export function placeOf(shape: Shape): string {
@@ -20,9 +33,31 @@ export function placeOf(shape: Shape): string {
 }
 
 /** A point in the world frame. */
-export function spotOf(xyz_m: [number, number, number]): string {
+export function spotOf(xyz_m: Three): string {
   const { factor, unit, places } = scaleOf('length');
   return `${xyz_m.map((value) => number(factor * value, places)).join(' | ')} ${unit}`;
+}
+
+/** The same shape with its centre there. */
+export function centred(shape: Shape, xyz_m: Three): Shape {
+  return { ...shape, pose: { ...shape.pose, xyz_m } };
+}
+
+/** Whether two shapes are the same in size and place. */
+export function alike(one: Shape, other: Shape): boolean {
+  return JSON.stringify(plain(one)) === JSON.stringify(plain(other));
+}
+
+/** Whether they differ in their place alone. */
+export function onlyMoved(one: Shape, other: Shape): boolean {
+  return alike({ ...one, pose: other.pose ?? {} }, other);
+}
+
+function plain(shape: Shape): unknown[] {
+  const { xyz_m = [0, 0, 0], rpy_rad = [0, 0, 0] } = shape.pose ?? {};
+  const size =
+    shape.kind === 'box' ? shape.size_m : [shape.radius_m, 'length_m' in shape ? shape.length_m : 0];
+  return [shape.kind, ...size, ...xyz_m, ...rpy_rad];
 }
 
 function lengths(size_m: number[]): string {

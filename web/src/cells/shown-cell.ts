@@ -1,11 +1,12 @@
 import { computed, effect, signal } from '@preact/signals';
-import type { CellPublic, Flaw, Pose, ZonePlace } from '../api';
+import type { CellPublic, Flaw, Zone, ZonePlace } from '../api';
 import { session } from '../session/session';
 import { absent, sought } from '../ui/absent';
 import { ask } from '../ui/client';
 import { every } from '../ui/connection';
 import { route } from '../ui/route';
 import { cells, cell as chosen, chosenCell, readCell, readCells } from './cells';
+import { onlyMoved, type Shape } from './shapes';
 
 const ASK_MS = 1000;
 
@@ -33,32 +34,47 @@ async function readShown(name: string): Promise<void> {
 
 const sayOf = (flaws: Flaw[]) => JSON.stringify(flaws);
 
-/** Says where the centre of a zone is now, in the world frame; it keeps its axes. */
-export async function moveZone(zone: string, xyz_m: [number, number, number]): Promise<void> {
+/** A zone as somebody has drawn it; `original` is how it was when they began, null of a new one. */
+export interface DrawnZone {
+  name: string;
+  original: Zone | null;
+  shape: Shape;
+}
+
+/** Keeps a zone as it was drawn. One that has only moved is kept wherever it is: people are where they are. */
+export async function saveZone({ name: zone, original, shape }: DrawnZone): Promise<void> {
   const cell = looked.value;
-  const measured_at = new Date(Date.now() + ahead_ms).toISOString();
-  const body = { pose: poseAt(zone, xyz_m), measured_at };
-  await ask('PUT /api/cells/{cell}/zones/{zone}', { path: { cell, zone }, body });
+  const path = { cell, zone };
+  if (original === null) {
+    await ask('POST /api/cells/{cell}/zones', { path: { cell }, body: { name: zone, shape } });
+  } else if (onlyMoved(original.shape, shape)) {
+    const measured_at = new Date(Date.now() + ahead_ms).toISOString();
+    await ask('PUT /api/cells/{cell}/zones/{zone}', { path, body: { pose: shape.pose ?? {}, measured_at } });
+  } else {
+    await ask('PUT /api/cells/{cell}/zones/{zone}/shape', { path, body: { shape } });
+  }
   await readShown(cell);
 }
 
-/** What a zone would contradict there; it does not move. */
-export async function checkZone(zone: string, xyz_m: [number, number, number]): Promise<Flaw[]> {
+/** What speaks against a zone as it is drawn; nothing of it counts yet. */
+export async function checkZone({ name: zone, original, shape }: DrawnZone): Promise<Flaw[]> {
   const path = { cell: looked.value, zone };
-  const body = { pose: poseAt(zone, xyz_m) };
+  const body = { shape, new: original === null };
   return (await ask('POST /api/cells/{cell}/zones/{zone}/check', { path, body })).flaws;
 }
 
-/** Puts a zone back, unless it has moved on since it was shown here. */
+/** Takes a zone out of the cell; it can be put back. */
+export async function deleteZone(zone: string): Promise<void> {
+  const cell = looked.value;
+  await ask('DELETE /api/cells/{cell}/zones/{zone}', { path: { cell, zone } });
+  await readShown(cell);
+}
+
+/** Puts a zone back, unless it has changed again since it was shown here. */
 export async function putZoneBack({ zone, moves }: ZonePlace, to: 'before' | 'file'): Promise<void> {
   const cell = looked.value;
   await ask('POST /api/cells/{cell}/zones/{zone}/undo', { path: { cell, zone }, body: { to, moves } });
   await readShown(cell);
-}
-
-function poseAt(zone: string, xyz_m: [number, number, number]): Pose {
-  const shape = shownCell.value?.cell?.zones?.find((each) => each.name === zone)?.shape;
-  return { ...shape?.pose, xyz_m };
 }
 
 /** Checks a zip of a cell and keeps nothing; gives the cell's name. */

@@ -1,7 +1,7 @@
-import type { Pose, Zone, ZonePlace } from '../api';
+import type { Zone, ZonePlace } from '../api';
 import { Press } from '../ui/press';
 import { words } from '../words';
-import { spotOf } from './shapes';
+import { alike, placeOf, type Shape, sizeOf } from './shapes';
 import { putZoneBack } from './shown-cell';
 
 interface Props {
@@ -9,26 +9,26 @@ interface Props {
   place: ZonePlace;
 }
 
-/** Buttons that put a zone back: to where it was before, and to where the cell's file has it. */
+/** Buttons that put a zone back: to how it was before, and to how the cell's file has it. */
 export function ZoneBack({ zone, place }: Props) {
   const said = words.value.cells;
   const { previous, in_file } = place;
-  const now = zone.shape.pose;
+  const now = zone.shape;
   return (
     <div class="zone-back">
-      {!alike(previous, now) && (
+      {previous && !alike(previous, now) && (
         <Press act={() => putZoneBack(place, 'before')}>
           <span>
             <span aria-hidden="true">↶</span> {said.undo(zone.name)}
-            <small>{spotOf(previous.xyz_m ?? [0, 0, 0])}</small>
+            <small>{whatDiffers(previous, now)}</small>
           </span>
         </Press>
       )}
-      {!alike(in_file, now) && !alike(in_file, previous) && (
+      {in_file && !alike(in_file, now) && !(previous && alike(in_file, previous)) && (
         <Press act={() => putZoneBack(place, 'file')}>
           <span>
             {said.asInFile(zone.name)}
-            <small>{spotOf(in_file.xyz_m ?? [0, 0, 0])}</small>
+            <small>{whatDiffers(in_file, now)}</small>
           </span>
         </Press>
       )}
@@ -36,11 +36,8 @@ export function ZoneBack({ zone, place }: Props) {
   );
 }
 
-function alike(one: Pose | undefined, other: Pose | undefined): boolean {
-  const numbers = (pose: Pose | undefined) => [
-    ...(pose?.xyz_m ?? [0, 0, 0]),
-    ...(pose?.rpy_rad ?? [0, 0, 0]),
-  ];
-  const others = numbers(other);
-  return numbers(one).every((value, k) => value === others[k]);
+/** Where it would be, and how large where that changes too. */
+function whatDiffers(then: Shape, now: Shape): string {
+  const sizes = sizeOf(then);
+  return sizes === sizeOf(now) ? placeOf(then) : `${sizes}, ${placeOf(then)}`;
 }

@@ -18,7 +18,13 @@ export const drawnCell = signal('');
 const typedBox = computed<Box | null>(() =>
   route.value.length === 0 && activeRun.value === null ? box.value : null,
 );
-const wish = computed<ViewWish>(() => ({ payload_box: typedBox.value, q_rad: planned_rad.value }));
+/** The zone that is being changed; null while none is. */
+export const drawnZone = signal<NonNullable<ViewWish['zone']> | null>(null);
+const wish = computed<ViewWish>(() => ({
+  payload_box: typedBox.value,
+  q_rad: planned_rad.value,
+  zone: drawnZone.value,
+}));
 let sending = false;
 let shown = '';
 

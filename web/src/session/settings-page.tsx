@@ -3,8 +3,9 @@ import { Press } from '../ui/press';
 import { to } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { words } from '../words';
+import { LANGUAGES, nameOf } from '../words/languages';
 import { session } from './session';
-import { LANGUAGES, language, THEMES, theme, UNITS, units } from './settings';
+import { language, THEMES, theme, UNITS, units } from './settings';
 import { signOut } from './signing-in';
 
 function Settings() {
@@ -14,7 +15,7 @@ function Settings() {
       <h1>{all.settings.title}</h1>
       <Choice
         legend={all.settings.language}
-        options={LANGUAGES.map((value) => ({ value, label: all.languages[value] }))}
+        options={LANGUAGES.map((value) => ({ value, label: nameOf(value) }))}
         chosen={language.value}
         choose={(value) => {
           language.value = value;

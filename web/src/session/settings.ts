@@ -1,14 +1,11 @@
 import { computed, effect, signal } from '@preact/signals';
 import { kept, oneOf } from '../ui/kept';
+import { LANGUAGES, preferred } from '../words/languages';
 
-export const LANGUAGES = ['en', 'de'] as const;
 export const UNITS = ['si', 'mm_g'] as const;
 export const THEMES = ['system', 'light', 'dark'] as const;
 
-export type Language = (typeof LANGUAGES)[number];
 export type Units = (typeof UNITS)[number];
-
-const preferred: Language = navigator.language.startsWith('de') ? 'de' : 'en';
 
 export const language = kept('language', preferred, oneOf(LANGUAGES));
 export const units = kept('units', 'si', oneOf(UNITS));

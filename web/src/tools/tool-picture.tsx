@@ -1,6 +1,7 @@
 import '../look/tool-picture.css';
 import type { Box } from '../api';
-import { hull, type Point, placed, type Three } from '../cells/footprint';
+import { hull, type Point, placed } from '../cells/footprint';
+import type { Three } from '../cells/shapes';
 import { sizeOf } from '../cells/shapes';
 import { number, scaleOf } from '../ui/units';
 

@@ -1,14 +1,9 @@
-import { computed } from '@preact/signals';
-import { language } from '../session/settings';
-import { isLonger } from '../words';
-import { tools as de } from '../words/de-tools';
-import { tools as en } from '../words/en-tools';
-import { longer } from '../words/longer';
+import type { tools } from '../words/en-tools';
+import { pageWords } from '../words/page-words';
 
-export type ToolWords = typeof en;
-
-const CATALOGUES = { en, de };
-const lengthened = isLonger && longer(en);
+export type ToolWords = typeof tools;
 
 /** The texts of the tool library in the chosen language; they are loaded with its page and its form. */
-export const toolWords = computed<ToolWords>(() => lengthened || CATALOGUES[language.value]);
+export const toolWords = pageWords(
+  import.meta.glob<ToolWords>('../words/*-tools.ts', { eager: true, import: 'tools' }),
+);

@@ -1,9 +1,9 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { Message, OpenedTrial } from '../api';
-import type { Language } from '../session/settings';
 import { MessageText } from '../ui/message-text';
 import { attempt } from '../ui/notice';
 import { words } from '../words';
+import type { Language } from '../words/languages';
 import { readSheet } from './trials';
 
 interface Props {

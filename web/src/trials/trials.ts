@@ -1,8 +1,8 @@
 import { computed, signal } from '@preact/signals';
 import type { TrialsPublic } from '../api';
-import type { Language } from '../session/settings';
 import { ask } from '../ui/client';
 import { jobsOf } from '../ui/jobs';
+import type { Language } from '../words/languages';
 
 const SEEDS = 2 ** 31 - 1000;
 

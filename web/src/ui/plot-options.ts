@@ -1,8 +1,7 @@
 import type UPlot from 'uplot';
-import { language } from '../session/settings';
 import type { Line } from './plot-line';
 import { extentOf } from './plot-zoom';
-import { DATES, number } from './units';
+import { dateLocale, number } from './units';
 
 export type Since = 'run' | '1970';
 
@@ -116,8 +115,8 @@ function roomy({ data }: UPlot, from_s: number, to_s: number): [number, number] 
 }
 
 function datesOf(ticks: number[], step_s: number): string[] {
-  const day = new Intl.DateTimeFormat(DATES[language.value], { day: 'numeric', month: 'short' });
-  const time = new Intl.DateTimeFormat(DATES[language.value], { hour: '2-digit', minute: '2-digit' });
+  const day = new Intl.DateTimeFormat(dateLocale(), { day: 'numeric', month: 'short' });
+  const time = new Intl.DateTimeFormat(dateLocale(), { hour: '2-digit', minute: '2-digit' });
   const days = ticks.map((t_s) => day.format(1000 * t_s));
   if (step_s >= DAY_S) return days;
   return ticks.map((t_s, k) => time.format(1000 * t_s) + (days[k] === days[k - 1] ? '' : `\n${days[k]}`));

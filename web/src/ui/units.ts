@@ -1,4 +1,4 @@
-import { type Language, language, type Units, units } from '../session/settings';
+import { language, type Units, units } from '../session/settings';
 
 /** Half the width of a 95 % interval, in standard uncertainties. */
 export const INTERVAL = 1.96;
@@ -102,19 +102,19 @@ export function clock(seconds: number): string {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}`;
 }
 
-/** Days before months, and hours up to 24, in every language. */
-export const DATES: Record<Language, string> = { en: 'en-GB', de: 'de' };
+/** As Intl has the chosen language: days before months and hours up to 24 in English too. */
+export const dateLocale = () => (language.value === 'en' ? 'en-GB' : language.value);
 
 /** A moment, as the service writes it, in the chosen language and the tablet's time zone. */
 export function moment(iso: string): string {
-  return new Intl.DateTimeFormat(DATES[language.value], { dateStyle: 'medium', timeStyle: 'medium' }).format(
+  return new Intl.DateTimeFormat(dateLocale(), { dateStyle: 'medium', timeStyle: 'medium' }).format(
     new Date(iso),
   );
 }
 
 /** The time of day, by the tablet's clock and zone. */
 export function timeOfDay(at_ms: number): string {
-  return new Intl.DateTimeFormat(DATES[language.value], { timeStyle: 'medium' }).format(at_ms);
+  return new Intl.DateTimeFormat(dateLocale(), { timeStyle: 'medium' }).format(at_ms);
 }
 
 /** A short time, as exactly as people can use it. */

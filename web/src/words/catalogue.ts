@@ -3,7 +3,7 @@
  * (`core/words/catalogue.py`). A test holds both together.
  */
 import { FluentBundle, FluentNumber, FluentResource, type FluentValue } from '@fluent/bundle';
-import type { Language } from '../session/settings';
+import type { Language } from './languages';
 
 /** A code of the catalogue and what its words name: numbers in SI, names, lists, other messages. */
 export interface Message {
@@ -16,7 +16,6 @@ export interface Message {
 /** The words of a language, ready to be filled in. */
 export type Catalogue = FluentBundle;
 
-const DECIMAL_MARK: Record<Language, string> = { en: '.', de: ',' };
 const FLAW = 'flaw';
 /** So many decimals tell whether a number lies exactly between two others. */
 const ALL_DECIMALS = 100;
@@ -117,13 +116,19 @@ const NUMBERS: Record<string, Print> = {
 
 /** What is no number, such as `inf`, is said as it is. */
 function fluentFunction(print: Print, language: Language) {
+  const mark = decimalMark(language);
   return ([given]: FluentValue[], { digits }: Record<string, FluentValue>): string => {
     const plain = given instanceof FluentNumber || typeof given === 'string' ? given.valueOf() : Number.NaN;
     const value = plain === '' ? Number.NaN : Number(plain);
     if (!Number.isFinite(value)) return String(given);
     const shown = digits instanceof FluentNumber ? print(value, digits.value) : print(value);
-    return shown.replace('.', DECIMAL_MARK[language]);
+    return shown.replace('.', mark);
   };
+}
+
+function decimalMark(language: Language): string {
+  const parts = new Intl.NumberFormat(language).formatToParts(0.5);
+  return parts.find(({ type }) => type === 'decimal')?.value ?? '.';
 }
 
 function printFixed(value: number, digits: number): string {

@@ -23,7 +23,6 @@ export const de: Words = {
   viewer: '3D-Ansicht der Zelle',
   units: { si: 'kg, m', mm_g: 'g, mm' },
   themes: { system: 'System', light: 'Hell', dark: 'Dunkel' },
-  languages: { en: 'English', de: 'Deutsch' },
   roles: {
     admin: 'ein Administrator',
     engineer: 'ein Ingenieur',

@@ -22,7 +22,6 @@ export const en = {
   viewer: '3D view of the cell',
   units: { si: 'kg, m', mm_g: 'g, mm' },
   themes: { system: 'System', light: 'Light', dark: 'Dark' },
-  languages: { en: 'English', de: 'Deutsch' },
   roles: {
     admin: 'an administrator',
     engineer: 'an engineer',

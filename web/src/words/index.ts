@@ -1,20 +1,16 @@
 import { computed, effect, signal } from '@preact/signals';
-import { type Language, language } from '../session/settings';
+import { language } from '../session/settings';
 import type { Words } from './en';
+import { type Language, VOCABULARIES } from './languages';
 import { lengthen, longer } from './longer';
 
-/** All that is said in one language. */
-interface Vocabulary {
+/** All that is said in one language, but for what comes with a page. */
+export interface Vocabulary {
   own: Words;
   /** Files of messages, see `./catalogue`. */
   messages: Record<string, string>;
 }
 
-/** A tablet reads one language: the others are only fetched where somebody chooses them. */
-const VOCABULARIES: Record<Language, () => Promise<Vocabulary>> = {
-  en: () => import('./all-en'),
-  de: () => import('./all-de'),
-};
 const RETRY_MS = 1000;
 
 /** `?words=longer` in the address shows how the console looks in a language with longer words than English. */
@@ -24,8 +20,8 @@ const loaded = signal<(Vocabulary & { language: Language }) | null>(null);
 
 async function load(wanted: Language): Promise<void> {
   try {
-    const found = await VOCABULARIES[wanted]();
-    if (wanted === wantedLanguage()) loaded.value = { ...found, language: wanted };
+    const found = await VOCABULARIES[wanted]?.();
+    if (found && wanted === wantedLanguage()) loaded.value = { ...found, language: wanted };
   } catch {
     setTimeout(() => wanted === wantedLanguage() && void load(wanted), RETRY_MS);
   }
