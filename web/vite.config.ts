@@ -7,7 +7,10 @@ export default defineConfig(({ mode }) => {
   return {
     build: { target: ['chrome123', 'firefox128', 'safari17.5'] },
     worker: { format: 'es' },
-    // The words of messages stand beside the engine.
-    server: { proxy: { '/api': proxied, '/viewer': proxied }, fs: { allow: ['.', '../core/words'] } },
+    // The words of messages stand beside the engine, the manual beside all.
+    server: {
+      proxy: { '/api': proxied, '/viewer': proxied },
+      fs: { allow: ['.', '../core/words', '../docs'] },
+    },
   };
 });

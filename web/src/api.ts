@@ -7099,7 +7099,7 @@ export interface components {
             q_rad?: number[] | null;
             /**
              * Zone
-             * @description A protected zone as it would be, drawn beside those that there are, world frame; null draws none.
+             * @description A protected zone as it would be, drawn beside those there are, world frame; null draws none.
              */
             zone?: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
             /**
@@ -10781,7 +10781,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-zone";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -10813,7 +10813,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-zone";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -10845,7 +10845,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-zone";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -10877,7 +10877,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-zone";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -13234,7 +13234,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["ZoneExistsProblem"];
+                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Request Entity Too Large */
@@ -13252,7 +13252,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                    "application/problem+json": components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */
@@ -13527,6 +13527,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
                 };
             };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
             /** @description Request Entity Too Large */
             413: {
                 headers: {
@@ -13542,7 +13551,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                    "application/problem+json": components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */
@@ -16044,7 +16053,7 @@ export interface operations {
     download_report: {
         parameters: {
             query?: {
-                /** @description Language of the answer, as `en`: one of those that Heft has words in. */
+                /** @description Language of the answer, by its code; in English where Heft has no words in it. */
                 language?: string;
             };
             header?: never;
@@ -16729,7 +16738,7 @@ export interface operations {
     download_diagnosis_report: {
         parameters: {
             query?: {
-                /** @description Language of the answer, as `en`: one of those that Heft has words in. */
+                /** @description Language of the answer, by its code; in English where Heft has no words in it. */
                 language?: string;
             };
             header?: never;
@@ -17084,7 +17093,7 @@ export interface operations {
     read_trials: {
         parameters: {
             query?: {
-                /** @description Language of the answer, as `en`: one of those that Heft has words in. */
+                /** @description Language of the answer, by its code; in English where Heft has no words in it. */
                 language?: string;
             };
             header?: never;

@@ -4,6 +4,7 @@ import { CellChoice } from '../cells/cell-choice';
 import { CellFlaws } from '../cells/cell-flaws';
 import { cell, chosenCell, payloads } from '../cells/cells';
 import { shownCell } from '../cells/shown-cell';
+import { TourOffer } from '../help/tour-offer';
 import { may, session } from '../session/session';
 import { Choice } from '../ui/choice';
 import { Facts } from '../ui/facts';
@@ -44,6 +45,7 @@ function Setup() {
     <div class="page setup">
       <Viewer cell={chosenCell.value} />
       <div class="setup-form">
+        <TourOffer />
         <h1>{said.title}</h1>
         {shownCell.value && isFlawed() && (
           <section class="refused">

@@ -5,6 +5,8 @@ export const cells: typeof en.cells = {
   next: 'Wählen Sie eine Zelle; ihre Schutzzonen werden gezeigt, wo sie jetzt sind.',
   nextEngineer:
     'Wählen Sie eine Zelle oder die ZIP-Datei einer neuen: Sie wird geprüft, bevor sie importiert wird.',
+  noCells:
+    'Dieser Dienst hat keine Zellen. Ein Ingenieur importiert eine auf der Seite „Zellen“; „heft cell new“ erstellt eine aus der URDF eines Roboters.',
   list: 'Zelle',
   limits: 'Grenzen',
   speed: 'Höchst\u00ADgeschwindig\u00ADkeit',

@@ -3,6 +3,8 @@ export const cells = {
   title: 'Cells',
   next: 'Choose a cell; its protected zones are shown where they are now.',
   nextEngineer: 'Choose a cell, or choose a zip of a new one: it is checked before it is imported.',
+  noCells:
+    'This service has no cells. An engineer imports one on the page “Cells”; “heft cell new” makes one from the URDF of a robot.',
   list: 'Cell',
   limits: 'Limits',
   speed: 'Speed limit',
