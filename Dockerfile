@@ -4,6 +4,7 @@ WORKDIR /heft/web
 COPY web/package.json web/package-lock.json web/.npmrc ./
 RUN npm ci
 COPY core/words ../core/words
+COPY docs/*.md ../docs/
 COPY web ./
 RUN npm run build
 

@@ -43,7 +43,7 @@ def main() -> None:
     parser.add_argument("--times", type=int, default=5, help="loads at each speed")
     times = parser.parse_args().times
     for language in LANGUAGES:
-        loaded = find_loaded(language)
+        loaded = first_files(ROOT / "web" / "dist", language)
         print(
             f"bundle, {language}: {sum(len(gzip.compress(file.read_bytes())) for file in loaded) / 1e3:.1f} kB gzip in {len(loaded)} files"
         )
@@ -61,25 +61,24 @@ def main() -> None:
         print(f"the run as it is, once {what}: median {median(taken):.2f} s, worst {max(taken):.2f} s of {times}")
 
 
-def find_loaded(language: str) -> set[Path]:
-    """What a tablet loads before anybody goes to a page that few open: from index.html along the imports that are not put off.
+def first_files(dist: Path, language: str) -> list[Path]:
+    """What a console in a language loads before anybody opens a page whose code comes later: scripts with what they import, styles."""
+    assets = {file.name: file for file in (dist / "assets").iterdir()}
+    begins = re.findall(r"assets/([^\"]+)", (dist / "index.html").read_text())
+    unseen = {*begins, *(name for name in assets if re.match(rf"start-|{language}-all-|lease-worker-", name))}
+    found: set[str] = set()
+    while unseen:
+        name = unseen.pop()
+        found.add(name)
+        imported = re.findall(r"(?:from|import)\"\./([^\"]+)", assets[name].read_text()) if name.endswith(".js") else []
+        styles = [other for other in assets if other.endswith(".css") and stem_of(other) == stem_of(name)]
+        unseen |= {*imported, *styles} - found
+    return [dist / "index.html", *(assets[name] for name in sorted(found))]
 
-    The console's beginning and the words of its language are put off too, but only until there is a page to show them on; the worker that
-    keeps the lease is begun with them.
-    """
-    dist = ROOT / "web" / "dist"
-    waiting = [dist / "index.html", *(next(dist.glob(f"assets/{name}-*.js")) for name in ("start", f"all-{language}", "lease-worker"))]
-    found: set[Path] = set()
-    while waiting:
-        file = waiting.pop()
-        if file in found:
-            continue
-        found.add(file)
-        if file.suffix == ".html":
-            waiting += [dist / each for each in re.findall(r'(?:src|href)="/([^"]+)"', file.read_text())]
-        elif file.suffix == ".js":
-            waiting += [file.parent / each for each in re.findall(r'(?:from|import)"\./([^"]+)"', file.read_text())]
-    return found
+
+def stem_of(asset: str) -> str:
+    """The name of an asset without what makes it that of this build."""
+    return re.sub(r"-.{8}\.\w+$", "", asset)
 
 
 def interactive_s(browser: Browser, service: RealService, slowdown: float) -> float:

@@ -6,6 +6,7 @@ HeftError                      exit code 1
 │   ├── BadRobot                   the URDF is malformed, hostile or lacks what is needed
 │   ├── BadPayload                 a payload that no rigid body can have
 │   ├── BadTwin                    a twin.json that cannot be used, or an effect that cannot be added to it
+│   ├── BadZone                    a protected zone that somebody draws and that cannot be so
 │   └── BadRecording               a recording that cannot be read
 ├── Refused                    3   the cell leaves no safe way to do it; the robot has not moved
 │   ├── NoStartConfiguration       no start configuration for an axis (Algorithm 6)
@@ -165,6 +166,10 @@ class BadPayload(BadInput):
 
 class BadTwin(BadInput):
     """A twin.json that cannot be used, or an effect that cannot be added to it."""
+
+
+class BadZone(BadInput):
+    """A protected zone that somebody draws and that cannot be so."""
 
 
 class BadRecording(BadInput):

@@ -13,7 +13,10 @@ export default defineConfig(({ mode }) => {
       rolldownOptions: { output: { codeSplitting: { groups: [SHARED] } } },
     },
     worker: { format: 'es' },
-    // The words of messages stand beside the engine.
-    server: { proxy: { '/api': proxied, '/viewer': proxied }, fs: { allow: ['.', '../core/words'] } },
+    // The words of messages stand beside the engine, the manual beside all.
+    server: {
+      proxy: { '/api': proxied, '/viewer': proxied },
+      fs: { allow: ['.', '../core/words', '../docs'] },
+    },
   };
 });

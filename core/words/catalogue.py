@@ -1,8 +1,8 @@
 """The words of every message, one folder of Fluent files (projectfluent.org) for each language: a new language is a new folder.
 
-The console reads the same files. What numbers look like in them is said by five functions that both have: `FIXED($x, digits: 2)`,
+The console reads the same files. What numbers look like in them is said by functions that both have: `FIXED($x, digits: 2)`,
 `SIGNIFICANT($x, digits: 3)`, `MILLI($x_s, digits: 0)` (thousandths: m as mm, s as ms), `DEGREES($x_rad, digits: 1)` and
-`PERCENT($x, digits: 0)`.
+`PERCENT($x, digits: 0)`; `PERSON($who)` is how people call who did something.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 FLAW = "flaw"
+PERSON = "PERSON"
 FOLDER = Path(__file__).parent
 
 
@@ -74,6 +75,7 @@ def _read_file(language: Language, name: str) -> FluentBundle:
     from fluent.runtime import FluentBundle, FluentResource  # noqa: PLC0415  most processes never word a message
 
     functions: dict[str, Callable[..., Any]] = {function: partial(format_number, language) for function, format_number in NUMBERS.items()}
+    functions[PERSON] = _name_person
     bundle = FluentBundle([language], use_isolating=False, functions=functions)
     bundle.add_resource(FluentResource((FOLDER / language / f"{name}.ftl").read_text(encoding="utf-8")))
     return bundle
@@ -122,6 +124,11 @@ def _significant(language: Language, value: Any, digits: Any = 3) -> str:
     except (TypeError, ValueError):
         return str(value)
     return _mark(mantissa + (f"e{int(exponent)}" if e else ""), language)
+
+
+def _name_person(who: Any) -> str:
+    """Accounts by their name alone; machines say that they are some: `account:anna` is anna, `key:line-3` stays."""
+    return str(who).removeprefix("account:")
 
 
 def _mark(shown: str, language: Language) -> str:

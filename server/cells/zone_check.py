@@ -10,7 +10,7 @@ from core.cell.body_name import NAMELESS
 from core.cell.cell import Cell
 from core.cell.folder import contradictions_of
 from core.cell.urdf import check_urdf
-from core.errors import BadCell, BadInput
+from core.errors import BadCell, BadInput, BadZone
 from core.payload.shapes import Box, Shape, Sphere
 from core.words.message import Message
 from server.http.errors import Unprocessable
@@ -49,7 +49,7 @@ def place_flaws(cell: Cell) -> list[BadInput]:
     return list(contradictions_of(cell)) or _flaws_of_bodies(cell)
 
 
-def _name_flaws(cell: Cell, zone: str) -> Iterator[BadCell]:
+def _name_flaws(cell: Cell, zone: str) -> Iterator[BadZone]:
     """Bodies are told apart by their names."""
     owners = {
         **dict.fromkeys(check_urdf(cell.urdf, cell.robot.urdf).links, "zone-owner-link"),
@@ -59,18 +59,18 @@ def _name_flaws(cell: Cell, zone: str) -> Iterator[BadCell]:
         **dict.fromkeys(NAMELESS, "zone-owner-nameless"),
     }
     if zone in owners:
-        yield BadCell(f"zones.{zone}", "zone-name-taken", name=zone, owner=Message.of(owners[zone]))
+        yield BadZone(f"zones.{zone}", "zone-name-taken", name=zone, owner=Message.of(owners[zone]))
 
 
-def _size_flaws(cell: Cell, zone: str, shape: Shape) -> Iterator[BadCell]:
+def _size_flaws(cell: Cell, zone: str, shape: Shape) -> Iterator[BadZone]:
     lengths = lengths_of(shape)
     if min(lengths) < SMALLEST_M:
-        yield BadCell(f"zones.{zone}.shape", "zone-too-small", length_m=min(lengths), least_m=SMALLEST_M)
+        yield BadZone(f"zones.{zone}.shape", "zone-too-small", length_m=min(lengths), least_m=SMALLEST_M)
     if max(lengths) > LARGEST_M:
-        yield BadCell(f"zones.{zone}.shape", "zone-too-large", length_m=max(lengths), most_m=LARGEST_M)
+        yield BadZone(f"zones.{zone}.shape", "zone-too-large", length_m=max(lengths), most_m=LARGEST_M)
     distance = float(np.linalg.norm(shape.pose.translation - cell.robot.base.translation))
     if distance > FARTHEST_M:
-        yield BadCell(f"zones.{zone}.shape.pose", "zone-too-far", distance_m=distance, most_m=FARTHEST_M)
+        yield BadZone(f"zones.{zone}.shape.pose", "zone-too-far", distance_m=distance, most_m=FARTHEST_M)
 
 
 def lengths_of(shape: Shape) -> tuple[float, ...]:

@@ -81,6 +81,7 @@ KINDS: dict[type[HeftError], ProblemType] = {
     core_errors.BadRobot: ProblemType(HTTPStatus.UNPROCESSABLE_ENTITY, "The robot model cannot be used"),
     core_errors.BadPayload: ProblemType(HTTPStatus.UNPROCESSABLE_ENTITY, "No rigid body can have this payload"),
     core_errors.BadTwin: ProblemType(HTTPStatus.UNPROCESSABLE_ENTITY, "The cell's twin cannot be used"),
+    core_errors.BadZone: ProblemType(HTTPStatus.CONFLICT, "The zone cannot be drawn like that"),
     core_errors.BadRecording: ProblemType(HTTPStatus.UNPROCESSABLE_ENTITY, "The recording cannot be used"),
     core_errors.Refused: ProblemType(HTTPStatus.CONFLICT, "The cell leaves no safe way to do it"),
     core_errors.NoStartConfiguration: ProblemType(HTTPStatus.CONFLICT, "No start configuration"),

@@ -139,11 +139,8 @@ SITUATIONS: dict[str, tuple[str, ...]] = {
         "uploads-check-too-slow",
         "uploads-check-broken-off",
         "uploads-cell-misnamed",
-        "zone-name-taken",
-        "zone-too-small",
-        "zone-too-large",
-        "zone-too-far",
     ),
+    "bad-zone": ("zone-name-taken", "zone-too-small", "zone-too-large", "zone-too-far"),
     "bad-robot": ("uploads-model-not-buildable",),
     "bad-recording": (
         "uploads-not-unpackable",

@@ -8,7 +8,7 @@ from fastapi import APIRouter, Response
 from pydantic import Field
 from sqlalchemy.orm import Session
 
-from core.errors import BadInput, refuse
+from core.errors import BadInput, BadZone, refuse
 from core.payload.shapes import Pose, Shape
 from core.words.message import Message
 from server.cells import zones
@@ -18,7 +18,7 @@ from server.cells.zone_check import drawing_flaws
 from server.cells.zones import ZonePosition
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Conflict
-from server.http.flaws import Flaw, list_flaws
+from server.http.flaws import Flaw, list_flaws, restore_flaw
 from server.http.parameters import CellPath, ZonePath
 from server.http.schemas import Answer, AnyShape, Moment, Name, RequestBody
 from server.people import audit
@@ -222,10 +222,10 @@ def _refuse_drawing(cells: CellFolder, store: Store, cell: str, zone: str, shape
     """Refuses what speaks against this zone; what another one contradicts already is no fault of it.
 
     Raises:
-        BadCell: its name, its size, or the robot in it.
+        BadZone: its name, its size, or the robot in it.
     """
     flaws = _find_flaws(cells, store, cell, zone, shape, is_new=is_new)
-    refuse([flaw for flaw in flaws if flaw.in_the_way in (None, zone)])
+    refuse([restore_flaw(BadZone, flaw.message) for flaw in flaws if flaw.in_the_way in (None, zone)])
 
 
 def _draw(cells: CellFolder, store: Store, cell: str, zone: str, shape: Shape, who: str, now: datetime, *, is_new: bool) -> ZonePublic:

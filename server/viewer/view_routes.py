@@ -31,7 +31,7 @@ class ViewWish(RequestBody):
     ] = None
     zone: Annotated[
         AnyShape | None,
-        Field(description="A protected zone as it would be, drawn beside those that there are, world frame; null draws none."),
+        Field(description="A protected zone as it would be, drawn beside those there are, world frame; null draws none."),
     ] = None
     look: Annotated[
         Look | None,

@@ -95,7 +95,7 @@ def test_it_ends_with_the_reason_when_the_run_does_not_come_through(
     assert console.http.delete(f"/api/runs/{run}").status_code == 200
     _, complaints = client.communicate(timeout=60)
     assert (client.returncode, list(tmp_path.iterdir())) == (1, [])
-    assert complaints.startswith("cancelled: cancelled by account:operator")
+    assert complaints.startswith("cancelled: cancelled by operator")
 
 
 def test_it_says_why_an_order_is_refused(service: RealService, key: str, tmp_path: Path) -> None:

@@ -49,7 +49,7 @@ def clear(person: Console, run: str) -> None:
 
 def test_an_alarm_is_on_every_page_until_it_is_acknowledged_and_in_the_history_afterwards(at: Tablet, aborted: str, person: Console):
     band = at.page.locator(".alarm-band")
-    expect(band).to_contain_text("Run aborted: abort was asked for by account:operator.")
+    expect(band).to_contain_text("Run aborted: aborted by operator.")
     expect(at.page.get_by_role("link", name="Alarms: 1 open")).to_be_visible()
     check_looks(look(at.page, "history with an alarm"))
     at.tap(band.get_by_role("button", name="Acknowledge"))
@@ -66,7 +66,7 @@ def test_an_alarm_is_on_every_page_until_it_is_acknowledged_and_in_the_history_a
     expect(alarm).to_have_count(0)
     expect(at.page.get_by_role("link", name="Alarms: 0 open")).to_be_visible()
     past = at.page.locator(".alarm-past").first
-    expect(past).to_contain_text("Run aborted: abort was asked for by account:operator.")
+    expect(past).to_contain_text("Run aborted: aborted by operator.")
     expect(past).to_contain_text("Acknowledged by operator,")
     check_looks(look(at.page, "past alarms"))
 

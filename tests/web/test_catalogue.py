@@ -15,7 +15,7 @@ from fluent.syntax import FluentParser
 from fluent.syntax import ast as ftl
 from fluent.syntax.visitor import Visitor
 
-from core.words.catalogue import FOLDER, LANGUAGES, NUMBERS, Language
+from core.words.catalogue import FOLDER, LANGUAGES, NUMBERS, PERSON, Language
 from core.words.message import Message
 from tests.server.real_service import ROOT
 
@@ -26,6 +26,7 @@ SIZES = (
 """Among them halves, which go to the even neighbour, and what is too small or too large to be written out."""
 COUNTS = (0, 1, 2, 5, 100, 12345)
 WORDS: tuple[Any, ...] = ("table", "", "cell.toml: limits.clearance_m", "Größe_µ {x}", True, False, [], ["a", "b"], [1, 2, "c"])
+PEOPLE = ("account:anna", "key:line-3", "nobody@127.0.0.1", "account:", "")
 PLURALS = {"zero", "one", "two", "few", "many", "other"}
 """What a selector tells apart that is given a count."""
 NOT_HERE = {"cli", "newcell", "record", "report", "result", "sheet"}
@@ -44,10 +45,15 @@ class Names(Visitor):
         self.messages = messages
         self.printed: set[str] = set()
         self.plain: set[str] = set()
+        self.people: set[str] = set()
         self.choices: dict[str, set[str]] = {}
 
     def visit_FunctionReference(self, node: ftl.FunctionReference) -> None:  # noqa: N802  the library's name
-        self.printed |= {each.id.name for each in node.arguments.positional if isinstance(each, ftl.VariableReference)}
+        named = {each.id.name for each in node.arguments.positional if isinstance(each, ftl.VariableReference)}
+        if node.id.name == PERSON:
+            self.people |= named
+        else:
+            self.printed |= named
 
     def visit_SelectExpression(self, node: ftl.SelectExpression) -> None:  # noqa: N802  the library's name
         if isinstance(node.selector, ftl.VariableReference):
@@ -67,6 +73,8 @@ def values_of(names: Names, name: str) -> tuple[Any, ...]:
     keys = names.choices.get(name, set())
     if name in names.printed:
         return (*SIZES, "inf", "")
+    if name in names.people:
+        return PEOPLE
     numeric = {key for key in keys if re.fullmatch(r"-?\d+(\.\d+)?", key)}
     if keys and keys <= numeric | PLURALS:
         return (*(float(key) if "." in key else int(key) for key in sorted(numeric)), *COUNTS)
@@ -75,7 +83,7 @@ def values_of(names: Names, name: str) -> tuple[Any, ...]:
 
 def made_up(names: Names) -> Iterator[dict[str, Any]]:
     """Parameters in every way that a message can be given them, each name's values in turn."""
-    values = {name: values_of(names, name) for name in sorted(names.plain | names.printed | {"where"})}
+    values = {name: values_of(names, name) for name in sorted(names.plain | names.printed | names.people | {"where"})}
     for turn in range(max(map(len, values.values()))):
         yield {name: each[(turn + k) % len(each)] for k, (name, each) in enumerate(values.items())}
 

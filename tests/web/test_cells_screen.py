@@ -41,29 +41,36 @@ def choose(at: Tablet, file: FilePayload) -> None:
     chooser.value.set_files(file)
 
 
+def type_centre(at: Tablet, **metres: str) -> None:
+    """Numbers for the centre of the cell's zone."""
+    at.press("Change")
+    for axis, number in metres.items():
+        at.page.get_by_role("group", name="Centre").get_by_role("textbox", name=axis, exact=True).fill(number)
+
+
 def test_a_zone_is_moved_by_typed_numbers_and_every_screen_says_by_whom(at: Tablet, service: RealService):
     check_looks(look(at.page, "cells"))
-    at.page.get_by_role("textbox", name="x").fill("1,42")
-    at.page.get_by_role("textbox", name="y").fill("-0.25")
-    expect(at.page.locator(".zone-preview")).to_contain_text("The robot’s base and its arm at home stay clear of it.")
-    expect(at.page.locator(".zone-places .tile")).to_contain_text("centre at 1.350 | 0.000 | 0.625 m")
+    type_centre(at, x="1,42", y="-0.25")
+    changing = at.page.locator(".zone-changing")
+    expect(changing).to_contain_text("The robot’s base and its arm at home stay clear of it.")
     assert outlines(at) == [(0.92, 1.92), (-1.75, 1.25)]
     check_looks(look(at.page, "a place that nothing speaks against"))
     at.press("Move the zone")
-    expect(at.page.locator(".zone-places .tile")).to_contain_text("centre at 1.420 | −0.250 | 0.625 m")
-    expect(at.page.locator(".zone-places .tile")).to_contain_text("moved by operator")
+    tile = at.page.locator(".zone-places .tile")
+    expect(tile).to_contain_text("centre at 1.420 | −0.250 | 0.625 m")
+    expect(tile).to_contain_text("changed by operator")
     console = Console(service)
     place = console.http.get("/api/cells/lwr4_bench").json()
     assert place["cell"]["zones"][0]["shape"]["pose"]["xyz_m"] == [1.42, -0.25, 0.625]
     moved = {"pose": {"xyz_m": [1.35, 0.0, 0.625]}, "measured_at": place["read_at"]}
     assert console.http.put("/api/cells/lwr4_bench/zones/operator", json=moved).status_code == 200
-    expect(at.page.locator(".zone-places .tile")).to_contain_text("centre at 1.350 | 0.000 | 0.625 m")
+    expect(tile).to_contain_text("centre at 1.350 | 0.000 | 0.625 m")
     console.leave()
 
 
 def outlines(at: Tablet) -> list[tuple[float, float]]:
     """From where to where a zone would be, along x and y of the drawing from above, m."""
-    points = at.page.locator(".zone-preview svg").first.locator(".zone-new").get_attribute("points") or ""
+    points = at.page.get_by_role("group", name="From above").locator(".zone-new").get_attribute("points") or ""
     corners = [[float(number) for number in point.split(",")] for point in points.split()]
     xs, ys = [x for x, _ in corners], [-y for _, y in corners]
     return [(min(xs), max(xs)), (min(ys), max(ys))]
@@ -72,9 +79,8 @@ def outlines(at: Tablet) -> list[tuple[float, float]]:
 def test_a_zone_on_the_robot_is_seen_before_it_moves_and_the_cell_says_what_is_wrong_and_leads_back(at: Tablet, service: RealService):
     console = Console(service)
     page = at.page
-    for axis, metres in (("x", "0"), ("y", "0"), ("z", "0.6")):
-        page.get_by_role("textbox", name=axis).fill(metres)
-    warned = page.locator(".zone-preview [role=alert]")
+    type_centre(at, x="0", y="0", z="0.6")
+    warned = page.locator(".zone-changing [role=alert]")
     expect(warned).to_contain_text("No run can be planned while the zone is there")
     expect(warned).to_contain_text("the robot's base 0.500 m inside it")
     check_looks(look(page, "a place that makes planning impossible"))
@@ -88,10 +94,10 @@ def test_a_zone_on_the_robot_is_seen_before_it_moves_and_the_cell_says_what_is_w
     check_looks(look(page, "a cell in which nothing can be planned"))
     at.tap(page.get_by_role("link", name="Run", exact=True))
     expect(page.locator(".setup [role=alert]")).to_contain_text("No run can be planned in this cell")
-    expect(page.get_by_role("button", name="plan")).to_have_count(0)
+    expect(page.get_by_role("button", name="Take control and plan")).to_have_count(0)
     expect(page.get_by_role("link", name="Show the cell")).to_have_attribute("href", "#/cells/lwr4_bench")
     check_looks(look(page, "a cell that takes no run"))
-    at.press("Put operator back where it was")
+    at.press("Put operator back as it was")
     expect(page.locator(".setup [role=alert]")).to_have_count(0)
     expect(page.get_by_role("button", name="plan")).to_be_enabled()
     assert console.http.get("/api/cells/lwr4_bench").json()["cell"]["zones"][0]["shape"]["pose"]["xyz_m"] == [1.35, 0.0, 0.625]
@@ -99,11 +105,11 @@ def test_a_zone_on_the_robot_is_seen_before_it_moves_and_the_cell_says_what_is_w
 
 
 def test_an_arm_that_could_not_stand_at_home_is_told_before_the_zone_moves(at: Tablet):
-    at.page.get_by_role("textbox", name="x").fill("0.95")
-    expect(at.page.locator(".zone-preview [role=alert]")).to_contain_text("robot.home_rad")
-    at.press("Leave it")
-    expect(at.page.locator(".zone-preview")).to_have_count(0)
-    expect(at.page.get_by_role("textbox", name="x")).to_have_value("1.350")
+    type_centre(at, x="0.95")
+    expect(at.page.locator(".zone-changing [role=alert]")).to_contain_text("robot.home_rad")
+    at.press("Discard")
+    expect(at.page.locator(".zone-changing")).to_have_count(0)
+    expect(at.page.locator(".zone-places .tile")).to_contain_text("centre at 1.350 | 0.000 | 0.625 m")
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,7 @@ def at(service: RealService, browser: Browser) -> Iterator[Tablet]:
     with on_page(service, browser, "Cells", ".zone-places .tile") as found:
         found.page.locator(".zone-editor").evaluate("each => each.scrollIntoView()")
         yield found
-        complaints = [said for said in found.complaints if "422 (Unprocessable" not in said]
+        complaints = [said for said in found.complaints if "409 (Conflict" not in said]
         person = Console(service)
         for place in person.http.get(CELL).json()["moved"]:
             person.http.post(f"{CELL}/zones/{place['zone']}/undo", json={"to": "file"})

@@ -7551,7 +7551,7 @@ export interface components {
             q_rad?: number[] | null;
             /**
              * Zone
-             * @description A protected zone as it would be, drawn beside those that there are, world frame; null draws none.
+             * @description A protected zone as it would be, drawn beside those there are, world frame; null draws none.
              */
             zone?: (components["schemas"]["Box"] | components["schemas"]["Sphere"] | components["schemas"]["Capsule"] | components["schemas"]["Cylinder"]) | null;
             /**
@@ -8389,7 +8389,7 @@ export interface components {
              */
             type: "/problems/people-endpoint-closed";
         });
-        /** @description people-role-lacking = { $endpoint }: { $who } is { $roles }; it takes one of { $needed } */
+        /** @description people-role-lacking = { $endpoint }: { PERSON($who) } is { $roles }; it takes one of { $needed } */
         PeopleRoleLackingProblem: {
             /**
              * @description Address of what describes the situation.
@@ -8419,7 +8419,7 @@ export interface components {
              */
             type: "/problems/people-role-lacking";
         });
-        /** @description people-without-role = { $endpoint }: { $who } has no role; it takes one of { $needed } */
+        /** @description people-without-role = { $endpoint }: { PERSON($who) } has no role; it takes one of { $needed } */
         PeopleWithoutRoleProblem: {
             /**
              * @description Address of what describes the situation.
@@ -9095,7 +9095,7 @@ export interface components {
              */
             type: "/problems/runs-recording-not-there";
         });
-        /** @description runs-accepted-already = run { $run }: was accepted already, by { $who }; a result is accepted once */
+        /** @description runs-accepted-already = run { $run }: was accepted already, by { PERSON($who) }; a result is accepted once */
         RunsAcceptedAlreadyProblem: {
             /**
              * @description Address of what describes the situation.
@@ -9121,7 +9121,7 @@ export interface components {
              */
             type: "/problems/runs-accepted-already";
         });
-        /** @description alarms-acknowledged-already = alarm { $alarm }: was acknowledged already, by { $who } */
+        /** @description alarms-acknowledged-already = alarm { $alarm }: was acknowledged already, by { PERSON($who) } */
         AlarmsAcknowledgedAlreadyProblem: {
             /**
              * @description Address of what describes the situation.
@@ -9249,7 +9249,7 @@ export interface components {
              */
             type: "/problems/runs-start-of-other-robot";
         });
-        /** @description runs-control-taken = control of cell "{ $cell }": { $holder } has it; ask them to let go of it */
+        /** @description runs-control-taken = control of cell "{ $cell }": { PERSON($holder) } has it; ask them to let go of it */
         RunsControlTakenProblem: {
             /**
              * @description Address of what describes the situation.
@@ -9299,7 +9299,7 @@ export interface components {
              */
             type: "/problems/runs-control-free";
         });
-        /** @description runs-control-elsewhere = control of cell "{ $cell }": { $holder } has it with fence { $fence }, not { $who } with { $sent_fence } */
+        /** @description runs-control-elsewhere = control of cell "{ $cell }": { PERSON($holder) } has it with fence { $fence }, not { PERSON($who) } with { $sent_fence } */
         RunsControlElsewhereProblem: {
             /**
              * @description Address of what describes the situation.
@@ -9331,7 +9331,7 @@ export interface components {
              */
             type: "/problems/runs-control-elsewhere";
         });
-        /** @description runs-control-asked = control of cell "{ $cell }": { $who } has asked for it already; one asks at a time */
+        /** @description runs-control-asked = control of cell "{ $cell }": { PERSON($who) } has asked for it already; one asks at a time */
         RunsControlAskedProblem: {
             /**
              * @description Address of what describes the situation.
@@ -11404,7 +11404,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-zone";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11436,7 +11436,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-zone";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11468,7 +11468,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-zone";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11500,7 +11500,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-zone";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -13947,7 +13947,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["ZoneExistsProblem"];
+                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Request Entity Too Large */
@@ -13965,7 +13965,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                    "application/problem+json": components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */
@@ -14240,6 +14240,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
                 };
             };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
             /** @description Request Entity Too Large */
             413: {
                 headers: {
@@ -14255,7 +14264,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/problem+json": components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                    "application/problem+json": components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */

@@ -1,4 +1,5 @@
 import { alarmsScreen } from './alarms/alarms-page';
+import { HelpLayer } from './help/help-layer';
 import { historyScreen } from './history/history-page';
 import { ordersScreen } from './orders/orders-page';
 import { CommandBar } from './run/command-bar';
@@ -24,6 +25,7 @@ const gapScreen = screenLater(async () => {
   await fetchLaterMessages();
   return (await import('./gap/gap-page')).gapScreen;
 });
+const manualScreen = screenLater(async () => (await import('./help/manual-page')).manualScreen);
 const toolsScreen = screenLater(async () => (await import('./tools/tools-page')).toolsScreen);
 const trialsScreen = screenLater(async () => {
   await fetchLaterMessages();
@@ -44,6 +46,7 @@ const SCREENS = new Map<string, () => Screen>([
   ['control', () => controlScreen],
   ['settings', () => settings],
   ['admin', adminScreen],
+  ['manual', manualScreen],
 ]);
 
 export function App() {
@@ -57,6 +60,7 @@ export function App() {
       <main tabIndex={0}>
         <screen.Page />
       </main>
+      <HelpLayer />
       <CommandBar screen={screen} />
       <LostLayer />
     </>

@@ -26,4 +26,4 @@ alarms-cell-flawed-do = Dateien der Zelle berichtigen oder die Schutzzone zurüc
 
 # Was zu einem Alarm nicht passt.
 alarms-unknown = Alarm: keiner der offenen heißt „{ $alarm }“. Sehen Sie nach, welche offen sind.
-alarms-acknowledged-already = Alarm { $alarm }: wurde schon quittiert, von { $who }
+alarms-acknowledged-already = Alarm { $alarm }: wurde schon quittiert, von { PERSON($who) }

@@ -27,8 +27,8 @@ people-not-signed-in = { $endpoint }: melden Sie sich an
 
 # Wer was darf, und von wo aus.
 people-endpoint-closed = { $endpoint }: steht nicht in der Tabelle der Rechte, also niemandem erlaubt
-people-role-lacking = { $endpoint }: { $who } ist { $roles }; nötig ist eines von { $needed }
-people-without-role = { $endpoint }: { $who } ist ohne Rolle; nötig ist eines von { $needed }
+people-role-lacking = { $endpoint }: { PERSON($who) } ist { $roles }; nötig ist eines von { $needed }
+people-without-role = { $endpoint }: { PERSON($who) } ist ohne Rolle; nötig ist eines von { $needed }
 people-origin-foreign = Herkunft: „{ $origin }“ ist keine Seite dieses Dienstes; setzen Sie HEFT_ORIGINS, wenn sie eine sein soll
 people-origin-missing = Herkunft: der Browser muss sagen, zu welcher Seite er gehört
 people-csrf-token-wrong = { $header }: nicht das der Sitzung; laden Sie die Seite neu

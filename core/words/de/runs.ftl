@@ -31,9 +31,14 @@ runs-state = { $state ->
 }
 
 # Warum ein Lauf nicht durchkam, oder warum er steht.
-runs-command-asked = { runs-command }, verlangt von { $who }.
-runs-cancelled = zurückgenommen von { $who }.
-runs-cancelled-because = zurückgenommen von { $who }: { $why }
+runs-command-asked =
+    { $command ->
+        [stop] gestoppt von { PERSON($who) }.
+        [abort] abgebrochen von { PERSON($who) }.
+       *[other] { runs-command } von { PERSON($who) }.
+    }
+runs-cancelled = storniert von { PERSON($who) }.
+runs-cancelled-because = storniert von { PERSON($who) }: { $why }
 runs-ended = der Lauf wurde beendet.
 runs-shut-down = der Dienst wurde beendet; der Roboter wurde gestoppt.
 runs-service-ended = der Dienst endete, während der Lauf im Zustand { runs-state } war; der Roboter wurde gestoppt. Sehen Sie nach der Zelle, dann quittieren Sie.
@@ -58,7 +63,7 @@ runs-no-report = Lauf { $run }: hat keinen Bericht, er ist im Zustand { runs-sta
 runs-recording-open = Lauf { $run }: seine Steuerung schließt noch die Aufzeichnung; versuchen Sie es in einigen Sekunden noch einmal
 runs-nothing-left = Lauf { $run }: es gibt nichts fortzusetzen; er ist im Zustand { runs-state } und hat { $finished_steps } Schritte fertig. Beginnen Sie einen neuen Lauf
 runs-recording-not-there = Lauf { $run }: seine Aufzeichnung ist (noch) nicht da; versuchen Sie es in einigen Sekunden noch einmal, oder beginnen Sie einen neuen Lauf
-runs-accepted-already = Lauf { $run }: wurde schon angenommen, von { $who }; ein Ergebnis wird einmal angenommen
+runs-accepted-already = Lauf { $run }: wurde schon angenommen, von { PERSON($who) }; ein Ergebnis wird einmal angenommen
 runs-nothing-to-stop = Zelle „{ $cell }“: kein Lauf hat ihren Roboter, also gibt es nichts zu stoppen
 runs-no-common-frame = Zelle „{ $cell }“: sagt nicht, wie ihr Sensor angebracht ist (sensor.mount); Läufe zweier Zellen haben so kein gemeinsames Koordinatensystem
 
@@ -73,10 +78,10 @@ runs-payload-unknown =
     .expected = eines von { $payloads }, was die Zelle „{ $cell }“ kennt
 
 # Die Bedienung einer Zelle, und Befehle, die zu spät kommen.
-runs-control-taken = Bedienung der Zelle „{ $cell }“: { $holder } hat sie; bitten Sie darum, sie abzugeben
+runs-control-taken = Bedienung der Zelle „{ $cell }“: { PERSON($holder) } hat sie; bitten Sie darum, sie abzugeben
 runs-control-free = Bedienung der Zelle „{ $cell }“: niemand hat sie; übernehmen Sie sie
-runs-control-elsewhere = Bedienung der Zelle „{ $cell }“: { $holder } hat sie mit der Nummer { $fence }, nicht { $who } mit { $sent_fence }
-runs-control-asked = Bedienung der Zelle „{ $cell }“: { $who } hat sie schon angefordert; es geht nur eine Anforderung nach der anderen
+runs-control-elsewhere = Bedienung der Zelle „{ $cell }“: { PERSON($holder) } hat sie mit der Nummer { $fence }, nicht { PERSON($who) } mit { $sent_fence }
+runs-control-asked = Bedienung der Zelle „{ $cell }“: { PERSON($who) } hat sie schon angefordert; es geht nur eine Anforderung nach der anderen
 runs-control-not-asked = Bedienung der Zelle „{ $cell }“: diese Anforderung gilt nicht mehr
 runs-control-overtaken = Bedienung der Zelle „{ $cell }“: jemand war schneller; sehen Sie nach, wer sie jetzt hat, und fordern Sie sie erneut an
 runs-command-without-control = Befehl { runs-command }: braucht die Bedienung der Zelle „{ $cell }“; übernehmen Sie sie

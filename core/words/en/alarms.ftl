@@ -26,4 +26,4 @@ alarms-cell-flawed-do = Correct the cell’s files, or move the protected zone b
 
 # What does not go with an alarm.
 alarms-unknown = alarm: none of the open ones is called "{ $alarm }". List what is open and ask again.
-alarms-acknowledged-already = alarm { $alarm }: was acknowledged already, by { $who }
+alarms-acknowledged-already = alarm { $alarm }: was acknowledged already, by { PERSON($who) }

@@ -20,8 +20,8 @@ people-not-signed-in = { $endpoint }: sign in with POST /api/session, or send a 
 
 # Who may do what, and from where.
 people-endpoint-closed = { $endpoint }: not in the table of authority, so nobody may call it
-people-role-lacking = { $endpoint }: { $who } is { $roles }; it takes one of { $needed }
-people-without-role = { $endpoint }: { $who } has no role; it takes one of { $needed }
+people-role-lacking = { $endpoint }: { PERSON($who) } is { $roles }; it takes one of { $needed }
+people-without-role = { $endpoint }: { PERSON($who) } has no role; it takes one of { $needed }
 people-origin-foreign = origin: "{ $origin }" is no page of this service; set HEFT_ORIGINS if it is to be one
 people-origin-missing = origin: a browser's websocket has to say which page it belongs to
 people-csrf-token-wrong = { $header }: not the session's; GET /api/session tells it

@@ -3,9 +3,14 @@ runs-command = { $command }
 runs-state = { $state }
 
 # Why a run did not come through, or why it stands.
-runs-command-asked = { runs-command } was asked for by { $who }.
-runs-cancelled = cancelled by { $who }.
-runs-cancelled-because = cancelled by { $who }: { $why }
+runs-command-asked =
+    { $command ->
+        [stop] stopped by { PERSON($who) }.
+        [abort] aborted by { PERSON($who) }.
+       *[other] { runs-command } by { PERSON($who) }.
+    }
+runs-cancelled = cancelled by { PERSON($who) }.
+runs-cancelled-because = cancelled by { PERSON($who) }: { $why }
 runs-ended = the run was ended.
 runs-shut-down = the service was shut down; the robot was stopped.
 runs-service-ended = the service ended while the run was in { runs-state }; the robot was stopped. Look at the cell, then clear the run.
@@ -30,7 +35,7 @@ runs-no-report = run { $run }: has no report, it is in { runs-state }; a report 
 runs-recording-open = run { $run }: its control process still closes the recording; ask again in some seconds
 runs-nothing-left = run { $run }: there is nothing to go on with; it is in { runs-state } and has finished { $finished_steps } steps. Begin a new run
 runs-recording-not-there = run { $run }: its recording is not there (yet); ask again in some seconds, or begin a new run
-runs-accepted-already = run { $run }: was accepted already, by { $who }; a result is accepted once
+runs-accepted-already = run { $run }: was accepted already, by { PERSON($who) }; a result is accepted once
 runs-nothing-to-stop = cell "{ $cell }": no run has its robot, so there is nothing to stop
 runs-no-common-frame = cell "{ $cell }": does not say how its sensor is mounted (sensor.mount), so runs of two cells have no frame in common
 
@@ -45,10 +50,10 @@ runs-payload-unknown =
     .expected = one of { $payloads }, which cell "{ $cell }" knows
 
 # Control of a cell, and commands that come late.
-runs-control-taken = control of cell "{ $cell }": { $holder } has it; ask them to let go of it
+runs-control-taken = control of cell "{ $cell }": { PERSON($holder) } has it; ask them to let go of it
 runs-control-free = control of cell "{ $cell }": nobody has it; take control (POST /api/control) and answer its stamps
-runs-control-elsewhere = control of cell "{ $cell }": { $holder } has it with fence { $fence }, not { $who } with { $sent_fence }
-runs-control-asked = control of cell "{ $cell }": { $who } has asked for it already; one asks at a time
+runs-control-elsewhere = control of cell "{ $cell }": { PERSON($holder) } has it with fence { $fence }, not { PERSON($who) } with { $sent_fence }
+runs-control-asked = control of cell "{ $cell }": { PERSON($who) } has asked for it already; one asks at a time
 runs-control-not-asked = control of cell "{ $cell }": nobody asks for it with this request any more
 runs-control-overtaken = control of cell "{ $cell }": somebody was faster; look who has it now, then ask again
 runs-command-without-control = command { runs-command }: needs control of cell "{ $cell }"; send `sent` with your fence, number and stamp

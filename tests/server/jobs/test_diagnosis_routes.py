@@ -158,7 +158,7 @@ def test_a_diagnosis_that_waits_or_runs_is_cancelled_and_its_recording_stays(sig
     with service.store.write() as db:
         diagnosis = jobs.add_job(db, DIAGNOSIS, order, None, "account:anna", service.now()).id  # nobody has woken the worker
     answer = client.delete(f"/api/diagnoses/{diagnosis}").json()
-    assert (answer["state"], answer["reason"]["text"]) == ("cancelled", "cancelled by account:engineer.")
+    assert (answer["state"], answer["reason"]["text"]) == ("cancelled", "cancelled by engineer.")
     assert client.delete(f"/api/diagnoses/{diagnosis}").status_code == 409
     assert signed_in(Role.admin).get("/api/audit").json()[0]["action"] == "diagnosis.cancel"
     assert len(read_recording(order.recording)) == 400

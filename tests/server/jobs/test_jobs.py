@@ -97,7 +97,7 @@ def test_a_cancelled_job_stays_cancelled_and_the_next_one_runs(store: Store) -> 
         return row_of(store, following).state == JobStatus.done
 
     asyncio.run(worked(worker, cancelled_then_done))
-    assert (row_of(store, job).state, str(read_reason(row_of(store, job)))) == (JobStatus.cancelled, "cancelled by account:anna.")
+    assert (row_of(store, job).state, str(read_reason(row_of(store, job)))) == (JobStatus.cancelled, "cancelled by anna.")
     assert worker.progress == {}
 
 

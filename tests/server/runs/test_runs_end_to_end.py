@@ -154,7 +154,7 @@ def check_a_stop_ends_the_motion(console: Console, run: str) -> None:
     assert console.http.post(f"/api/runs/{run}/commands", json={"command": "stop"}).status_code == 200
     stopped = console.wait(run, "Stopped")
     assert (stopped["job_state"], stopped["outcome"]) == ("Aborted", "stopped")
-    assert "asked for by account:operator" in stopped["reason"]["text"]
+    assert "stopped by operator" in stopped["reason"]["text"]
     assert recorded(console.service, run) > 0
 
 
@@ -251,7 +251,7 @@ def check_the_public_stop(nobody: httpx.Client, console: Console) -> None:
     assert (now["cell"], now["run"], now["state"], now["moving"], now["safety_rated"]) == ("lwr4_bench", run, "Execute", True, False)
     assert nobody.post("/api/now/lwr4_bench/stop").status_code == 200
     stopped = console.wait(run, "Stopped")
-    assert stopped["reason"]["text"] == "stop was asked for by nobody@127.0.0.1."
+    assert stopped["reason"]["text"] == "stopped by nobody@127.0.0.1."
     wait_for(lambda: nobody.get("/api/now").json() == [], "the cell to be free")
 
 

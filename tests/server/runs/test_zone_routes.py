@@ -283,7 +283,7 @@ def test_a_zone_that_was_resized_here_keeps_its_size_when_a_tracker_moves_it(sig
 def test_a_new_zone_needs_a_name_that_nothing_in_the_cell_has(name: str, owner: str, signed_in: As) -> None:
     operator = signed_in(Role.operator)
     refused = draw(operator, name)
-    assert refused.status_code == 422, refused.text
+    assert (refused.status_code, refused.json()["kind"]) == (409, "bad-zone"), refused.text
     assert [(flaw["code"], flaw["found"]) for flaw in refused.json()["flaws"]] == [
         ("zone-name-taken", f'the name "{name}", which {owner} has')
     ]
@@ -306,7 +306,7 @@ def test_a_drawn_zone_that_is_a_slip_or_stands_on_the_robot_at_home_is_refused_i
     operator = signed_in(Role.operator)
     asked = operator.post(f"{CELL}/zones/trolley/check", json={"shape": TROLLEY | changed, "new": True})
     refused = draw(operator, **changed)
-    assert (asked.status_code, refused.status_code) == (200, 422), refused.text
+    assert (asked.status_code, refused.status_code) == (200, 409), refused.text
     assert [flaw["code"] for flaw in asked.json()["flaws"]] == [flaw["code"] for flaw in refused.json()["flaws"]] == [code]
     assert draw(operator).status_code == 201
     reshaped = operator.put(f"{CELL}/zones/trolley/shape", json={"shape": TROLLEY | changed})
@@ -317,7 +317,7 @@ def test_what_another_zone_contradicts_keeps_nobody_from_drawing_one(signed_in: 
     operator = signed_in(Role.operator)
     place(operator, ON_THE_BASE)
     assert draw(operator).status_code == 201
-    assert operator.post(f"{CELL}/zones", json={"name": "trolley", "shape": TROLLEY}).status_code == 422
+    assert operator.post(f"{CELL}/zones", json={"name": "trolley", "shape": TROLLEY}).status_code == 409
 
 
 def test_who_only_watches_changes_no_zone(signed_in: As) -> None:

@@ -1,4 +1,5 @@
 import { Choice } from '../ui/choice';
+import { NothingYet } from '../ui/nothing-yet';
 import { words } from '../words';
 import { cells } from './cells';
 
@@ -10,6 +11,7 @@ interface Props {
 
 /** One of the cells; one in which nothing can be planned says so, and can be looked at all the same. */
 export function CellChoice({ legend, chosen, choose }: Props) {
+  if (cells.value?.length === 0) return <NothingYet>{words.value.cells.noCells}</NothingYet>;
   return (
     <Choice
       legend={legend}

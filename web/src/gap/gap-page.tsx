@@ -1,6 +1,7 @@
 import type { DiagnosisPublic } from '../api';
 import { chosenCell } from '../cells/cells';
 import { isOver, runs } from '../run/runs';
+import { NothingYet } from '../ui/nothing-yet';
 import { route, to } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { moment } from '../ui/units';
@@ -50,7 +51,11 @@ function Runs() {
   return (
     <section>
       <h2>{said.ofRun}</h2>
-      {recorded.length === 0 && <p class="hint">{said.noRuns}</p>}
+      {recorded.length === 0 && (
+        <NothingYet href={to()} act={words.value.setup.begin}>
+          {said.noRuns}
+        </NothingYet>
+      )}
       <ul class="rows">
         {recorded.map(({ run, payload, requested_at, state }) => (
           <li key={run} id={run}>
@@ -74,7 +79,7 @@ function Diagnoses() {
   return (
     <section>
       <h2>{said.done}</h2>
-      {diagnoses.value !== null && all.length === 0 && <p class="hint">{said.none}</p>}
+      {diagnoses.value !== null && all.length === 0 && <NothingYet>{said.none}</NothingYet>}
       <ul class="rows">
         {all.map((each) => {
           const { diagnosis, state, instruction } = each;

@@ -1,7 +1,8 @@
 import { computed } from '@preact/signals';
 import { cells } from '../cells/cells';
+import { NothingYet } from '../ui/nothing-yet';
 import { Press } from '../ui/press';
-import { filters, go, route, setFilter } from '../ui/route';
+import { filters, go, route, setFilter, to } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { Select } from '../ui/select';
 import { words } from '../words';
@@ -36,7 +37,9 @@ function History() {
     <div class="page history">
       <h1>{said.title}</h1>
       <Filters />
-      <DriftPlot runs={runs} followed={followed.value} of={[historyCell.value, toolName()]} />
+      {runs.length > 0 && (
+        <DriftPlot runs={runs} followed={followed.value} of={[historyCell.value, toolName()]} />
+      )}
       <section>
         {found.value?.length === 0 ? <Nothing /> : <RunList runs={runs} />}
         {search.value && isCutOff.value && <p class="hint">{said.cutOff}</p>}
@@ -48,7 +51,20 @@ function History() {
 
 function Nothing() {
   const said = words.value.history;
-  if (!search.value) return <p>{said.none}</p>;
+  if (historyTool.value && !search.value) {
+    return (
+      <NothingYet>
+        {said.noneOfTool} <Press act={() => pickTool('')}>{said.allTools}</Press>
+      </NothingYet>
+    );
+  }
+  if (!search.value) {
+    return (
+      <NothingYet href={to()} act={words.value.setup.begin}>
+        {said.none}
+      </NothingYet>
+    );
+  }
   return (
     <p role="status">
       {said.noneFound(search.value)} <Press act={() => setFilter('search', '')}>{said.showAll}</Press>

@@ -4,6 +4,7 @@ import type { OrderPublic, RunPublic } from '../api';
 import { may } from '../session/session';
 import { type Fact, Facts } from '../ui/facts';
 import { nameOf } from '../ui/names';
+import { NothingYet } from '../ui/nothing-yet';
 import { say } from '../ui/notice';
 import { Press } from '../ui/press';
 import { to } from '../ui/route';
@@ -23,7 +24,11 @@ function Orders() {
   return (
     <div class="page orders">
       <h1>{said.title}</h1>
-      {orders.value?.length === 0 && <p class="empty">{said.none}</p>}
+      {orders.value?.length === 0 && (
+        <NothingYet href={to()} act={words.value.setup.begin}>
+          {said.none}
+        </NothingYet>
+      )}
       {cells.map((cell) => (
         <section key={cell}>
           <h2>{cell}</h2>

@@ -4,6 +4,7 @@ import { CellChoice } from '../cells/cell-choice';
 import { CellFlaws } from '../cells/cell-flaws';
 import { cell, chosenCell } from '../cells/cells';
 import { shownCell } from '../cells/shown-cell';
+import { TourOffer } from '../help/tour-offer';
 import { may, session } from '../session/session';
 import { SaveTool } from '../tools/save-tool';
 import { ToolChoice } from '../tools/tool-choice';
@@ -45,6 +46,7 @@ function Setup() {
     <div class="page setup">
       <Viewer cell={chosenCell.value} />
       <div class="setup-form">
+        <TourOffer />
         <h1>{said.title}</h1>
         {shownCell.value && isFlawed() && (
           <section class="refused">

@@ -1,3 +1,4 @@
+import { mayTour, startTour } from '../help/tour';
 import { Choice } from '../ui/choice';
 import { Press } from '../ui/press';
 import { to } from '../ui/route';
@@ -46,6 +47,9 @@ function Settings() {
           <a class="press" href={to('admin', 'account')}>
             {all.settings.ownAccount}
           </a>
+          <Press disabled={!mayTour.value} act={startTour}>
+            {all.help.take}
+          </Press>
           <Press act={signOut}>{all.signIn.out}</Press>
         </div>
       </section>

@@ -1,4 +1,5 @@
 import { nameOf } from '../ui/names';
+import { NothingYet } from '../ui/nothing-yet';
 import { Press } from '../ui/press';
 import { Reserved } from '../ui/reserved';
 import { go, route, to } from '../ui/route';
@@ -28,7 +29,7 @@ function Trials() {
       </section>
       <section>
         <h2>{said.trials.all}</h2>
-        {trialsListed.value !== null && all.length === 0 && <p class="hint">{said.none}</p>}
+        {trialsListed.value !== null && all.length === 0 && <NothingYet>{said.trials.none}</NothingYet>}
         <ul class="rows">
           {all.map(({ trials, count, state, requested_by, requested_at }) => (
             <li key={trials}>

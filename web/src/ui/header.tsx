@@ -1,5 +1,6 @@
 import { Bell } from '../alarms/bell';
 import { cell } from '../cells/cells';
+import { HelpButton } from '../help/help-button';
 import { control, holder, mine } from '../run/control';
 import { following } from '../run/live';
 import { robots } from '../run/now';
@@ -35,6 +36,7 @@ export function Header() {
       )}
       <Line />
       {signedIn && <Bell />}
+      <HelpButton />
     </header>
   );
 }

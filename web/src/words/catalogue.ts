@@ -3,6 +3,7 @@
  * (`core/words/catalogue.py`). A test holds both together.
  */
 import { FluentBundle, FluentNumber, FluentResource, type FluentValue } from '@fluent/bundle';
+import { nameOf } from '../ui/names';
 import type { Language } from './languages';
 
 /** A code of the catalogue and what its words name: numbers in SI, names, lists, other messages. */
@@ -38,7 +39,11 @@ export function readCatalogue(
   const functions = Object.fromEntries(
     Object.entries(NUMBERS).map(([name, print]) => [name, fluentFunction(print, language)]),
   );
-  const catalogue = new FluentBundle(language, { useIsolating: false, functions, transform });
+  const catalogue = new FluentBundle(language, {
+    useIsolating: false,
+    functions: { ...functions, PERSON: ([who]: FluentValue[]) => nameOf(String(who?.valueOf() ?? '')) },
+    transform,
+  });
   for (const words of Object.values(files)) catalogue.addResource(new FluentResource(words));
   return catalogue;
 }

@@ -5,6 +5,8 @@ export const cells: typeof en.cells = {
   next: 'Wählen Sie eine Zelle; ihre Schutzzonen werden gezeigt, wo sie jetzt sind.',
   nextEngineer:
     'Wählen Sie eine Zelle oder die ZIP-Datei einer neuen: Sie wird geprüft, bevor sie importiert wird.',
+  noCells:
+    'Dieser Dienst hat keine Zellen. Ein Ingenieur importiert eine auf der Seite „Zellen“; „heft cell new“ erstellt eine aus der URDF eines Roboters.',
   list: 'Zelle',
   limits: 'Grenzen',
   speed: 'Höchst\u00ADgeschwindig\u00ADkeit',
@@ -23,16 +25,11 @@ export const cells: typeof en.cells = {
   zones: 'Schutzzonen',
   centre: (place) => `Mitte bei ${place}`,
   asFile: 'wie in cell.toml',
-  movedBy: (who, when) => `verschoben von ${who}, ${when}`,
-  moveTo: (zone) => `Mitte von ${zone}`,
-  move: 'Zone verschieben',
-  leave: 'Stehen lassen',
-  looking: 'Der neue Platz wird geprüft.',
   notLooked: 'Der neue Platz konnte nicht geprüft werden.',
   staysFree: 'Die Basis des Roboters und sein Arm in Grundstellung bleiben frei.',
   blocks: 'Solange die Zone dort ist, kann kein Lauf geplant werden',
-  undo: (zone) => `Zone ${zone} zurück an den Platz davor`,
-  asInFile: (zone) => `Zone ${zone} an den Platz aus cell.toml`,
+  undo: (zone) => `Zone ${zone} wie zuvor`,
+  asInFile: (zone) => `Zone ${zone} wie in cell.toml`,
   views: { above: 'Von oben', side: 'Von der Seite' },
   robotBase: 'Basis des Roboters',
   zoneNow: 'Zone jetzt',
@@ -48,8 +45,6 @@ export const cells: typeof en.cells = {
   lookAtCell: 'Zelle und Zonen zeigen',
   nextFlawed:
     'In dieser Zelle kann jetzt kein Lauf geplant werden. Die Seite sagt, warum und was zu tun ist.',
-  moveHint:
-    'Wo ihre Mitte jetzt ist, im Weltkoordinatensystem. Das gilt sofort, auch für einen fahrenden Roboter.',
   upload: 'Neue Zelle',
   uploadHint: 'Eine ZIP-Datei eines Ordners mit cell.toml und robot.urdf',
   choose: 'ZIP-Datei wählen…',

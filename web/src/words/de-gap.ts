@@ -9,7 +9,8 @@ export const deGap: GapWords = {
   title: 'Abweichung zwischen Simulation und Aufzeichnung',
   next: 'Wählen Sie einen Lauf oder eine Aufzeichnung. Eine Diagnose liest sie nur; nichts bewegt sich.',
   ofRun: 'Aus einem Lauf dieser Zelle',
-  noRuns: 'Diese Zelle hat noch keinen Lauf mit Aufzeichnung.',
+  noRuns:
+    'Diese Zelle hat noch keine Aufzeichnung. Bereiten Sie einen Lauf vor: Ist er zu Ende, lässt er sich hier untersuchen.',
   diagnose: 'Untersuchen',
   diagnoseRun: 'Abweichung untersuchen',
   ofUpload: 'Aus einer hochgeladenen Aufzeichnung',
@@ -21,7 +22,7 @@ export const deGap: GapWords = {
   elsewhere: 'Anderer Roboter',
   elsewhereHint: 'Seine Effekte können hier in keinen Zwilling',
   done: 'Bisherige Diagnosen',
-  none: 'Noch keine.',
+  none: 'Noch keine Diagnosen. Wählen Sie einen Lauf dieser Zelle, oder laden Sie eine Aufzeichnung hoch.',
   open: 'Öffnen',
   upload: 'Hochgeladene Aufzeichnung',
   run: (run) => `Lauf ${run}`,
@@ -164,6 +165,7 @@ export const deGap: GapWords = {
   removable: 'Entfernen ändert spätere Simulationen, keine Aufzeichnungen.',
   of: (recording, when) => `aus ${recording}, ${when}`,
   trials: {
+    none: 'Noch keine Versuche. Starten Sie den ersten mit der Taste unten.',
     title: 'Blindversuche der Diagnose',
     what: 'Ein Fehler wird gezogen und versiegelt; das Siegel wird sofort gezeigt. Dann fährt der virtuelle Roboter mit dem Fehler, und seine Aufzeichnung wird untersucht. Nur Sie öffnen das Siegel.',
     next: 'Beginnen Sie einen Versuch; er dauert einige Minuten. Nichts bewegt sich.',

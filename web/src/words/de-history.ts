@@ -27,7 +27,8 @@ export const history: typeof en.history = {
   accepted: (who) => `angenommen von ${who}`,
   notAccepted: 'nicht angenommen',
   determined: (count) => (count === 10 ? 'alle zehn Größen bestimmt' : `${count} von 10 Größen bestimmt`),
-  none: 'Noch keine Läufe.',
+  none: 'Diese Zelle hat noch keine Läufe. Der erste erscheint hier, sobald er geplant wird.',
+  noneOfTool: 'Kein Lauf mit diesem Werkzeug.',
   noneDetermined: 'Keiner dieser Läufe hat es bisher bestimmt.',
   earlier: 'Frühere Läufe zeigen',
   parameters: {

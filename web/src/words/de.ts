@@ -17,6 +17,12 @@ export const de: Words = {
   notSafety: 'Keine Sicherheitsfunktion',
   close: 'Schließen',
   cancel: 'Abbrechen',
+  help: {
+    open: 'Hilfe',
+    offer: 'Neu hier? Eine Führung von einer Minute zeigt den Weg von der Last zum Ergebnis.',
+    take: 'Führung starten',
+    later: 'Jetzt nicht',
+  },
   unknown: 'nicht bekannt',
   notDetermined: 'nicht bestimmt',
   interval: '± ist ein 95-%-Intervall',
@@ -118,6 +124,7 @@ export const de: Words = {
     chooseNext: 'Wählen Sie ein eigenes Passwort.',
   },
   setup: {
+    begin: 'Lauf vorbereiten',
     title: 'Zelle und Werkzeug',
     cell: 'Zelle',
     tool: 'Werkzeug am Roboter',

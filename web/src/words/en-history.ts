@@ -27,7 +27,8 @@ export const history = {
   notAccepted: 'not accepted',
   determined: (count: number) =>
     count === 10 ? 'all ten parameters determined' : `${count} of 10 parameters determined`,
-  none: 'No runs yet.',
+  none: 'This cell has no runs yet. The first one appears here as soon as it is planned.',
+  noneOfTool: 'No run with this tool.',
   noneDetermined: 'None of these runs has determined it yet.',
   earlier: 'Show earlier runs',
   parameters: {

@@ -16,6 +16,12 @@ export const en = {
   notSafety: 'Not a safety function',
   close: 'Close',
   cancel: 'Cancel',
+  help: {
+    open: 'Help',
+    offer: 'New here? A tour of one minute shows the way from the payload to the result.',
+    take: 'Start the tour',
+    later: 'Not now',
+  },
   unknown: 'not known',
   notDetermined: 'not determined',
   interval: '± is a 95 % interval',
@@ -117,6 +123,7 @@ export const en = {
     chooseNext: 'Choose a password of your own.',
   },
   setup: {
+    begin: 'Set up a run',
     title: 'Cell and tool',
     cell: 'Cell',
     tool: 'Tool on the robot',
