@@ -15,6 +15,7 @@ from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
 from core.estimation.offset import offset_of_opposed_poses
 from core.estimation.regression import Thresholds, regression
 from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase
+from core.estimation.setup.check import check_setup
 from core.estimation.torque_only import torque_only
 from core.estimation.twin_effects import TwinEffects, effects_on, fit_with_effects
 from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
@@ -49,9 +50,12 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     wrench = recording.wrench
     if wrench is None or poses is None:
         return torque_only(recording, poses)
+    setup = check_setup(recording)
     static = poses.period > SLOWEST_PERIOD_S or len(recording) < 50
     motion, speed = _motion(poses, static)
     segments = _segments(recording, motion, speed, static)
+    if setup.contradiction is not None:
+        return _nothing(segments, setup.contradiction)
     still = _find_labelled_still(recording, segments) if static else motionless(recording.t, segments)
     noise = sensor_noise(wrench, still, segments, nominal_std=recording.sensor.noise_std)
     rows_only = static or (poses.position is None) or not bool((~still).any())
@@ -67,7 +71,7 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     paper = _paper(wrench - change, motion, speed, still, found.noise)
     series = None if rows_only else _series(recording.t, wrench, motion, found, change)
     said = warnings_of(recording, estimate, found, static=rows_only)
-    warnings = (*said, *on_transfers_alone(estimate, turned), *_warn_of_effects_left_out(effects))
+    warnings = (*setup.remarks, *said, *on_transfers_alone(estimate, turned), *_warn_of_effects_left_out(effects))
     verdict = verdict_of(estimate, static=rows_only)
     verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found.noise, segments).verifications
     return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, shares=shares, verified=verified)
