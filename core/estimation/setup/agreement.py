@@ -10,6 +10,8 @@ from core.estimation.setup.payload_fit import MASS_INERTIA, MASS_WEIGHT, MOMENT_
 SIZE = 11
 SLACK = 0.06
 """Share of each number that delays, filters, gains and windows may take without blame."""
+BLURRED = 3.0
+"""Times the share of noise in an acceleration that its coefficient may be too small by."""
 LEVER_M = 0.02
 """Slack of the first moment as a distance."""
 
@@ -39,4 +41,8 @@ def _covariance(fit: PayloadFit) -> Array:
     slack[[MASS_WEIGHT, MASS_INERTIA]] += 1e-3
     for part in (MOMENT_WEIGHT, MOMENT_INERTIA, MOMENT_FORCE):
         slack[part] = SLACK * np.linalg.norm(fit.z[part]) + LEVER_M * SLACK * abs(fit.mass) + 1e-4
+    linear, turning = BLURRED * np.array(fit.blur)
+    slack[MASS_INERTIA] += linear * abs(fit.mass)
+    slack[MOMENT_INERTIA] += linear * np.linalg.norm(fit.first_moment)
+    slack[MOMENT_FORCE] += turning * np.linalg.norm(fit.first_moment)
     return fit.covariance[:SIZE, :SIZE] + np.diag(slack**2)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.array import Array
 from core.estimation.setup.stances import FORCE, Stances
@@ -30,13 +31,13 @@ def find_dead_wrench(recording: Recording) -> Message | None:
 def find_dead_channel(recording: Recording, stances: Stances) -> Message | None:
     """A channel that never changes although what the others feel should change it."""
     assert recording.wrench is not None
-    still = np.asarray(np.ptp(recording.wrench, axis=0) == 0.0)
+    still: NDArray[np.bool_] = np.asarray(np.ptp(recording.wrench, axis=0) == 0.0)
     if not still.any() or stances.distinct < FEWEST_ROWS:
         return None
     expected = _expected_change(stances)
     sensor = recording.sensor
     least = np.max([np.zeros(6) if each is None else each for each in (sensor.resolution, sensor.noise_std)], axis=0)
-    missing = np.asarray(still & (expected > FELT * least) & (expected > 0.05 * np.repeat([expected[:3].max(), expected[3:].max()], 3)))
+    missing: NDArray[np.bool_] = np.asarray(still & (expected > FELT * least) & (expected > 0.05 * np.repeat([expected[:3].max(), expected[3:].max()], 3)))
     return Message.of("setup-channel-dead", channel=CHANNELS[int(np.argmax(missing))]) if missing.any() else None
 
 

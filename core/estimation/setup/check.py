@@ -28,10 +28,12 @@ class SetUp:
     Args:
         contradiction: why nothing can be estimated before the set-up is corrected, with the likely slip; None where nothing speaks against.
         remarks: what should be known before the numbers are used.
+        weighed: what the simplest model makes of the poses; None where there are none.
     """
 
     contradiction: Message | None = None
     remarks: tuple[Message, ...] = ()
+    weighed: PayloadFit | None = None
 
 
 def check_setup(recording: Recording) -> SetUp:
@@ -49,7 +51,7 @@ def check_setup(recording: Recording) -> SetUp:
         find_dead_channel(recording, stances) or _check_geometry(stances, fit) or _check_clock_and_units(recording, stances, fit)
     )
     beyond = beyond_range(recording)
-    return SetUp(contradiction, (*remarks, *([] if beyond is None else [beyond]), *remarks_on_force(stances)))
+    return SetUp(contradiction, (*remarks, *([] if beyond is None else [beyond]), *remarks_on_force(stances)), fit)
 
 
 def _check_geometry(stances: Stances, fit: PayloadFit) -> Message | None:

@@ -41,6 +41,7 @@ class PayloadFit:
         misfit: root mean square of the residuals in units of noise and slack; 1 and less is as good as it gets.
         unexplained: share of the change of force, and of torque, that is left, root mean square.
         freedom: of the residuals.
+        blur: share of what linear acceleration, and turning, seem to be that is the noise of the poses.
     """
 
     z: Array
@@ -48,6 +49,7 @@ class PayloadFit:
     misfit: float
     unexplained: tuple[float, float]
     freedom: int
+    blur: tuple[float, float]
 
     @property
     def mass(self) -> float:
@@ -105,7 +107,7 @@ def fit_payload(stances: Stances) -> PayloadFit:
         float(np.sqrt(np.mean((residual * _sigma(stances, part)) ** 2)) / max(_spread(stances.wrench[:, part]), 1e-300))
         for residual, part in ((left, FORCE), (torque_left, TORQUE))
     )
-    return PayloadFit(z, covariance * widened, misfit, (shares[0], shares[1]), freedom)
+    return PayloadFit(z, covariance * widened, misfit, (shares[0], shares[1]), freedom, _blur(stances))
 
 
 def _regressors(stances: Stances, gravity: Array) -> tuple[Array, Array, Array]:
@@ -127,6 +129,18 @@ def _accelerations(stances: Stances) -> tuple[Array, Array]:
     return np.einsum("kij,kj->ki", stances.base, (p[:, 0] - 2.0 * p[:, 1] + p[:, 2]) / square[:, 0]), B
 
 
+def _blur(stances: Stances) -> tuple[float, float]:
+    """Noise of a second difference against what was seen of it: by as much a regression makes its coefficient too small."""
+    if not stances.moves:
+        return 0.0, 0.0
+    of_second_difference = np.sqrt(6.0) / float(np.median(stances.half_s)) ** 2
+    shares = [
+        float((of_second_difference * std) ** 2 / max(float(np.mean(seen**2)), 1e-300))
+        for std, seen in zip(stances.jitter, _accelerations(stances), strict=True)
+    ]
+    return min(shares[0], 1.0), min(shares[1], 1.0)
+
+
 def _spread(x: Array) -> float:
     """Root mean square of how far the values (P, 3) are from their mean."""
     return float(np.sqrt(np.mean((x - x.mean(axis=0)) ** 2)))
@@ -135,7 +149,7 @@ def _spread(x: Array) -> float:
 def _sigma(stances: Stances, channels: slice) -> Array:
     """(P, 1), of one channel: noise of the mean, and the slack."""
     slack = SLACK * _spread(stances.wrench[:, channels])
-    return np.sqrt(np.mean(stances.noise[:, channels] ** 2, axis=1, keepdims=True) + slack**2 + 1e-24)
+    return np.asarray(np.sqrt(np.mean(stances.noise[:, channels] ** 2, axis=1, keepdims=True) + slack**2 + 1e-24))
 
 
 def _shorten(v: Array, longest: float) -> Array:

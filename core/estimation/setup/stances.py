@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
+from core.estimation.kinematics import white_noise_std
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
 
@@ -43,6 +44,7 @@ class Stances:
         wrench: (P, 6), N and N m.
         noise: (P, 6), standard uncertainty of these means, as far as their samples tell.
         distinct: how many of the windows are at places of their own.
+        jitter: standard deviations of one row's position (m) and orientation (rad).
         t: (P,), s. q: (P, 3, n), rad, and `robot`, of a recording with joints.
     """
 
@@ -53,6 +55,7 @@ class Stances:
     wrench: Array
     noise: Array
     distinct: int
+    jitter: tuple[float, float]
     t: Array
     q: Array | None = None
     robot: RobotModel | None = None
@@ -93,12 +96,22 @@ def stances_of(recording: Recording) -> Stances | None:
     means, noise = _average(recording.wrench, middle, half)
     distinct = _count_distinct(x[middle], APART * total)
     half_s = 0.5 * (recording.t[rows[:, 2]] - recording.t[rows[:, 0]])
-    common = half_s, recording.gravity, means, noise, distinct, recording.t[middle]
+    common = half_s, recording.gravity, means, noise, distinct, _jitter(recording, joints), recording.t[middle]
     if joints is not None and recording.robot is not None:
         robot = RobotModel(recording.robot)
         return Stances(np.zeros((len(rows), 3, 3, 3)), None, *common, robot=robot).at_joints(joints[rows])
     assert recording.orientation is not None
     return Stances(recording.orientation[rows], None if recording.position is None else recording.position[rows], *common)
+
+
+def _jitter(recording: Recording, joints: Array | None) -> tuple[float, float]:
+    """Of joints as if each had an arm of a metre."""
+    if joints is not None:
+        size = float(np.linalg.norm(white_noise_std(joints)))
+        return size, size
+    assert recording.orientation is not None
+    turning = float(white_noise_std(recording.orientation.reshape(len(recording), 9)).mean())
+    return 0.0 if recording.position is None else float(white_noise_std(recording.position).mean()), turning
 
 
 def _find_half(t: Array, x: Array, total: float) -> int:

@@ -13,6 +13,7 @@ setup-clock-too-fine = nach der Zeitspalte hat die Aufzeichnung { SIGNIFICANT($r
 setup-wrench-zero = Kraft und Moment sind in jeder Zeile null: der Sensor war nicht angeschlossen oder wurde nicht aufgezeichnet
 setup-wrench-constant = Kraft und Moment sind in allen { $rows } Zeilen gleich: der Sensor war nicht angeschlossen, oder sein letzter Wert wurde wiederholt
 setup-channel-dead = { $channel } ändert sich nie, obwohl sich das Gewicht der Last darin drehen müsste: ein toter Kanal
+setup-poses-contradict = die Schätzung ({ SIGNIFICANT($mass_kg, digits: 4) } kg) widerspricht dem Gewicht der Last in den Stellungen ({ SIGNIFICANT($weighed_kg, digits: 4) } kg): Bewegung und Kraft gehören nicht zusammen, oder etwas wurde berührt
 setup-rows-repeated = { PERCENT($share) } % der Zeilen in Bewegung wiederholen die Zeile davor: Gelenke und Kräfte wurden langsamer aufgezeichnet, als die Zeitspalte sagt
 setup-nothing-felt = die Kraft ändert sich von Stellung zu Stellung nicht stärker als ihr Rauschen ({ SIGNIFICANT($change_n, digits: 2) } N): keine Last, oder ein Sensor, der nicht angeschlossen ist
 setup-sampled-slowly = { SIGNIFICANT($rate_hz, digits: 2) } Messwerte je Sekunde sind zu wenige, um Beschleunigungen zu sehen: die Trägheit braucht mindestens 10, besser 100

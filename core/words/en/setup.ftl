@@ -14,6 +14,7 @@ setup-clock-too-fine = by its clock the recording has { SIGNIFICANT($rate_hz, di
 setup-wrench-zero = the wrench is zero in every row: the sensor was not connected, or not recorded
 setup-wrench-constant = the wrench is the same in all { $rows } rows: the sensor was not connected, or its last value was repeated
 setup-channel-dead = { $channel } never changes although the payload's weight turns through it: a dead channel
+setup-poses-contradict = the estimate ({ SIGNIFICANT($mass_kg, digits: 4) } kg) contradicts what the payload weighs in the recording's poses ({ SIGNIFICANT($weighed_kg, digits: 4) } kg): the motion and the wrench do not belong together, or something was touched
 # What should be known before the numbers are used.
 setup-rows-repeated = { PERCENT($share) } % of the rows in motion repeat the row before: joints and wrench were recorded more slowly than the clock says
 setup-nothing-felt = the force changes from pose to pose by no more than its noise ({ SIGNIFICANT($change_n, digits: 2) } N): no payload, or a sensor that is not connected
