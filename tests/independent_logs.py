@@ -92,6 +92,18 @@ def draw_load(rng: np.random.Generator) -> Load:
     return Load(masses, centre + rng.normal(size=(6, 3)) * rng.uniform(0.02, 0.06, 3))
 
 
+def draw_plate(rng: np.random.Generator) -> Load:
+    """A plate without thickness, 6 cm in front of the sensor: the moments about two axes add up to the third exactly."""
+    return Load(np.full(12, rng.uniform(1.0, 4.0) / 12), np.column_stack((rng.uniform(-0.08, 0.08, (12, 2)), np.full(12, 0.06))))
+
+
+def draw_rod(rng: np.random.Generator) -> Load:
+    """A rod without thickness in any direction: nothing turns about itself."""
+    along = rng.normal(size=3)
+    along /= np.linalg.norm(along)
+    return Load(np.full(8, rng.uniform(1.0, 4.0) / 8), np.array([0.0, 0.0, 0.1]) + np.outer(np.linspace(-0.12, 0.12, 8), along))
+
+
 @dataclass
 class Log:
     """What is written: columns by name, and the manifest.

@@ -37,7 +37,9 @@ def find_dead_channel(recording: Recording, stances: Stances) -> Message | None:
     expected = _expected_change(stances)
     sensor = recording.sensor
     least = np.max([np.zeros(6) if each is None else each for each in (sensor.resolution, sensor.noise_std)], axis=0)
-    missing: NDArray[np.bool_] = np.asarray(still & (expected > FELT * least) & (expected > 0.05 * np.repeat([expected[:3].max(), expected[3:].max()], 3)))
+    missing: NDArray[np.bool_] = np.asarray(
+        still & (expected > FELT * least) & (expected > 0.05 * np.repeat([expected[:3].max(), expected[3:].max()], 3))
+    )
     return Message.of("setup-channel-dead", channel=CHANNELS[int(np.argmax(missing))]) if missing.any() else None
 
 
@@ -56,7 +58,7 @@ def remarks_on_rows(recording: Recording) -> Iterator[Message]:
     if recording.wrench is None or poses is None or len(recording) < 100:
         return
     x = poses.reshape(len(poses), -1)
-    same = ~np.diff(x, axis=0).any(axis=1) & ~np.diff(recording.wrench, axis=0).any(axis=1)
+    same = np.asarray(~np.diff(x, axis=0).any(axis=1) & ~np.diff(recording.wrench, axis=0).any(axis=1))
     around = np.linalg.norm(x[10:] - x[:-10], axis=1)
     moving = around > 0.05 * around.max(initial=0.0)
     share = float(same[4:-5][moving].mean()) if moving.any() and around.max() > 0.0 else 0.0

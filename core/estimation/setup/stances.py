@@ -73,6 +73,21 @@ class Stances:
         """(P, 3, 3), R^T in the middle: turns vectors of the base frame into the sensor's."""
         return np.swapaxes(self.rotation[:, 1], 1, 2)
 
+    def thinned(self, most: int) -> Stances:
+        """So many of them at most, evenly."""
+        rows = np.unique(np.linspace(0, len(self) - 1, min(len(self), most)).astype(int))
+        return replace(
+            self,
+            rotation=self.rotation[rows],
+            position=None if self.position is None else self.position[rows],
+            half_s=self.half_s[rows],
+            wrench=self.wrench[rows],
+            noise=self.noise[rows],
+            distinct=min(self.distinct, len(rows)),
+            t=self.t[rows],
+            q=None if self.q is None else self.q[rows],
+        )
+
     def at_joints(self, q: Array) -> Stances:
         """The same wrenches with other joint angles (P, 3, n)."""
         assert self.robot is not None
