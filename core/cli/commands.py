@@ -27,6 +27,12 @@ COMMANDS = {
     "identify": Command(
         "core.cli.identify", "Identify the payload from a recording, of this program or from elsewhere. The recording is only read."
     ),
+    "compare": Command(
+        "core.cli.compare", "Whether several runs found the same payload, and how they scatter: repeatability and reproducibility."
+    ),
+    "fuse": Command(
+        "core.cli.fuse", "One answer from several runs of one payload, with the share that each of them and a prior has in it."
+    ),
     "diagnose": Command(
         "core.cli.diagnose",
         "Where simulation and recording part, which unmodelled effect causes it, and how far adding it closes the gap.",

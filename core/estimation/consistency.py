@@ -11,6 +11,10 @@ from core.payload.inertia import is_consistent, phi_of_pseudo_inertia, pseudo_in
 SMALLEST = 1e-6
 """Eigenvalue of the scaled pseudo-inertia that is kept: a body is never quite flat."""
 SIZE_M = 0.05
+NO_SUCH_BODY = 11.34
+"""Squared distance from what can exist beyond which no body explains the data: the 99 % point of chi-square with three degrees of freedom.
+A rod is where this matters most: there the edge of what can exist has three directions to leave it by. A body that can exist is called
+impossible in one of a hundred recordings at most, and any but a plate or a rod next to never."""
 _LOWER = np.tril_indices(4)
 
 
@@ -48,6 +52,11 @@ def nearest_consistent(phi: Array, covariance: Array) -> Array:
     first = np.linalg.cholesky(start)[_LOWER]
     solution = least_squares(distance, first, jac=slope, x_scale="jac", xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=200)
     return body(solution.x)
+
+
+def distance_from_bodies(phi: Array, body: Array, covariance: Array) -> float:
+    """Squared distance of phi (10,) from the nearest body (10,), in the metric of the covariance (10, 10); against `NO_SUCH_BODY`."""
+    return float((phi - body) @ _inverse(covariance) @ (phi - body))
 
 
 def _positive_part(P: Array) -> Array:

@@ -12,18 +12,23 @@ from core.words.message import Message
 Bools = NDArray[np.bool_]
 
 LARGEST_RELATIVE_STD = 0.1
-"""Of the scale that a parameter is measured by; above it a number would only look like one."""
+"""Of the scale that a parameter is measured by; above it a number would only look like one. What is called determined is known to a tenth
+of that scale, one standard deviation: the mass and each moment of inertia to a tenth of themselves."""
 SIZE_M = 0.05
-"""Radius of gyration that a payload has about its own centre at least, roughly."""
+"""Radius of gyration that a payload has about its own centre, roughly; a first moment is measured by a lever of at least this."""
+SLIMMEST_M = 0.02
+"""Radius of gyration about an axis below which a moment is measured by this one: nobody needs to know the moment of a rod about itself."""
 SLOW_RAD_S2 = 0.3
 """Angular acceleration (rms over the moving part) below which an axis counts as not excited, for the reasons that are given."""
 
 
 def scales(phi: Array) -> Array:
-    """(10,) sizes by which the parameters are measured: the mass, the mass times a lever, the mass times a lever squared."""
+    """(10,) sizes by which the parameters are measured: the mass, the mass times a lever, each moment, and for a product of inertia the
+    geometric mean of the moments about its two axes."""
     m = abs(float(phi[0]))
     lever = float(np.hypot(np.linalg.norm(phi[1:4]) / m, SIZE_M)) if m > 0 else SIZE_M
-    return np.concatenate(([m], np.full(3, m * lever), np.full(6, m * lever**2)))
+    x, y, z = np.maximum(phi[[4, 7, 9]], m * SLIMMEST_M**2)
+    return np.concatenate(([m], np.full(3, m * lever), [x, np.sqrt(x * y), np.sqrt(x * z), y, np.sqrt(y * z), z]))
 
 
 def find_determined(phi: Array, std: Array) -> Bools:

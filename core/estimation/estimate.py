@@ -74,7 +74,7 @@ class Estimate(UncertainParameters):
         reasons: name of the parameter -> why it is not determined.
         offset, offset_std: (6,), mean over the recording.
         consistent: whether a body can have these parameters (positive definite pseudo-inertia); enforced, so False only without a mass.
-        constrained: whether that moved what is determined (the data alone asked for a body that cannot exist).
+        constrained: whether the data alone asked for a body that cannot exist, at a level of 1 %.
         base_tilt_rad, base_tilt_std: (2,), rotation of the true gravity against the nominal one about base x and y.
         delay_s, delay_std: how late the wrench is against the joints.
         residual_rms, noise_std: (6,), per sample, N and N m.

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
-from core.estimation.consistency import nearest_consistent
+from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, nearest_consistent
 from core.estimation.determination import find_determined, reasons
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries, TwinShare
 from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT, Fit, fit
@@ -15,6 +15,8 @@ from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
 from core.estimation.offset import offset_of_opposed_poses
 from core.estimation.regression import Thresholds, regression
 from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase
+from core.estimation.setup.check import check_setup
+from core.estimation.setup.refutation import refute
 from core.estimation.torque_only import torque_only
 from core.estimation.twin_effects import TwinEffects, effects_on, fit_with_effects
 from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
@@ -49,9 +51,12 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     wrench = recording.wrench
     if wrench is None or poses is None:
         return torque_only(recording, poses)
+    setup = check_setup(recording)
     static = poses.period > SLOWEST_PERIOD_S or len(recording) < 50
     motion, speed = _motion(poses, static)
     segments = _segments(recording, motion, speed, static)
+    if setup.contradiction is not None:
+        return _nothing(segments, setup.contradiction)
     still = _find_labelled_still(recording, segments) if static else motionless(recording.t, segments)
     noise = sensor_noise(wrench, still, segments, nominal_std=recording.sensor.noise_std)
     rows_only = static or (poses.position is None) or not bool((~still).any())
@@ -64,10 +69,11 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     found, change, shares = _fit_wrench(form, wrench, noise or unknown_noise(), effects)
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
     estimate = _estimate(found, motion, static=rows_only, turned=turned)
+    estimate = refute(estimate, setup.weighed)
     paper = _paper(wrench - change, motion, speed, still, found.noise)
     series = None if rows_only else _series(recording.t, wrench, motion, found, change)
     said = warnings_of(recording, estimate, found, static=rows_only)
-    warnings = (*said, *on_transfers_alone(estimate, turned), *_warn_of_effects_left_out(effects))
+    warnings = (*setup.remarks, *said, *on_transfers_alone(estimate, turned), *_warn_of_effects_left_out(effects))
     verdict = verdict_of(estimate, static=rows_only)
     verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found.noise, segments).verifications
     return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, shares=shares, verified=verified)
@@ -113,7 +119,7 @@ def _estimate(found: Fit, motion: Motion, *, static: bool, turned: str | None) -
     std = np.sqrt(np.diag(S))
     known = find_determined(phi, std)
     body = nearest_consistent(phi, S) if known[0] else phi
-    constrained = bool((np.abs(body - phi)[known] > 0.01 * std[known]).any())
+    constrained = bool(known[0]) and distance_from_bodies(phi, body, S) > NO_SUCH_BODY
     phi = body.copy()
     why = reasons(phi, std, known, static=static, motion=None if static else motion, turned=turned)
     phi[~known] = np.nan

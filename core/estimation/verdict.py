@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from core.array import Array
 from core.estimation.determination import explain_not_excited
 from core.estimation.estimate import Estimate
 from core.estimation.generalised_least_squares import Fit
@@ -15,6 +16,10 @@ from core.recording.recording import Recording
 from core.words.message import Message
 
 INTERVAL = 1.96
+LARGE_RESIDUAL = 2.0
+"""Times the noise that the residual may be before something is said: where an effect becomes material for a diagnosis, too."""
+DRIFT_SHARE = 0.01
+"""Share of the weight, and of its torque, by which the offset may drift before it is worth a sentence."""
 
 
 def verdict_of(estimate: Estimate, *, static: bool) -> Message:
@@ -36,8 +41,9 @@ def verdict_of(estimate: Estimate, *, static: bool) -> Message:
 def warnings_of(recording: Recording, estimate: Estimate, found: Fit, *, static: bool) -> tuple[Message, ...]:
     """The most important first."""
     said: list[Message] = []
-    ratio = np.sqrt(found.scale)
-    if found.noise.measured and (ratio > 1.0).any():
+    stated = recording.sensor.noise_std
+    ratio = estimate.residual_rms / (estimate.noise_std if stated is None else stated)
+    if (found.noise.measured or stated is not None) and (ratio > LARGE_RESIDUAL).any():
         worst = int(np.argmax(ratio))
         said.append(Message.of("estimation-residual-above-noise", channel=CHANNELS[worst], times=float(ratio[worst])))
     if estimate.constrained:
@@ -54,9 +60,19 @@ def warnings_of(recording: Recording, estimate: Estimate, found: Fit, *, static:
     if delay is not None and delay_std is not None and abs(delay) > max(4.0 * delay_std, 1e-3):
         late = Message.of("estimation-wrench-late", late_s=delay) if delay > 0 else Message.of("estimation-wrench-early", early_s=-delay)
         said.append(late)
-    if (estimate.drift.range > np.maximum(4.0 * estimate.drift.std, 2.0 * estimate.noise_std)).any():
+    least = np.maximum(4.0 * estimate.drift.std, np.maximum(2.0 * estimate.noise_std, DRIFT_SHARE * _load(estimate, recording)))
+    if (estimate.drift.range > least).any():
         said.append(Message.of("estimation-drift-accounted", drift=estimate.drift.description))
     return tuple(said)
+
+
+def _load(estimate: Estimate, recording: Recording) -> Array:
+    """(6,), what gravity makes of the payload: N, and N m with a lever of 5 cm at least; zero without a mass."""
+    if not estimate.determined[0]:
+        return np.zeros(6)
+    mass, g = float(estimate.phi[0]), float(np.linalg.norm(recording.gravity))
+    lever = max(float(np.nanmax(np.abs(estimate.phi[1:4]), initial=0.0)) / mass, 0.05)
+    return np.repeat([mass * g, mass * g * lever], 3)
 
 
 def on_transfers_alone(estimate: Estimate, turned: str | None) -> list[Message]:

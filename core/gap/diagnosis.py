@@ -10,6 +10,7 @@ from pathlib import Path
 from core.cell.kinematics import joint_axes
 from core.effects.effect import Effect
 from core.effects.library import library
+from core.estimation.setup.check import check_setup
 from core.gap.answer import Diagnosis, Origin
 from core.gap.answering import answer, not_enough
 from core.gap.basis import TooLittleError, basis_of
@@ -52,6 +53,9 @@ def examine(
         basis = basis_of(recording)
     except TooLittleError as reason:
         return not_enough(reason.message, time.perf_counter() - began), None
+    contradiction = check_setup(recording).contradiction
+    if contradiction is not None:
+        return not_enough(contradiction, time.perf_counter() - began), None
     windows = Windows(basis, find_terms(twin, basis.scene))
     evidence = gather(windows, library() if effects is None else effects, fit_all)
     if evidence.verdict == "ambiguous":

@@ -83,3 +83,13 @@ cli-export-frame = In: { $frame }; { $says }.
 cli-export-lack = { $target } hat keinen Platz für { $name } = { SIGNIFICANT($lost, digits: 3) } { $unit }, das { FIXED($times, digits: 1) }-fache seiner Unsicherheit.
 cli-nothing-to-settle = Es gibt nichts zu klären: { $file } wird nicht geschrieben.
 cli-report = Bericht: { $file }
+cli-no-run =
+    .found = weder { $answer } noch { $manifest }
+    .expected = eine Antwort, die --json geschrieben hat, der Ordner eines Laufs oder einer Aufzeichnung
+cli-no-reference =
+    .found = keine Referenz in einem der Läufe
+    .expected = Läufe, die eine nennen (payload_reference), oder kein Vorwissen
+cli-different-references =
+    .found = Referenzen, die sich von Lauf zu Lauf unterscheiden
+    .expected = eine Last mit einer Referenz
+cli-identifying = { $folder } wird ausgewertet

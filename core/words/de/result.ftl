@@ -68,3 +68,15 @@ result-not-looked-at = Nicht untersucht: { $limit }
 result-planned = geplant
 result-not-planned = nicht geplant: { $reason }
 result-next-experiment = Als Nächstes: { $motion } ({ FIXED($seconds_s, digits: 0) } s Roboterzeit, { $how }). Das unterscheidet { $pairs }: jetzt { FIXED($sigma_before, digits: 1) } Standardabweichungen auseinander, mit beiden Aufzeichnungen etwa { FIXED($sigma_after, digits: 1) }.
+# Eine Reihe von Läufen
+result-series-title = Läufe nebeneinander, im System des Sensors
+result-series-caption = ± und Intervalle: 95 %; s sind Standardabweichungen (ISO 5725-2): von den Läufen selbst angegeben, der Wiederholungen, der Bedingungen
+result-series-mean = zusammen
+result-series-stated = s angegeben
+result-series-repeatability = s_r
+result-series-reproducibility = s_R
+result-series-unstated = s ungenannt
+result-series-prior = Vorwissen
+result-series-apart = Läufe, die sich um mehr als Zufall unterscheiden: { $pairs }
+result-fusion-title = Eine Antwort aus mehreren Läufen, im System des Sensors
+result-fusion-caption = ± ist die halbe Breite des 95-%-Intervalls; daneben die Streuung, die kein Lauf angibt, und der Anteil jedes einzelnen

@@ -91,3 +91,13 @@ cli-export-lack = { $target } has no place for { $name } = { SIGNIFICANT($lost, 
 # Experiments and reports
 cli-nothing-to-settle = There is nothing to settle: { $file } is not written.
 cli-report = Report: { $file }
+cli-no-run =
+    .found = neither { $answer } nor { $manifest }
+    .expected = an answer that --json wrote, a run's folder, or a recording's
+cli-no-reference =
+    .found = no reference in any of the runs
+    .expected = runs that name one (payload_reference), or no prior
+cli-different-references =
+    .found = references that differ from run to run
+    .expected = one payload with one reference
+cli-identifying = identifying { $folder }

@@ -40,7 +40,7 @@ estimation-liveliness = the sensor frame turns with up to { FIXED($turns_rad_s, 
 estimation-joint-torques = the joint torques reach { $torques }; arm, friction and payload together, of which the payload's share cannot be told
 estimation-joint-torque = { FIXED($torque_n_m, digits: 1) } N m
 # What should be known before the numbers are used.
-estimation-residual-above-noise = the residual exceeds the sensor's noise, most in { $channel } ({ FIXED($times, digits: 1) } times with its correlation in time): something that the model leaves out; the uncertainties were widened, but an error that repeats is not noise
+estimation-residual-above-noise = the residual exceeds the sensor's noise, most in { $channel } ({ FIXED($times, digits: 1) } times): something that the model leaves out; the uncertainties were widened, but an error that repeats is not noise
 estimation-no-such-body = the data alone asked for a body that cannot exist; the nearest one that can was taken
 estimation-noise-of-residual = no motionless part long enough to measure the sensor's noise: it was taken from the residual
 estimation-saturated = the sensor reached the end of its range in { $channels }

@@ -72,3 +72,15 @@ result-not-looked-at = Not looked at: { $limit }
 result-planned = planned
 result-not-planned = not planned: { $reason }
 result-next-experiment = Next: { $motion } ({ FIXED($seconds_s, digits: 0) } s of robot time, { $how }). It tells { $pairs }: { FIXED($sigma_before, digits: 1) } standard deviations apart now, about { FIXED($sigma_after, digits: 1) } with both recordings.
+# A series of runs
+result-series-title = Runs side by side, in the sensor frame
+result-series-caption = ± and intervals: 95 %; s are standard deviations (ISO 5725-2): stated by the runs themselves, of repetitions, of conditions
+result-series-mean = together
+result-series-stated = s stated
+result-series-repeatability = s_r
+result-series-reproducibility = s_R
+result-series-unstated = s unstated
+result-series-prior = prior
+result-series-apart = Runs that differ by more than chance: { $pairs }
+result-fusion-title = One answer from several runs, in the sensor frame
+result-fusion-caption = ± is the half-width of the 95 % interval; then the scatter that no run states, and each one's share

@@ -1,0 +1,97 @@
+"""The runs that a comparison or a fusion is told of: answers as JSON, folders of runs, or folders of recordings."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from core.cli.exports import read_result_file
+from core.cli.terminal import find_wording, messages
+from core.errors import BadInput
+from core.estimation.determination import scales
+from core.estimation.result import Result, SecondsPart, result_of
+from core.payload.random_effects import Measured
+from core.payload.uncertain_parameters import UncertainParameters
+from core.recording.manifest import FILE as MANIFEST
+
+ANSWER = "result.json"
+
+
+@dataclass(frozen=True)
+class RunsOfSeries:
+    """Runs with their names; `results` say what else is known of them."""
+
+    names: tuple[str, ...]
+    results: tuple[Result, ...]
+
+    @property
+    def measured(self) -> list[Measured]:
+        """What each has found; the frame is the sensor's."""
+        return [measured_of(result) for result in self.results]
+
+
+def read_runs(paths: Sequence[Path]) -> RunsOfSeries:
+    """Reads answers, and identifies recordings.
+
+    Raises:
+        BadInput: there is neither an answer nor a recording.
+    """
+    results = []
+    for path in paths:
+        recorded = path / MANIFEST
+        if path.is_dir() and (path / ANSWER).is_file():
+            results.append(read_result_file(path / ANSWER))
+        elif recorded.is_file():
+            results.append(_identify(path))
+        elif path.is_dir():
+            raise BadInput(str(path), "cli-no-run", answer=ANSWER, manifest=MANIFEST)
+        else:
+            results.append(read_result_file(path))
+    return RunsOfSeries(_short_names(paths), tuple(results))
+
+
+def _identify(folder: Path) -> Result:
+    from core.estimation.identification import identify_recording  # noqa: PLC0415  answers that are there already wait for no estimator
+    from core.recording.folder import read_recording  # noqa: PLC0415
+
+    if messages.is_terminal:
+        messages.print(find_wording().say("cli-identifying", folder=str(folder)), highlight=False)
+    recording = read_recording(folder)
+    seconds = SecondsPart(robot=float(recording.t[-1] - recording.t[0]), estimate=0.0)
+    return result_of(identify_recording(recording), recording, seconds=seconds, folder=folder)
+
+
+def _short_names(paths: Sequence[Path]) -> tuple[str, ...]:
+    """The last part that tells them apart."""
+    parts = [path.resolve().with_suffix("").parts for path in paths]
+    for depth in range(1, max(len(each) for each in parts) + 1):
+        names = ["/".join(each[-depth:]) for each in parts]
+        if len(set(names)) == len(names):
+            return tuple(names)
+    return tuple(f"{'/'.join(each[-1:])} ({k + 1})" for k, each in enumerate(parts))
+
+
+def measured_of(result: Result) -> Measured:
+    """What a result says of the payload, and how certainly; nothing where nothing was identified."""
+    if result.estimate is None:
+        return Measured(UncertainParameters(np.full(10, np.nan), np.full((10, 10), np.nan)))
+    return Measured(UncertainParameters(np.array(result.estimate.phi, dtype=float), np.array(result.estimate.covariance, dtype=float)))
+
+
+def read_prior(runs: RunsOfSeries, share: float) -> tuple[UncertainParameters, str | None]:
+    """The reference that the runs name, known to a share of the size that each parameter is measured by, one standard deviation.
+
+    Raises:
+        BadInput: they name none, or different ones.
+    """
+    references = [result.reference for result in runs.results if result.reference is not None]
+    if not references:
+        raise BadInput("--prior", "cli-no-reference")
+    phi = np.array(references[0].phi, dtype=float)
+    for other in references[1:]:
+        if not np.allclose(np.array(other.phi, dtype=float), phi, rtol=1e-6, atol=1e-12):
+            raise BadInput("--prior", "cli-different-references")
+    return UncertainParameters(phi, np.diag((share * scales(phi)) ** 2)), references[0].source
