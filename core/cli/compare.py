@@ -9,7 +9,7 @@ import typer
 
 from core.cli.options import JsonOption, check_new
 from core.cli.series_runs import read_runs
-from core.cli.series_table import print_series, scatter_table
+from core.cli.series_table import print_series, scatter_tables
 from core.payload.series import compare_series
 
 app = typer.Typer()
@@ -33,4 +33,4 @@ def compare_command(
     series = read_runs(runs)
     under = None if conditions is None else [name.strip() for name in conditions.split(",")]
     found = compare_series(series.names, series.measured, conditions=under)
-    print_series(found, scatter_table(found), json)
+    print_series(found, scatter_tables(found), json)

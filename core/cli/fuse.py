@@ -9,7 +9,7 @@ import typer
 
 from core.cli.options import JsonOption, check_new
 from core.cli.series_runs import read_prior, read_runs
-from core.cli.series_table import fusion_table, print_series
+from core.cli.series_table import fusion_tables, print_series
 from core.payload.series import compare_series
 
 app = typer.Typer()
@@ -37,4 +37,4 @@ def fuse_command(
     series = read_runs(runs)
     prior, source = (None, None) if prior_percent is None else read_prior(series, prior_percent / 100.0)
     found = compare_series(series.names, series.measured, prior=prior, prior_source=source)
-    print_series(found, fusion_table(found), json)
+    print_series(found, fusion_tables(found), json)

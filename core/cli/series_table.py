@@ -10,57 +10,73 @@ from core.cli.terminal import answers, find_wording
 from core.payload.series import Scatter, Series
 
 
-def scatter_table(series: Series) -> Table:
-    """What each run found, and how they scatter."""
+def scatter_tables(series: Series) -> list[Table]:
+    """What they found together with its scatter, and how far each run is from it."""
     words = find_wording()
-    table = Table(title=words.say("result-series-title"), caption=words.say("result-series-caption"))
-    table.add_column("")
-    for name in series.runs:
-        table.add_column(words.quote(name), justify="right")
-    for code in ("result-series-mean", "result-series-stated", "result-series-repeatability", "result-series-reproducibility"):
-        table.add_column(words.say(code), justify="right", no_wrap=True)
-    table.add_column(words.say("result-unit"), no_wrap=True)
+    table = _table(words.say("result-series-title"), words.say("result-series-caption"))
+    codes = ("result-series-mean", "result-series-stated", "result-series-repeatability", "result-series-reproducibility", "result-unit")
+    _add_columns(table, [words.say(code) for code in codes])
     for row in series.parameters:
-        places = decimals_of(row.half_width)
-        shown = [words.say("result-not-determined") if v is None else format_decimals(v, places) for v in row.values]
         scatter = [number(v, 2) for v in (row.stated_std, row.repeatability_std, row.reproducibility_std)]
-        table.add_row(row.name, *shown, format_decimals(row.mean, places), *scatter, row.unit)
-    return table
+        table.add_row(row.name, _mean(row), *scatter, row.unit)
+    apart = _table(words.say("result-series-apart-title"), words.say("result-series-apart-caption"))
+    _add_columns(apart, _numbers(series))
+    for row in series.parameters:
+        apart.add_row(row.name, *(_distance(row, value, std) for value, std in zip(row.values, row.stds, strict=True)))
+    return [table, apart]
 
 
-def fusion_table(series: Series) -> Table:
+def fusion_tables(series: Series) -> list[Table]:
     """The answer with its 95 % half-width, and who has which share in it."""
     words = find_wording()
-    table = Table(title=words.say("result-fusion-title"), caption=words.say("result-fusion-caption"))
-    table.add_column("")
-    for heading in (words.say("result-series-mean"), "±"):
-        table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column(words.say("result-unit"), no_wrap=True)
-    table.add_column(words.say("result-series-unstated"), justify="right", no_wrap=True)
-    names = [*map(words.quote, series.runs), *([words.say("result-series-prior")] if series.prior_used else [])]
-    for name in names:
-        table.add_column(name, justify="right")
+    table = _table(words.say("result-fusion-title"), words.say("result-fusion-caption"))
+    codes = ("result-series-mean", "result-half-width", "result-series-unstated", "result-unit")
+    _add_columns(table, [words.say(code) for code in codes])
     for row in series.parameters:
-        places = decimals_of(row.half_width)
-        shown = words.say("result-not-determined") if row.mean is None else format_decimals(row.mean, places)
-        half = format_decimals(row.half_width, places)
-        table.add_row(row.name, shown, half, row.unit, number(row.unstated_std or None, 2), *_shares(row, series))
+        half = format_decimals(row.half_width, decimals_of(row.half_width))
+        table.add_row(row.name, _mean(row), half, number(row.unstated_std or None, 2), row.unit)
+    shares = _table(words.say("result-shares-title"), None)
+    _add_columns(shares, [*_numbers(series), *([words.say("result-series-prior")] if series.prior_used else [])])
+    for row in series.parameters:
+        weights = [*row.weights, *([row.prior_weight] if series.prior_used else [])]
+        shares.add_row(row.name, *("" if row.mean is None else f"{100.0 * weight:.0f} %" for weight in weights))
+    return [table, shares]
+
+
+def _table(title: str, caption: str | None) -> Table:
+    table = Table(title=title, caption=caption)
+    table.add_column("", no_wrap=True)
     return table
 
 
-def _shares(row: Scatter, series: Series) -> list[str]:
-    weights = [*row.weights, *([row.prior_weight] if series.prior_used else [])]
-    return ["" if row.mean is None else find_wording().mark(f"{100.0 * weight:.0f} %") for weight in weights]
+def _add_columns(table: Table, headings: list[str]) -> None:
+    for heading in headings:
+        table.add_column(heading, justify="right", no_wrap=True)
 
 
-def print_series(series: Series, table: Table, json: str | None) -> None:
+def _numbers(series: Series) -> list[str]:
+    return [f"{k + 1}" for k in range(len(series.runs))]
+
+
+def _mean(row: Scatter) -> str:
+    return find_wording().say("result-not-determined") if row.mean is None else format_decimals(row.mean, decimals_of(row.half_width))
+
+
+def _distance(row: Scatter, value: float | None, std: float | None) -> str:
+    return "" if value is None or row.mean is None or not std else find_wording().mark(f"{(value - row.mean) / std:+.1f}")
+
+
+def print_series(series: Series, tables: list[Table], json: str | None) -> None:
     """The answer for a person, or as JSON."""
     if json is not None:
         write_json(series.model_dump_json(indent=2), json)
     if json == "-":
         return
     words = find_wording()
-    answers.print(table)
+    for table in tables:
+        answers.print(table)
+    for k, name in enumerate(series.runs):
+        answers.print(f"{k + 1}: {name}", highlight=False, markup=False)
     apart = [f"{pair.first} - {pair.second}" for pair in series.pairs if pair.differ]
     if apart and len(series.runs) > 2:
         answers.print(words.say("result-series-apart", pairs=apart), highlight=False)

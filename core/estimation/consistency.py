@@ -15,14 +15,14 @@ NO_SUCH_BODY = 11.34
 """Squared distance from what can exist beyond which no body explains the data: the 99 % point of chi-square with three degrees of freedom.
 A rod is where this matters most: there the edge of what can exist has three directions to leave it by. A body that can exist is called
 impossible in one of a hundred recordings at most, and any but a plate or a rod next to never."""
-_LOWER = np.tril_indices(4)
 
 
 def nearest_consistent(phi: Array, covariance: Array) -> Array:
     """The parameters (10,) that a body can have and that are nearest to phi in the metric of its covariance (10, 10).
 
-    phi itself where it is consistent. Otherwise the problem is solved over `P = S (L L^T + SMALLEST 1) S`, L lower triangular, S a scale:
-    any L is allowed, so that no constraint is left, and the best body may lie on the edge of what can exist.
+    phi itself where it is consistent. Otherwise the problem is solved over `P = S (L L^T + SMALLEST 1) S`, S a scale: any L is
+    allowed, so that no constraint is left, and the best body may lie on the edge of what can exist. L has all sixteen entries: with a
+    triangle of them rods would end in minima that are none of the convex problem (Burer and Monteiro 2005, Math. Program. 103).
     """
     if is_consistent(phi):
         return phi
@@ -32,24 +32,22 @@ def nearest_consistent(phi: Array, covariance: Array) -> Array:
     start = _positive_part(pseudo_inertia(phi) / np.outer(scale, scale))
 
     def body(entries: Array) -> Array:
-        L = np.zeros((4, 4))
-        L[_LOWER] = entries
+        L = entries.reshape(4, 4)
         return phi_of_pseudo_inertia((L @ L.T + SMALLEST * np.eye(4)) * np.outer(scale, scale))
 
     def distance(entries: Array) -> Array:
         return np.asarray(root @ (body(entries) - phi))
 
     def slope(entries: Array) -> Array:
-        L = np.zeros((4, 4))
-        L[_LOWER] = entries
+        L = entries.reshape(4, 4)
         columns = []
-        for i, j in zip(*_LOWER, strict=True):
+        for i, j in np.ndindex(4, 4):
             E = np.zeros((4, 4))
             E[i] = L[:, j]
             columns.append(phi_of_pseudo_inertia((E + E.T) * np.outer(scale, scale)))
         return np.asarray(root @ np.column_stack(columns))
 
-    first = np.linalg.cholesky(start)[_LOWER]
+    first = np.linalg.cholesky(start).ravel()
     solution = least_squares(distance, first, jac=slope, x_scale="jac", xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=200)
     return body(solution.x)
 

@@ -36,6 +36,7 @@ class Scatter(SeriesPart):
     name: str = Field(description="Name of the parameter.", examples=["m"])
     unit: str = Field(description="Unit of all numbers but shares.", examples=["kg"])
     values: list[float | None] = Field(description="What each run found; null is what it does not determine.", examples=[[2.781, 2.784]])
+    stds: list[float | None] = Field(description="Their standard uncertainties.", examples=[[0.0006, 0.0006]])
     mean: float | None = Field(description="What they say together, see `half_width`.", examples=[2.7829])
     half_width: float | None = Field(description="Half of the 95 % interval of `mean`, Student's t.", examples=[0.0042])
     stated_std: float | None = Field(description="What the runs state of their own scatter, root mean square.", examples=[0.0006])
@@ -139,6 +140,7 @@ def _scatter(k: int, runs: Sequence[Measured], conditions: Sequence[str], pooled
         name=PHI_NAMES[k],
         unit=PHI_UNITS[k],
         values=[_number(v) for v in values],
+        stds=[_number(v) for v in std],
         mean=_number(pooled.parameters.phi[k]),
         half_width=_number(half_width(k, pooled)),
         stated_std=_number(float(np.sqrt(np.mean(std[known] ** 2)))) if known.any() else None,
