@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.array import Array
 from core.words.message import Message
@@ -86,7 +87,7 @@ class Budget:
         names, sizes = list(self.parts), np.array(list(self.parts.values()))
         return tuple(names[int(k)] for k in np.argmax(sizes, axis=0))
 
-    def assumptions(self, known: Array) -> tuple[Message, ...]:
+    def assumptions(self, known: NDArray[np.bool_]) -> tuple[Message, ...]:
         """What nobody has stated and yet matters to a parameter that is known (10,), most important first."""
         total = np.diag(self.covariance)
         shares = {source.name: float(np.max((source.std**2 / total)[known], initial=0.0)) for source in self.sources if not source.stated}

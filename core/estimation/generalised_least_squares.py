@@ -17,12 +17,21 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.array import Array
 from core.estimation.budget import Budget, Source
 from core.estimation.drift import STEP_STD, drift_basis, improve_variance, parts_of, steps_between
 from core.estimation.noise import WrenchNoise
-from core.estimation.nuisances import NuisanceColumns, Nuisances, improve_strength
+from core.estimation.nuisances import (
+    LEAST_EVIDENCE,
+    LEAST_STRENGTH,
+    Group,
+    NuisanceColumns,
+    Nuisances,
+    find_evidence,
+    improve_strength,
+)
 from core.estimation.weak_form import WeakForm, whiten
 from core.payload.inertia import spatial_inertia
 
@@ -90,14 +99,8 @@ class Fit:
         return np.asarray(-self.covariance[: OFFSET.stop, OFFSET.stop :] / self.strength)
 
     @property
-    def total_covariance(self) -> Array:
-        """(19, 19), with all nuisances as uncertain as they are stated to be, whatever their strength in the fit."""
-        S = self.directions
-        return np.asarray(self.covariance[: OFFSET.stop, : OFFSET.stop] + (S * (1.0 - self.strength)) @ S.T)
-
-    @property
     def budget(self) -> Budget:
-        """Of phi."""
+        """Of phi, with all nuisances as uncertain as they are stated to be, whatever their strength in the fit."""
         S = self.directions[:10]
         repeatability = self.covariance[:10, :10] - (S * self.strength) @ S.T
         groups = () if self.nuisances is None else self.nuisances.groups
@@ -125,7 +128,7 @@ def fit(form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances 
 def refit(form: WeakForm, wrench: Array, found: Fit) -> Array:
     """`x` (19 + b,) for a wrench (N, 6) that differs little from the fitted one: one step from what was found, with its weights."""
     problem = _Problem(form, wrench, found.noise, found.nuisances)
-    problem.strength[:] = found.strength
+    problem.strength[:], problem.fitted = found.strength, []
     ramps = np.zeros(problem.drift.stop - problem.drift.start)
     _, x, _ = problem.step(np.concatenate((found.x[: OFFSET.stop], ramps, found.b)), found.scale)
     return np.delete(x, problem.drift)
@@ -156,6 +159,8 @@ class _Problem:
         self.nuisances = None if nuisances is None else NuisanceColumns(form, nuisances)
         self.size = self.drift.stop + (0 if nuisances is None else nuisances.size)
         self.strength = np.ones(self.size - self.drift.stop)
+        self.fitted = [] if nuisances is None else list(nuisances.groups)
+        self.system = np.zeros((0, 0)), np.zeros(0), np.zeros((0, 0))
 
     def solve(self, scale: Array) -> Fit:
         """Gauss-Newton with the noise variance multiplied by `scale` (6,)."""
@@ -165,7 +170,7 @@ class _Problem:
             covariance, x, whitened = self.step(x, scale)
             moved = np.abs(x[:SHARED] - previous[:SHARED])
             converged = bool((moved < 0.01 * np.sqrt(np.diag(covariance))[:SHARED]).all())
-            if converged:
+            if converged and not self._leave_out(x, covariance):
                 break
             if k >= UNDAMPED:
                 x = 0.5 * (x + previous)
@@ -191,13 +196,13 @@ class _Problem:
         ends = self.ramps[-1:] - self.ramps[:1]
         return float(np.sqrt(ends @ covariance[rows, rows] @ ends.T).item()) if self.ramps.shape[1] else 0.0
 
-    def _rows_of_channel(self, c: int) -> Array:
+    def _rows_of_channel(self, c: int) -> NDArray[np.intp]:
         """Which unknowns show in one channel, in the order of its columns."""
-        rows = [np.arange(SHARED), [OFFSET.start + c], np.arange(self.size)[self._drift_rows(c)]]
+        rows = [np.arange(SHARED), np.array([OFFSET.start + c]), np.arange(self.size)[self._drift_rows(c)]]
         if self.nuisances is not None:
             held = self.nuisances.nuisances
             rows += [self.drift.stop + np.arange(held.of_loads, held.size), self.drift.stop + held.rows_of_channel(c)]
-        return np.concatenate(rows).astype(int)
+        return np.concatenate(rows)
 
     def step(self, x: Array, scale: Array) -> tuple[Array, Array, Array]:
         """One linearisation at x: covariance, new x, whitened residuals."""
@@ -224,7 +229,8 @@ class _Problem:
             normal[np.ix_(rows, rows)] += w[:, :-1].T @ w[:, :-1]
             right[rows] += w[:, :-1].T @ w[:, -1]
             self._add_bias(bias, c, phi, sensor, kinematic[c])
-        covariance, x = self._with_priors(normal, right, bias)
+        self.system = normal, right, bias
+        covariance, x = self._with_priors()
         residuals = [w[:, -1] - w[:, :-1] @ x[rows] for w, rows in white]
         x[DELAY] = np.clip(x[DELAY], -LARGEST_DELAY_S, LARGEST_DELAY_S)
         x[TILT] = np.clip(x[TILT], -LARGEST_TILT_RAD, LARGEST_TILT_RAD)
@@ -241,8 +247,9 @@ class _Problem:
         passed = len(self.y) * np.mean(self.spectrum / (sensor + kinematic * self.spectrum))
         bias[np.ix_(rows, rows)] += passed * noisy.T @ self.form.poses.noise @ noisy
 
-    def _with_priors(self, normal: Array, right: Array, bias: Array) -> tuple[Array, Array]:
-        """Solves with the priors; the strengths of drift and nuisances are improved along the way."""
+    def _with_priors(self) -> tuple[Array, Array]:
+        """Solves the last linearisation with the priors; the strengths of drift and nuisances are improved along the way."""
+        normal, right, bias = self.system
         prior = np.concatenate((PRIOR_STD**-2.0, np.zeros(self.size - OFFSET.stop)))
         for _ in range(VARIANCE_STEPS if self.walk or self.nuisances else 1):
             for c in range(6):
@@ -261,10 +268,25 @@ class _Problem:
         for c in range(6 if self.walk else 0):
             rows = self._walk_rows(c)
             self.drift_variance[c] = improve_variance(self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c])
-        if self.nuisances is not None:
-            for group in self.nuisances.nuisances.groups:
-                rows = slice(self.drift.stop + group.rows.start, self.drift.stop + group.rows.stop)
-                self.strength[group.rows] = improve_strength(float(self.strength[group.rows][0]), x[rows], covariance[rows, rows])
+        for group in self.fitted:
+            b, spread = self._nuisances_in(group, x, covariance)
+            self.strength[group.rows] = improve_strength(float(self.strength[group.rows][0]), b, spread)
+
+    def _nuisances_in(self, group: Group, x: Array, covariance: Array) -> tuple[Array, Array]:
+        rows = slice(self.drift.stop + group.rows.start, self.drift.stop + group.rows.stop)
+        return x[rows], covariance[rows, rows]
+
+    def _leave_out(self, x: Array, covariance: Array) -> bool:
+        """Leaves out, one by one, the groups of nuisances that the data do not ask for; whether there were any."""
+        before = len(self.fitted)
+        while self.fitted:
+            evidence = [find_evidence(float(self.strength[g.rows][0]), *self._nuisances_in(g, x, covariance)) for g in self.fitted]
+            least = int(np.argmin(evidence))
+            if evidence[least] > LEAST_EVIDENCE:
+                break
+            self.strength[self.fitted.pop(least).rows] = LEAST_STRENGTH
+            covariance, x = self._with_priors()
+        return len(self.fitted) < before
 
 
 def _inverse(matrix: Array) -> Array:

@@ -61,19 +61,19 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     form = WeakForm(poses, still_only=still if rows_only else None)
     if len(form) < FEWEST_ROWS:
         return _nothing(segments, Message.of("estimation-too-short", lasts_s=float(recording.t[-1] - recording.t[0])))
-    effects = effects_on(recording, poses, segments, twin, static=static)
-    corrected = fit_with_effects(form, wrench, noise or unknown_noise(), effects, nuisances_of(recording, poses.joints))
+    effects = effects_on(recording, poses, segments, twin, static=static) if twin.effects else None
+    corrected = fit_with_effects(form, wrench, noise or unknown_noise(), effects, nuisances_of(recording, poses.joints, twin))
     found, change = corrected.found, corrected.change
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
     estimate = _estimate(corrected, motion, static=rows_only, turned=turned)
     paper = _paper(wrench - change, motion, speed, still, found.noise)
     series = None if rows_only else _series(poses, wrench, motion, corrected)
     said = warnings_of(recording, estimate, found, static=rows_only)
-    warnings = (*said, *on_transfers_alone(estimate, turned), *_warn_of_effects_left_out(effects))
+    warnings = (*said, *on_transfers_alone(estimate, turned), *(() if effects is None else _warn_of_effects_left_out(effects)))
     verdict = verdict_of(estimate, static=rows_only)
     verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found, segments).verifications
     return Identification(
-        paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, shares=corrected.shares, verified=verified
+        paper, estimate, verdict, warnings, segments, series, accounted=corrected.accounted, shares=corrected.shares, verified=verified
     )
 
 
@@ -104,8 +104,8 @@ def _find_labelled_still(recording: Recording, segments: tuple[Segment, ...]) ->
 
 
 def _estimate(corrected: Corrected, motion: Motion, *, static: bool, turned: str | None) -> Estimate:
-    found, covariance, budget = corrected.found, corrected.total_covariance, corrected.budget
-    phi, S = found.phi.copy(), covariance[:10, :10].copy()
+    found, covariance, budget = corrected.found, corrected.covariance, corrected.budget
+    phi, S = found.phi.copy(), budget.covariance
     std = np.sqrt(np.diag(S))
     known = find_determined(phi, std)
     body = nearest_consistent(phi, S) if known[0] else phi

@@ -2,8 +2,8 @@
 
 Each has a standard uncertainty that the cell or the recording states, or that is assumed. It enters the least squares linearised, as a
 column that says how the windowed wrench changes when it is off by one such standard uncertainty, with a prior of unit variance times the
-*strength* of its group. The strength lies between nothing and 1, and the restricted likelihood decides it: clean data lose no precision to
-what is not there, and what is there is told apart by its own pattern and taken off.
+*strength* of its group. The strength lies between nothing and 1, and the restricted likelihood decides it; what is not significant has
+none. So clean data lose no precision to what is not there, and what is there is told apart by its own pattern and taken off.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.array import Array
 from core.estimation.kinematics import Joints, Poses
@@ -20,6 +21,7 @@ from core.payload.calibration import reading_std
 from core.payload.rotations import rotation_of, skew
 from core.payload.site import GRAVITY_STD_M_S2, UNKNOWN_GRAVITY_STD_M_S2
 from core.recording.recording import Recording
+from core.twin.twin import NOMINAL, Twin
 
 ASSUMED_ZERO_STD_RAD = 8.7e-4
 """0.05 deg: what the zero of a joint is good for after a maker's own calibration."""
@@ -31,7 +33,16 @@ STEP_RAD = 1e-4
 """By which a zero is moved for its column."""
 KEPT_DELAY_S = 0.002
 """By which the delay may change before these columns are made again."""
+MEASURED_BY = {
+    "sensor_gain": "sensor_gain",
+    "sensor_crosstalk": "sensor_crosstalk",
+    "joint_offset": "joint_zeros",
+    "sensor_rotation": "sensor_mount",
+}
+"""Effects of a twin that say of a group how large it is; their own uncertainty takes its place."""
 LEAST_STRENGTH = 1e-6
+LEAST_EVIDENCE = 6.0
+"""Below it a group is left out of the fit and counts with its uncertainty alone; in clean data one of a hundred is above it by chance."""
 LEAST_SEEN = 1e-3
 """Degrees of freedom that a group must have shown for its strength to be changed."""
 
@@ -80,14 +91,14 @@ class Nuisances:
     @cached_property
     def size(self) -> int:
         """How many there are."""
-        return self.groups[-1].rows.stop
+        return int(self.groups[-1].rows.stop)
 
     @property
     def of_loads(self) -> int:
         """How many concern one channel each: gains and cross-talk."""
         return 36
 
-    def rows_of_channel(self, c: int) -> Array:
+    def rows_of_channel(self, c: int) -> NDArray[np.intp]:
         """(6,), which of them turn the loads of the six channels into what channel c reads, in the order of the loads."""
         beside = 6 + 5 * c + np.arange(5)
         return np.insert(beside, c, c)
@@ -136,7 +147,7 @@ class NuisanceColumns:
 
     def of_channel(self, c: int, load: Array) -> Array:
         """(K, 6): of gains and cross-talk of channel c for the wrench `load` (K, 6), in the order of `rows_of_channel`."""
-        return load * self.nuisances.reading_std[c]
+        return np.asarray(load * self.nuisances.reading_std[c])
 
     def dense(self, features: Features, phi: Array, tilt: Array, delay: float) -> Array:
         """(K, 6, size): all of them."""
@@ -176,8 +187,19 @@ def improve_strength(strength: float, b: Array, covariance: Array) -> float:
     return strength if seen < LEAST_SEEN else float(np.clip(b @ b / seen, LEAST_STRENGTH, 1.0))
 
 
-def nuisances_of(recording: Recording, joints: Joints | None) -> Nuisances:
-    """What the recording states of them; what it does not state is assumed."""
+def find_evidence(strength: float, b: Array, covariance: Array) -> float:
+    """Twice the logarithm of how much more probable the data are with nuisances of this strength than without them.
+
+    Args:
+        b, covariance: (n,) and (n, n), posterior; the ratio of prior to posterior density at zero is the ratio sought (Dickey 1971).
+    """
+    _, size = np.linalg.slogdet(covariance / strength)
+    return float(b @ np.linalg.solve(covariance, b) + size)
+
+
+def nuisances_of(recording: Recording, joints: Joints | None, twin: Twin = NOMINAL) -> Nuisances:
+    """What the recording states of them; what it does not state is assumed, and what the cell's twin has measured is its own affair."""
+    measured = {MEASURED_BY[name] for name in twin.ids if name in MEASURED_BY}
     sensor, calibration = recording.sensor, recording.sensor.calibration
     given = {
         "sensor_gain": calibration.gain_std is not None,
@@ -187,10 +209,15 @@ def nuisances_of(recording: Recording, joints: Joints | None) -> Nuisances:
         "gravity": recording.site is not None,
     }
     zero_std = ASSUMED_ZERO_STD_RAD if recording.zero_std_rad is None else recording.zero_std_rad
+    mount_std = ASSUMED_MOUNT_STD_RAD if sensor.mount_std_rad is None else sensor.mount_std_rad
+    reading = reading_std(calibration, sensor.range)
+    gain = np.eye(6, dtype=bool)
+    reading[gain] *= "sensor_gain" not in measured
+    reading[~gain] *= "sensor_crosstalk" not in measured
     return Nuisances(
-        reading_std=reading_std(calibration, sensor.range),
-        zero_std_rad=np.full(0 if joints is None else joints.robot.n, zero_std),
-        mount_std_rad=ASSUMED_MOUNT_STD_RAD if sensor.mount_std_rad is None else sensor.mount_std_rad,
+        reading_std=reading,
+        zero_std_rad=np.full(0 if joints is None else joints.robot.n, 0.0 if "joint_zeros" in measured else zero_std),
+        mount_std_rad=0.0 if "sensor_mount" in measured else mount_std,
         gravity_std=UNKNOWN_GRAVITY_STD_M_S2 if recording.site is None else GRAVITY_STD_M_S2,
-        stated=frozenset(name for name, known in given.items() if known),
+        stated=frozenset(name for name, known in given.items() if known) | measured,
     )

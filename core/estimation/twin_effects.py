@@ -93,18 +93,21 @@ class Corrected:
         found: the fit.
         change: (N, 6), what the effects add to the wrench.
         shares: what each of them does to the payload.
+        accounted: identifiers of the effects.
         directions: (19, k), change of the fit for one standard deviation of each direction of the effects' parameters.
     """
 
     found: Fit
     change: Array
     shares: tuple[TwinShare, ...]
+    accounted: tuple[str, ...]
     directions: Array
 
     @property
-    def total_covariance(self) -> Array:
-        """(19, 19), of the fit with the uncertainty of the effects' parameters."""
-        return np.asarray(self.found.total_covariance + self.directions @ self.directions.T)
+    def covariance(self) -> Array:
+        """(19, 19), of the fit with the uncertainty of the effects' parameters; what is not seen of the nuisances stands in `budget`."""
+        n = OFFSET.stop
+        return np.asarray(self.found.covariance[:n, :n] + self.directions @ self.directions.T)
 
     @property
     def budget(self) -> Budget:
@@ -114,15 +117,17 @@ class Corrected:
         return budget if not self.directions.size else replace(budget, sources=(*budget.sources, twin))
 
 
-def fit_with_effects(form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects, nuisances: Nuisances | None) -> Corrected:
+def fit_with_effects(
+    form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects | None, nuisances: Nuisances | None
+) -> Corrected:
     """Fits payload and offsets to a wrench (N, 6) in which a twin's effects show.
 
     The effects' parameters are taken as independent of the recording: identifying the very recording that they were fitted to counts its
     noise twice, on the safe side.
     """
     found = fit(form, wrench, noise, nuisances)
-    if not effects.ids:
-        return Corrected(found, np.zeros_like(wrench), (), np.zeros((OFFSET.stop, 0)))
+    if effects is None or not effects.ids:
+        return Corrected(found, np.zeros_like(wrench), (), (), np.zeros((OFFSET.stop, 0)))
     change = effects.change(found.phi)
     for _ in range(ROUNDS):
         x = refit(form, wrench - change, found)
@@ -133,7 +138,7 @@ def fit_with_effects(form: WeakForm, wrench: Array, noise: WrenchNoise, effects:
             break
     found = fit(form, wrench - change, noise, nuisances)
     directions = _of_parameters(form, wrench, found, effects)
-    return Corrected(found, change, tuple(_find_shares(form, wrench, found, effects)), directions)
+    return Corrected(found, change, tuple(_find_shares(form, wrench, found, effects)), effects.ids, directions)
 
 
 def _find_shares(form: WeakForm, wrench: Array, found: Fit, effects: TwinEffects) -> Iterator[TwinShare]:
