@@ -11,6 +11,7 @@ from core.payload.inertia import is_consistent, phi_of_pseudo_inertia, pseudo_in
 SMALLEST = 1e-6
 """Eigenvalue of the scaled pseudo-inertia that is kept: a body is never quite flat."""
 SIZE_M = 0.05
+ROUNDING = 1e-13
 _LOWER = np.tril_indices(4)
 
 
@@ -22,7 +23,7 @@ def nearest_consistent(phi: Array, covariance: Array) -> Array:
     """
     if is_consistent(phi):
         return phi
-    root = np.linalg.cholesky(_inverse(covariance)).T
+    root = _inverse_root(covariance)
     mass = max(float(phi[0]), 1e-4)
     scale = np.sqrt(mass) * np.array([SIZE_M, SIZE_M, SIZE_M, 1.0])
     start = _positive_part(pseudo_inertia(phi) / np.outer(scale, scale))
@@ -55,6 +56,8 @@ def _positive_part(P: Array) -> Array:
     return np.asarray((vectors * np.maximum(values, 1e-2)) @ vectors.T)
 
 
-def _inverse(covariance: Array) -> Array:
-    scale = 1.0 / np.sqrt(np.diag(covariance))
-    return np.asarray(np.linalg.inv(covariance * np.outer(scale, scale)) * np.outer(scale, scale))
+def _inverse_root(covariance: Array) -> Array:
+    """R (10, 10) with R S R^T = 1; a direction without any uncertainty is taken as nearly certain."""
+    scale = np.sqrt(np.diag(covariance))
+    values, vectors = np.linalg.eigh(covariance / np.outer(scale, scale))
+    return np.asarray((vectors / np.sqrt(np.maximum(values, ROUNDING * values[-1]))).T / scale)

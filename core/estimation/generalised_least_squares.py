@@ -21,8 +21,10 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.estimation.budget import Budget, Source
+from core.estimation.determination import SIZE_M, find_determined
 from core.estimation.drift import STEP_STD, drift_basis, improve_variance, parts_of, steps_between
 from core.estimation.noise import WrenchNoise
+from core.estimation.noisy_columns import Solution, compensate
 from core.estimation.nuisances import (
     LEAST_EVIDENCE,
     LEAST_STRENGTH,
@@ -33,7 +35,7 @@ from core.estimation.nuisances import (
     improve_strength,
 )
 from core.estimation.weak_form import WeakForm, whiten
-from core.payload.inertia import spatial_inertia
+from core.payload.inertia import InertialParameters, spatial_inertia
 
 TILT = slice(10, 12)
 DELAY = 12
@@ -49,10 +51,6 @@ UNDAMPED = 6
 VARIANCE_STEPS = 12
 LARGEST_DELAY_S = 0.05
 LARGEST_TILT_RAD = 0.3
-LARGEST_NOISE_SHARE = 0.9
-"""Of the information in one direction; from here to `NOTHING_BUT_NOISE` the rest counts less and less, until the direction is unknown."""
-NOTHING_BUT_NOISE = 0.95
-SMALLEST_SHARE = 1e-4
 
 
 @dataclass(frozen=True)
@@ -62,6 +60,8 @@ class Fit:
     Args:
         x: (19 + b,), `[phi, tilt, delay, offset]`, then the nuisances in units of their standard uncertainty.
         covariance: (19 + b, 19 + b), with drift marginalised and each nuisance as uncertain as its strength says.
+        repeatability: (19, 19), covariance with the nuisances as they are.
+        directions: (19, b), how far `x` is off when a nuisance is off by its standard uncertainty and the fit goes on as it did.
         drift: (K, 6), at the windows' centres; `drift_std`: (6,), of its range.
         whitened: (6, K), residuals with unit variance when the model holds.
         scale: (6,), factor on the noise variance that the residuals asked for, 1 where the model holds.
@@ -73,6 +73,8 @@ class Fit:
 
     x: Array
     covariance: Array
+    repeatability: Array
+    directions: Array
     centres: Array
     drift: Array
     drift_std: Array
@@ -94,17 +96,11 @@ class Fit:
         return self.x[OFFSET.stop :]
 
     @property
-    def directions(self) -> Array:
-        """(19, b), how far `x` is off when a nuisance is off by its standard uncertainty and the fit goes on as it did."""
-        return np.asarray(-self.covariance[: OFFSET.stop, OFFSET.stop :] / self.strength)
-
-    @property
     def budget(self) -> Budget:
         """Of phi, with all nuisances as uncertain as they are stated to be, whatever their strength in the fit."""
-        S = self.directions[:10]
-        repeatability = self.covariance[:10, :10] - (S * self.strength) @ S.T
         groups = () if self.nuisances is None else self.nuisances.groups
-        return Budget(repeatability, tuple(Source(group.name, group.stated, S[:, group.rows]) for group in groups))
+        sources = (Source(group.name, group.stated, self.directions[:10, group.rows]) for group in groups)
+        return Budget(self.repeatability[:10, :10], tuple(sources))
 
 
 def fit(form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances | None = None) -> Fit:
@@ -128,7 +124,7 @@ def fit(form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances 
 def refit(form: WeakForm, wrench: Array, found: Fit) -> Array:
     """`x` (19 + b,) for a wrench (N, 6) that differs little from the fitted one: one step from what was found, with its weights."""
     problem = _Problem(form, wrench, found.noise, found.nuisances)
-    problem.strength[:], problem.fitted = found.strength, []
+    problem.strength[:], problem.fitted, problem.std = found.strength, [], np.sqrt(np.diag(found.covariance)[:10])
     ramps = np.zeros(problem.drift.stop - problem.drift.start)
     _, x, _ = problem.step(np.concatenate((found.x[: OFFSET.stop], ramps, found.b)), found.scale)
     return np.delete(x, problem.drift)
@@ -160,7 +156,12 @@ class _Problem:
         self.size = self.drift.stop + (0 if nuisances is None else nuisances.size)
         self.strength = np.ones(self.size - self.drift.stop)
         self.fitted = [] if nuisances is None else list(nuisances.groups)
+        self.prior = np.concatenate((PRIOR_STD**-2.0, np.zeros(self.size - OFFSET.stop)))
         self.system = np.zeros((0, 0)), np.zeros(0), np.zeros((0, 0))
+        """Of the last linearisation: normal matrix, right-hand side, and how much of the former is noise of the poses."""
+        self.std = PRIOR_STD[:10]
+        """Of phi, after the last linearisation."""
+        self.solution = Solution(*np.zeros((3, self.size, self.size)))
 
     def solve(self, scale: Array) -> Fit:
         """Gauss-Newton with the noise variance multiplied by `scale` (6,)."""
@@ -178,8 +179,10 @@ class _Problem:
         spread = np.array([self._range_std(covariance, c) for c in range(6)])
         kept = np.delete(np.arange(self.size), self.drift)
         held = None if self.nuisances is None else self.nuisances.nuisances
+        repeatability, directions = self._split_uncertainty()
         return Fit(
-            x[kept], covariance[np.ix_(kept, kept)], self.form.centres, drift, spread, whitened, np.ones(6), self.noise,
+            x[kept], covariance[np.ix_(kept, kept)], repeatability, directions,
+            self.form.centres, drift, spread, whitened, np.ones(6), self.noise,
             nuisances=held, strength=self.strength.copy(), converged=converged,
         )  # fmt: skip
 
@@ -209,11 +212,12 @@ class _Problem:
         phi, tilt, delay = x[:10], x[TILT], float(x[DELAY])
         features, rate = self.form.features(delay)
         V = features.regressor(tilt)
-        load = V @ phi
+        likely = self._likely(phi)
+        load = V @ likely
         shared = np.concatenate((V, features.tilt_columns(phi, tilt), (rate.regressor(tilt) @ phi)[..., None]), axis=2)
         target = self.y + shared[:, :, TILT] @ tilt + shared[:, :, DELAY] * delay
-        beside = None if self.nuisances is None else self.nuisances.shared(features, phi, tilt, delay)
-        M = spatial_inertia(phi)
+        beside = None if self.nuisances is None else self.nuisances.shared(features, likely, tilt, delay)
+        M = spatial_inertia(likely)
         kinematic = np.diag(M @ self.form.poses.noise @ M.T)
         normal, right, bias = np.zeros((self.size, self.size)), np.zeros(self.size), np.zeros((self.size, self.size))
         white = []
@@ -228,13 +232,24 @@ class _Problem:
             white.append((w, rows))
             normal[np.ix_(rows, rows)] += w[:, :-1].T @ w[:, :-1]
             right[rows] += w[:, :-1].T @ w[:, -1]
-            self._add_bias(bias, c, phi, sensor, kinematic[c])
+            self._add_bias(bias, c, likely, sensor, kinematic[c])
         self.system = normal, right, bias
         covariance, x = self._with_priors()
+        self.std = np.sqrt(np.diag(covariance)[:10])
         residuals = [w[:, -1] - w[:, :-1] @ x[rows] for w, rows in white]
         x[DELAY] = np.clip(x[DELAY], -LARGEST_DELAY_S, LARGEST_DELAY_S)
         x[TILT] = np.clip(x[TILT], -LARGEST_TILT_RAD, LARGEST_TILT_RAD)
         return covariance, x, np.array(residuals)
+
+    def _likely(self, phi: Array) -> Array:
+        """(10,), a payload to weigh and to linearise with: where phi is not determined yet, that of a body of usual size in its place.
+
+        What the noise makes of an inertia that nothing excites would change the weights from iteration to iteration, which would not rest.
+        """
+        m, mc = max(float(phi[0]), 0.0), phi[1:4]
+        c = mc / m if m > 0.0 else np.zeros(3)
+        usual = InertialParameters.from_com(m, c, m * SIZE_M**2 * np.eye(3)).phi
+        return np.where(find_determined(phi, self.std), phi, usual) if m > 0.0 else phi
 
     def _add_bias(self, bias: Array, c: int, phi: Array, sensor: float, kinematic: float) -> None:
         """Adds the information in one channel that is noise of the poses, for these variances of the two kinds of noise."""
@@ -250,18 +265,27 @@ class _Problem:
     def _with_priors(self) -> tuple[Array, Array]:
         """Solves the last linearisation with the priors; the strengths of drift and nuisances are improved along the way."""
         normal, right, bias = self.system
-        prior = np.concatenate((PRIOR_STD**-2.0, np.zeros(self.size - OFFSET.stop)))
+        prior = self.prior
         for _ in range(VARIANCE_STEPS if self.walk or self.nuisances else 1):
             for c in range(6):
                 prior[self._drift_rows(c)] = STEP_STD[c] ** -2.0
                 prior[self._walk_rows(c)] = 1.0 / self.drift_variance[c]
             prior[self.drift.stop :] = 1.0 / self.strength
-            covariance = _without_bias(_inverse(normal + np.diag(prior)), bias)
-            x, strength = covariance @ right, self.strength.copy()
+            self.solution = compensate(normal, bias, prior)
+            covariance, x, strength = self.solution.covariance, self.solution.gain @ right, self.strength.copy()
             self._improve_variances(x, covariance)
         # the covariance is that of the strengths that it was made with
         self.strength = strength
         return covariance, x
+
+    def _split_uncertainty(self) -> tuple[Array, Array]:
+        """(19, 19) covariance with the nuisances as they are, and (19, b) what each of them does to the solution."""
+        covariance, told, n = self.solution.covariance[: OFFSET.stop], self.solution.told, OFFSET.stop
+        error = covariance @ told - np.eye(n, self.size)
+        """What the solution is off by, through its prior, per unit of each unknown."""
+        random, variance = error[:, : self.drift.stop], 1.0 / self.prior[: self.drift.stop]
+        repeatability = covariance @ told @ covariance.T + (random * variance) @ random.T
+        return repeatability, error[:, self.drift.stop :]
 
     def _improve_variances(self, x: Array, covariance: Array) -> None:
         """One step towards the variances of drift and nuisances that maximise the restricted likelihood."""
@@ -287,26 +311,6 @@ class _Problem:
             self.strength[self.fitted.pop(least).rows] = LEAST_STRENGTH
             covariance, x = self._with_priors()
         return len(self.fitted) < before
-
-
-def _inverse(matrix: Array) -> Array:
-    scale = 1.0 / np.sqrt(np.diag(matrix))
-    return np.asarray(np.linalg.inv(matrix * np.outer(scale, scale)) * np.outer(scale, scale))
-
-
-def _without_bias(covariance: Array, bias: Array) -> Array:
-    """Inverse of `covariance^-1 - bias`, the bias (n, n) standing for what noise alone has added to the information.
-
-    Where it stands for nearly all of it, less and less is known, and in the end nothing: the little that rounding leaves is then replaced
-    by next to nothing. In between the answer changes smoothly, so that the iteration has one place to come to rest.
-    """
-    rows = np.flatnonzero(np.diag(bias))
-    values, vectors = np.linalg.eigh(bias[np.ix_(rows, rows)])
-    root = vectors * np.sqrt(np.maximum(values, 0.0))
-    share, directions = np.linalg.eigh(root.T @ covariance[np.ix_(rows, rows)] @ root)
-    gain = covariance[:, rows] @ root @ directions
-    rest = np.interp(share, [0.0, LARGEST_NOISE_SHARE, NOTHING_BUT_NOISE], [1.0, 1.0 - LARGEST_NOISE_SHARE, SMALLEST_SHARE])
-    return np.asarray(covariance + (gain / rest) @ gain.T)
 
 
 def _misfit(result: Fit, noise: WrenchNoise) -> Array:
