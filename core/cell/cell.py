@@ -18,6 +18,7 @@ from core.cell.tool import Tool
 from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 from core.errors import BadRobot
 from core.files.jail import read_inside
+from core.payload.calibration import NOT_STATED, SensorCalibration
 from core.payload.inertia import InertialParameters
 from core.payload.shapes import (
     Angle,
@@ -35,6 +36,7 @@ from core.payload.shapes import (
     Sphere,
     Vector3,
 )
+from core.payload.site import Site, gravity_at
 
 __all__ = [
     "Box", "Capsule", "Cell", "Control", "Cylinder", "Friction", "Limits", "Obstacle", "Payload", "Pose", "Robot", "Sensor",
@@ -94,6 +96,11 @@ class Robot(Model):
         examples=[[1.9, 1.9, 2.2, 2.2, 3.5, 3.2, 3.2]],
     )
     friction: Friction | None = Field(default=None, description="Friction of the joints; null where nobody has said.")
+    zero_std_rad: NotNegative | None = Field(
+        default=None,
+        description="Standard uncertainty of each joint's zero, rad; 0.05 deg is assumed, and said to be, where null.",
+        examples=[0.0005],
+    )
     payload_limit_kg: Positive | None = Field(
         default=None, description="What the arm may carry by its maker's word, kg; null where nobody has said.", examples=[7.0]
     )
@@ -123,6 +130,13 @@ class Sensor(Model):
     )
     resolution: SixPositive = Field(
         description="Smallest step, force (N), then torque (N m).", examples=[[0.05, 0.05, 0.05, 0.0013, 0.0013, 0.0013]]
+    )
+    calibration: SensorCalibration = Field(default=NOT_STATED, description="What the certificate of its calibration states.")
+    mount_std_rad: NotNegative | None = Field(
+        default=None,
+        description="Standard uncertainty of its orientation on the flange about each axis, rad; 0.1 deg is assumed, and said to be, "
+        "where null.",
+        examples=[0.001],
     )
     mount: Pose | None = Field(
         default=None, description="The sensor frame in the flange from which the robot's controller counts; null where nobody has said."
@@ -199,7 +213,12 @@ class Cell(Model):
     limits: Limits = Field(default=Limits(), description="Largest speed and smallest distances.")
     control: Control = Field(default=Control(), description="How the robot depends on whoever is in control.")
     thresholds: Thresholds = Field(default=Thresholds(), description="From which external torques and forces the controller acts.")
-    gravity_m_s2: Vector3 = Field(default=(0.0, 0.0, -9.81), description="Gravity in the world frame, m/s2.", examples=[[0.0, 0.0, -9.81]])
+    gravity_m_s2: Vector3 = Field(
+        default=(0.0, 0.0, -9.81),
+        description="Gravity in the world frame, m/s2; with a site its direction only.",
+        examples=[[0.0, 0.0, -9.81]],
+    )
+    site: Site | None = Field(default=None, description="Where on the earth it stands, which gives the strength of gravity.")
     floor_z_m: Number = Field(
         default=0.0, description="Height at which a load that comes off stops falling, m, world frame.", examples=[0.0]
     )
@@ -214,7 +233,7 @@ class Cell(Model):
     @property
     def gravity(self) -> Array:
         """(3,), world frame, m/s2."""
-        return np.array(self.gravity_m_s2)
+        return gravity_at(np.array(self.gravity_m_s2), self.site)
 
     @property
     def gravity_in_base(self) -> Array:

@@ -42,7 +42,7 @@ def _name_contradictions(cell: Cell) -> Iterator[BadCell]:
 
 
 def _place_contradictions(cell: Cell) -> Iterator[BadCell]:
-    strength = float(np.linalg.norm(cell.gravity))
+    strength = float(np.linalg.norm(cell.gravity)) if any(cell.gravity_m_s2) else 0.0
     least, most = GRAVITY
     where = cell.locate("gravity_m_s2")
     if not least < strength < most:

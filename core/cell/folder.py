@@ -18,6 +18,7 @@ from core.cell.urdf import Urdf, check_urdf
 from core.errors import BadCell, BadInput, refuse, together
 from core.files.jail import read_inside
 from core.files.schema_flaw import MOST_LETTERS, schema_flaw
+from core.payload.calibration import SensorCalibration
 from core.payload.shapes import (
     Box,
     Capsule,
@@ -25,6 +26,7 @@ from core.payload.shapes import (
     Pose,
     Sphere,
 )
+from core.payload.site import Site
 from core.words.message import Message
 
 
@@ -153,7 +155,8 @@ def _flaw(error: ErrorDetails, where: str) -> BadCell:
 
 def _keys() -> list[str]:
     """Every key of the format."""
-    models = (Cell, Robot, Friction, Sensor, Limits, Control, Payload, Tool, Obstacle, Zone, Box, Sphere, Capsule, Cylinder, Pose)
+    shapes = (Box, Sphere, Capsule, Cylinder, Pose)
+    models = (Cell, Site, Robot, Friction, Sensor, SensorCalibration, Limits, Control, Payload, Tool, Obstacle, Zone, *shapes)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})
 
 

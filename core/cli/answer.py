@@ -4,6 +4,7 @@ import sys
 from pathlib import Path
 
 from core.cli.tables import (
+    assumption_lines,
     parameters_table,
     reason_lines,
     verification_lines,
@@ -31,6 +32,8 @@ def print_answer(result: Result, json: str | None) -> None:
     if result.accounted:
         answers.print(words.say("result-accounted", effects=result.accounted), highlight=False)
     for line in verification_lines(result):
+        answers.print(line, highlight=False)
+    for line in assumption_lines(result):
         answers.print(line, highlight=False)
     for warning in result.warnings:
         answers.print(words.say("result-warning", warning=words.quote(warning)), highlight=False)

@@ -8,6 +8,7 @@ import numpy as np
 from rich.table import Table
 
 from core.cli.terminal import find_wording
+from core.estimation.budget import TITLES
 from core.estimation.result import Result
 from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.gap.instruction import Instruction
@@ -58,32 +59,46 @@ def format_decimals(value: float | None, decimals: int) -> str:
 
 
 def parameters_table(result: Result) -> Table:
-    """All ten parameters: reference, the paper's estimate, ours with its 95 % half-width, and the error against the reference."""
+    """All ten parameters: reference, paper, ours with its 95 % half-width, that of its repeatability, and what contributes most."""
     words = find_wording()
     title = words.say("result-payload-title") if result.workpiece is None else words.say("result-whole-title")
-    table = Table(title=title, caption=words.say("result-payload-caption"))
+    estimate, reference = result.estimate, result.reference
+    budget = None if estimate is None else estimate.budget
+    caption = "result-payload-caption" if budget is None else "result-budget-caption"
+    table = Table(title=title, caption=words.say(caption))
     table.add_column("")
-    for heading in (words.say("result-reference"), words.say("result-papers-method"), "Heft", "±", words.say("result-error")):
+    headings = [words.say("result-reference")] if reference else []
+    headings += [words.say("result-papers-method"), "Heft", "±"]
+    headings += [words.say("result-repeats"), words.say("result-mostly")] if budget else []
+    headings += [words.say("result-error")] if reference else []
+    for heading in headings:
         table.add_column(heading, justify="right", no_wrap=True)
     table.add_column(words.say("result-unit"), no_wrap=True)
-    estimate, reference = result.estimate, result.reference
     for k, (name, unit) in enumerate(zip(PHI_NAMES, PHI_UNITS, strict=True)):
-        truth = reference.phi[k] if reference else None
-        value = estimate.phi[k] if estimate else None
-        std = estimate.std[k] if estimate else None
-        known = estimate is not None and estimate.determined[k]
-        half = 1.96 * std if known and std is not None else None
-        places = decimals_of(half)
-        table.add_row(
-            name,
-            number(truth),
-            format_decimals(result.paper.phi[k], places),
-            format_decimals(value, places) if known else words.say("result-not-determined"),
-            format_decimals(half, places),
-            format_error(value if known else None, truth),
-            unit,
-        )
+        table.add_row(name, *_parameter_cells(result, k), unit)
     return table
+
+
+def _parameter_cells(result: Result, k: int) -> list[str]:
+    """One of the ten parameters, in the order of the table's columns."""
+    words, estimate, reference = find_wording(), result.estimate, result.reference
+    known = estimate is not None and estimate.determined[k]
+    value, std = (estimate.phi[k], estimate.std[k]) if known and estimate else (None, None)
+    half = None if std is None else 1.96 * std
+    places, truth = decimals_of(half), reference.phi[k] if reference else None
+    cells = [number(truth)] if reference else []
+    cells += [format_decimals(result.paper.phi[k], places)]
+    cells += [format_decimals(value, places) if known else words.say("result-not-determined"), format_decimals(half, places)]
+    if estimate is not None and estimate.budget is not None:
+        repeats, largest = estimate.budget.repeatability_std[k], estimate.budget.largest[k]
+        cells += ["" if repeats is None else number(1.96 * repeats, 2), "" if largest is None else words.quote(TITLES[largest])]
+    return [*cells, format_error(value, truth)] if reference else cells
+
+
+def assumption_lines(result: Result) -> list[str]:
+    """What nobody has stated of the uncertainty, was assumed and matters."""
+    budget = None if result.estimate is None else result.estimate.budget
+    return [] if budget is None else [find_wording().say("result-note", remark=each) for each in budget.assumptions]
 
 
 def format_error(value: float | None, truth: float | None) -> str:

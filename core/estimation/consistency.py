@@ -15,6 +15,7 @@ NO_SUCH_BODY = 11.34
 """Squared distance from what can exist beyond which no body explains the data: the 99 % point of chi-square with three degrees of freedom.
 A rod is where this matters most: there the edge of what can exist has three directions to leave it by. A body that can exist is called
 impossible in one of a hundred recordings at most, and any but a plate or a rod next to never."""
+ROUNDING = 1e-13
 
 
 def nearest_consistent(phi: Array, covariance: Array) -> Array:
@@ -26,7 +27,7 @@ def nearest_consistent(phi: Array, covariance: Array) -> Array:
     """
     if is_consistent(phi):
         return phi
-    root = np.linalg.cholesky(_inverse(covariance)).T
+    root = _inverse_root(covariance)
     mass = max(float(phi[0]), 1e-4)
     scale = np.sqrt(mass) * np.array([SIZE_M, SIZE_M, SIZE_M, 1.0])
     start = _positive_part(pseudo_inertia(phi) / np.outer(scale, scale))
@@ -54,7 +55,8 @@ def nearest_consistent(phi: Array, covariance: Array) -> Array:
 
 def distance_from_bodies(phi: Array, body: Array, covariance: Array) -> float:
     """Squared distance of phi (10,) from the nearest body (10,), in the metric of the covariance (10, 10); against `NO_SUCH_BODY`."""
-    return float((phi - body) @ _inverse(covariance) @ (phi - body))
+    away = _inverse_root(covariance) @ (phi - body)
+    return float(away @ away)
 
 
 def _positive_part(P: Array) -> Array:
@@ -62,6 +64,8 @@ def _positive_part(P: Array) -> Array:
     return np.asarray((vectors * np.maximum(values, 1e-2)) @ vectors.T)
 
 
-def _inverse(covariance: Array) -> Array:
-    scale = 1.0 / np.sqrt(np.diag(covariance))
-    return np.asarray(np.linalg.inv(covariance * np.outer(scale, scale)) * np.outer(scale, scale))
+def _inverse_root(covariance: Array) -> Array:
+    """R (10, 10) with R S R^T = 1; a direction without any uncertainty is taken as nearly certain."""
+    scale = np.sqrt(np.diag(covariance))
+    values, vectors = np.linalg.eigh(covariance / np.outer(scale, scale))
+    return np.asarray((vectors / np.sqrt(np.maximum(values, ROUNDING * values[-1]))).T / scale)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
+from core.estimation.budget import Budget
 from core.estimation.segments import Segment
 from core.payload.channels import CHANNELS
 from core.payload.inertia import InertialParameters, Motion
@@ -70,6 +71,7 @@ class Estimate(UncertainParameters):
     """All ten parameters from all samples, sensor frame, SI.
 
     Args:
+        covariance: (10, 10), type A and type B together; `budget` says which part is which.
         determined: (10,).
         reasons: name of the parameter -> why it is not determined.
         offset, offset_std: (6,), mean over the recording.
@@ -78,6 +80,7 @@ class Estimate(UncertainParameters):
         base_tilt_rad, base_tilt_std: (2,), rotation of the true gravity against the nominal one about base x and y.
         delay_s, delay_std: how late the wrench is against the joints.
         residual_rms, noise_std: (6,), per sample, N and N m.
+        converged: whether the iteration came to rest.
     """
 
     determined: Bools
@@ -88,11 +91,19 @@ class Estimate(UncertainParameters):
     residual_rms: Array
     noise_std: Array
     drift: DriftEstimate
+    budget: Budget
+    converged: bool = True
     constrained: bool = False
     base_tilt_rad: Array | None = None
     base_tilt_std: Array | None = None
     delay_s: float | None = None
     delay_std: float | None = None
+
+    @cached_property
+    def repeatability(self) -> UncertainParameters:
+        """The same parameters with what this recording alone leaves open (type A)."""
+        covariance = np.where(np.isnan(self.covariance), np.nan, self.budget.repeatability)
+        return UncertainParameters(self.phi, covariance)
 
     @cached_property
     def parameters(self) -> InertialParameters | None:

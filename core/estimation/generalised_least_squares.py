@@ -1,41 +1,56 @@
-"""All ten parameters, six offsets, drift, base tilt and delay from all samples: generalised least squares on the weak form.
+"""All ten parameters, six offsets, drift, base tilt, delay and nuisances from all samples: generalised least squares on the weak form.
 
 Solved is, for the windowed wrench y and the windowed regressor V(delay, tilt),
 
-    min over (phi, offset, tilt, delay, drift) of
-        sum over channels |y - V(delay, tilt) phi - offset - drift|^2 in the metric C^-1  +  weak priors,
+    min over (phi, offset, tilt, delay, drift, b) of
+        sum over channels |y - V(delay, tilt) phi - offset - drift - G(phi) b|^2 in the metric C^-1  +  priors,
     C = noise of the wrench * Gram of the windows  +  noise of the kinematics * Gram of their second differences,
 
-by Gauss-Newton. The noise of the kinematics enters the wrench through the payload's own spatial inertia, as `M(phi) (da, dalpha)`. It
-also sits in the regressor, where it would shrink the parameters; that bias is subtracted (bias-compensated least squares).
+by damped Gauss-Newton. The noise of the kinematics enters the wrench through the payload's own spatial inertia, as
+`M(phi) (da, dalpha)`. It also sits in the regressor and in the columns of gains and cross-talk, where it would shrink the parameters; that
+bias is subtracted (bias-compensated least squares). Joints' zeros and mounting turn it, which adds nothing on average. The nuisances b are
+those of `core.estimation.nuisances`.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.array import Array
+from core.estimation.budget import Budget, Source
+from core.estimation.determination import SIZE_M, find_determined
 from core.estimation.drift import STEP_STD, drift_basis, improve_variance, parts_of, steps_between
 from core.estimation.noise import WrenchNoise
+from core.estimation.noisy_columns import Solution, compensate
+from core.estimation.nuisances import (
+    LEAST_EVIDENCE,
+    LEAST_STRENGTH,
+    Group,
+    NuisanceColumns,
+    Nuisances,
+    find_evidence,
+    improve_strength,
+)
 from core.estimation.weak_form import WeakForm, whiten
-from core.payload.inertia import spatial_inertia
+from core.payload.inertia import InertialParameters, spatial_inertia
 
 TILT = slice(10, 12)
 DELAY = 12
 OFFSET = slice(13, 19)
 SHARED = 13
-"""phi, tilt and delay; then come offsets and drift."""
+"""phi, tilt and delay; then come offsets, drift and nuisances."""
 
 PRIOR_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0), np.full(2, 0.05), [0.02], np.full(6, 1e3)))
 """Of phi, tilt (rad), delay (s), offsets: so wide that they matter only where the data are silent."""
-ITERATIONS = 8
-DRIFT_STEPS = 12
+ITERATIONS = 20
+UNDAMPED = 6
+"""Iterations that go the whole way; what has not come to rest by then goes half of it."""
+VARIANCE_STEPS = 12
 LARGEST_DELAY_S = 0.05
-LARGEST_NOISE_SHARE = 0.9
-"""Of the information in one direction; where noise alone makes up more, the direction counts as unknown."""
-SMALLEST_SHARE = 1e-4
+LARGEST_TILT_RAD = 0.3
 
 
 @dataclass(frozen=True)
@@ -43,51 +58,76 @@ class Fit:
     """Result of the least squares, before anything is judged.
 
     Args:
-        x: (19,), `[phi, tilt, delay, offset]`.
-        covariance: (19, 19), with drift marginalised.
+        x: (19 + b,), `[phi, tilt, delay, offset]`, then the nuisances in units of their standard uncertainty.
+        covariance: (19 + b, 19 + b), with drift marginalised and each nuisance as uncertain as its strength says.
+        repeatability: (19, 19), covariance with the nuisances as they are.
+        directions: (19, b), how far `x` is off when a nuisance is off by its standard uncertainty and the fit goes on as it did.
         drift: (K, 6), at the windows' centres; `drift_std`: (6,), of its range.
         whitened: (6, K), residuals with unit variance when the model holds.
         scale: (6,), factor on the noise variance that the residuals asked for, 1 where the model holds.
         noise: of one sample.
+        nuisances: that were fitted; None where nothing was.
+        strength: (b,), variance of each nuisance that the data ask for, 1 for what is stated.
+        converged: whether the iteration came to rest.
     """
 
     x: Array
     covariance: Array
+    repeatability: Array
+    directions: Array
     centres: Array
     drift: Array
     drift_std: Array
     whitened: Array
     scale: Array
     noise: WrenchNoise
+    nuisances: Nuisances | None = None
+    strength: Array = field(default_factory=lambda: np.zeros(0))
+    converged: bool = True
 
     @property
     def phi(self) -> Array:
         """(10,)."""
         return self.x[:10]
 
+    @property
+    def b(self) -> Array:
+        """(b,), nuisances in units of their standard uncertainty."""
+        return self.x[OFFSET.stop :]
 
-def fit(form: WeakForm, wrench: Array, noise: WrenchNoise) -> Fit:
+    @property
+    def budget(self) -> Budget:
+        """Of phi, with all nuisances as uncertain as they are stated to be, whatever their strength in the fit."""
+        groups = () if self.nuisances is None else self.nuisances.groups
+        sources = (Source(group.name, group.stated, self.directions[:10, group.rows]) for group in groups)
+        return Budget(self.repeatability[:10, :10], tuple(sources))
+
+
+def fit(form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances | None = None) -> Fit:
     """Fits the raw wrench (N, 6), paper's sign.
 
     The noise is widened where the residuals exceed it, and the fit repeated with the new weights, so that the covariance stays honest where
     the model leaves something out.
     """
-    problem = _Problem(form, wrench, noise)
+    problem = _Problem(form, wrench, noise, nuisances)
     result = problem.solve(np.ones(6))
     if not noise.measured:
         # the channels weigh each other by their noise: the residual of the first fit, then that of the second
         for _ in range(2):
             noise = replace(noise, std=noise.std * np.sqrt(_misfit(result, noise)))
-            result = _Problem(form, wrench, noise).solve(np.ones(6))
+            result = _Problem(form, wrench, noise, nuisances).solve(np.ones(6))
         return result
     scale = _misfit(result, noise)
     return result if (scale == 1.0).all() else replace(problem.solve(scale), scale=scale)
 
 
 def refit(form: WeakForm, wrench: Array, found: Fit) -> Array:
-    """`x` (19,) for a wrench (N, 6) that differs little from the fitted one: one step from what was found, with its weights."""
-    _, x, _ = _Problem(form, wrench, found.noise).step(found.x, found.scale)
-    return np.asarray(x[: OFFSET.stop])
+    """`x` (19 + b,) for a wrench (N, 6) that differs little from the fitted one: one step from what was found, with its weights."""
+    problem = _Problem(form, wrench, found.noise, found.nuisances)
+    problem.strength[:], problem.fitted, problem.std = found.strength, [], np.sqrt(np.diag(found.covariance)[:10])
+    ramps = np.zeros(problem.drift.stop - problem.drift.start)
+    _, x, _ = problem.step(np.concatenate((found.x[: OFFSET.stop], ramps, found.b)), found.scale)
+    return np.delete(x, problem.drift)
 
 
 _UNIT_REGRESSORS = np.stack([spatial_inertia(unit).T for unit in np.eye(10)], axis=2)
@@ -97,7 +137,7 @@ _UNIT_REGRESSORS = np.stack([spatial_inertia(unit).T for unit in np.eye(10)], ax
 class _Problem:
     """The least-squares problem of one recording; what does not change between iterations is kept."""
 
-    def __init__(self, form: WeakForm, wrench: Array, noise: WrenchNoise) -> None:
+    def __init__(self, form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances | None) -> None:
         self.form = form
         self.noise = noise
         self.y = form.average(wrench)
@@ -109,23 +149,42 @@ class _Problem:
         self.ramps = np.concatenate((walk, steps), axis=1)
         """(K, n): what the offset does, first the walk, then a step for each pause."""
         self.walk = walk.shape[1]
-        self.size = OFFSET.stop + 6 * self.ramps.shape[1]
+        self.drift = slice(OFFSET.stop, OFFSET.stop + 6 * self.ramps.shape[1])
         self.drift_variance = (0.1 * noise.std) ** 2
         self.drift_floor = (2e-4 * noise.std) ** 2
+        self.nuisances = None if nuisances is None else NuisanceColumns(form, nuisances)
+        self.size = self.drift.stop + (0 if nuisances is None else nuisances.size)
+        self.strength = np.ones(self.size - self.drift.stop)
+        self.fitted = [] if nuisances is None else list(nuisances.groups)
+        self.prior = np.concatenate((PRIOR_STD**-2.0, np.zeros(self.size - OFFSET.stop)))
+        self.system = np.zeros((0, 0)), np.zeros(0), np.zeros((0, 0))
+        """Of the last linearisation: normal matrix, right-hand side, and how much of the former is noise of the poses."""
+        self.std = PRIOR_STD[:10]
+        """Of phi, after the last linearisation."""
+        self.solution = Solution(*np.zeros((3, self.size, self.size)))
 
     def solve(self, scale: Array) -> Fit:
         """Gauss-Newton with the noise variance multiplied by `scale` (6,)."""
-        x = np.zeros(self.size)
-        for _ in range(ITERATIONS):
+        x, converged = np.zeros(self.size), False
+        for k in range(ITERATIONS):
             previous = x
-            normal, x, whitened = self.step(x, scale)
+            covariance, x, whitened = self.step(x, scale)
             moved = np.abs(x[:SHARED] - previous[:SHARED])
-            if (moved < 0.01 * np.sqrt(np.diag(normal))[:SHARED]).all():
+            converged = bool((moved < 0.01 * np.sqrt(np.diag(covariance))[:SHARED]).all())
+            if converged and not self._leave_out(x, covariance):
                 break
+            if k >= UNDAMPED:
+                x = 0.5 * (x + previous)
         drift = np.column_stack([self.ramps @ x[self._drift_rows(c)] for c in range(6)])
-        spread = [self._range_std(normal, c) for c in range(6)]
-        covariance = normal[: OFFSET.stop, : OFFSET.stop]
-        return Fit(x[: OFFSET.stop], covariance, self.form.centres, drift, np.array(spread), whitened, np.ones(6), self.noise)
+        spread = np.array([self._range_std(covariance, c) for c in range(6)])
+        kept = np.delete(np.arange(self.size), self.drift)
+        held = None if self.nuisances is None else self.nuisances.nuisances
+        repeatability, directions = self._split_uncertainty()
+        return Fit(
+            x[kept], covariance[np.ix_(kept, kept)], repeatability, directions,
+            self.form.centres, drift, spread, whitened, np.ones(6), self.noise,
+            nuisances=held, strength=self.strength.copy(), converged=converged,
+        )  # fmt: skip
 
     def _drift_rows(self, channel: int) -> slice:
         n = self.ramps.shape[1]
@@ -140,70 +199,118 @@ class _Problem:
         ends = self.ramps[-1:] - self.ramps[:1]
         return float(np.sqrt(ends @ covariance[rows, rows] @ ends.T).item()) if self.ramps.shape[1] else 0.0
 
+    def _rows_of_channel(self, c: int) -> NDArray[np.intp]:
+        """Which unknowns show in one channel, in the order of its columns."""
+        rows = [np.arange(SHARED), np.array([OFFSET.start + c]), np.arange(self.size)[self._drift_rows(c)]]
+        if self.nuisances is not None:
+            held = self.nuisances.nuisances
+            rows += [self.drift.stop + np.arange(held.of_loads, held.size), self.drift.stop + held.rows_of_channel(c)]
+        return np.concatenate(rows)
+
     def step(self, x: Array, scale: Array) -> tuple[Array, Array, Array]:
         """One linearisation at x: covariance, new x, whitened residuals."""
         phi, tilt, delay = x[:10], x[TILT], float(x[DELAY])
         features, rate = self.form.features(delay)
         V = features.regressor(tilt)
+        likely = self._likely(phi)
+        load = V @ likely
         shared = np.concatenate((V, features.tilt_columns(phi, tilt), (rate.regressor(tilt) @ phi)[..., None]), axis=2)
         target = self.y + shared[:, :, TILT] @ tilt + shared[:, :, DELAY] * delay
-        K = self.form.poses.noise
-        M = spatial_inertia(phi)
-        kinematic = np.diag(M @ K @ M.T)
-        size = self.size
-        normal, right, bias = np.zeros((size, size)), np.zeros(size), np.zeros((10, 10))
+        beside = None if self.nuisances is None else self.nuisances.shared(features, likely, tilt, delay)
+        M = spatial_inertia(likely)
+        kinematic = np.diag(M @ self.form.poses.noise @ M.T)
+        normal, right, bias = np.zeros((self.size, self.size)), np.zeros(self.size), np.zeros((self.size, self.size))
         white = []
         for c in range(6):
             # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
             sensor = max(self.noise.variance[c] * scale[c], 1e-7 * kinematic[c] * float(self.spectrum.max()))
             bands = sensor * self.wrench_gram + kinematic[c] * self.pose_gram
-            own = np.column_stack((shared[:, c], np.ones(len(self.y)), self.ramps, target[:, c]))
-            w = whiten(bands, own)
-            white.append(w)
-            columns = np.concatenate((np.arange(SHARED), [OFFSET.start + c], np.arange(size)[self._drift_rows(c)]))
-            normal[np.ix_(columns, columns)] += w[:, :-1].T @ w[:, :-1]
-            right[columns] += w[:, :-1].T @ w[:, -1]
-            unit = _UNIT_REGRESSORS[:, c]
-            # trace(C^-1 pose_gram): how much of the pose's noise the weighted windows let through
-            passed = len(self.y) * np.mean(self.spectrum / (sensor + kinematic[c] * self.spectrum))
-            bias += passed * unit.T @ K @ unit
-        covariance, x = self._with_priors(normal, right, bias)
-        residuals = [
-            w[:, -1] - w[:, :-1] @ np.concatenate((x[:SHARED], [x[OFFSET.start + c]], x[self._drift_rows(c)])) for c, w in enumerate(white)
-        ]
+            own = [shared[:, c], np.ones((len(self.y), 1)), self.ramps]
+            if self.nuisances is not None and beside is not None:
+                own += [beside[:, c], self.nuisances.of_channel(c, load)]
+            w, rows = whiten(bands, np.column_stack((*own, target[:, c]))), self._rows_of_channel(c)
+            white.append((w, rows))
+            normal[np.ix_(rows, rows)] += w[:, :-1].T @ w[:, :-1]
+            right[rows] += w[:, :-1].T @ w[:, -1]
+            self._add_bias(bias, c, likely, sensor, kinematic[c])
+        self.system = normal, right, bias
+        covariance, x = self._with_priors()
+        self.std = np.sqrt(np.diag(covariance)[:10])
+        residuals = [w[:, -1] - w[:, :-1] @ x[rows] for w, rows in white]
         x[DELAY] = np.clip(x[DELAY], -LARGEST_DELAY_S, LARGEST_DELAY_S)
+        x[TILT] = np.clip(x[TILT], -LARGEST_TILT_RAD, LARGEST_TILT_RAD)
         return covariance, x, np.array(residuals)
 
-    def _with_priors(self, normal: Array, right: Array, bias: Array) -> tuple[Array, Array]:
-        """Solves with the priors; the drift's strength is improved along the way."""
-        prior = np.concatenate((PRIOR_STD**-2.0, np.zeros(self.size - OFFSET.stop)))
-        for _ in range(DRIFT_STEPS if self.walk else 1):
+    def _likely(self, phi: Array) -> Array:
+        """(10,), a payload to weigh and to linearise with: where phi is not determined yet, that of a body of usual size in its place.
+
+        What the noise makes of an inertia that nothing excites would change the weights from iteration to iteration, which would not rest.
+        """
+        m, mc = max(float(phi[0]), 0.0), phi[1:4]
+        c = mc / m if m > 0.0 else np.zeros(3)
+        usual = InertialParameters.from_com(m, c, m * SIZE_M**2 * np.eye(3)).phi
+        return np.where(find_determined(phi, self.std), phi, usual) if m > 0.0 else phi
+
+    def _add_bias(self, bias: Array, c: int, phi: Array, sensor: float, kinematic: float) -> None:
+        """Adds the information in one channel that is noise of the poses, for these variances of the two kinds of noise."""
+        noisy, rows = _UNIT_REGRESSORS[:, c], np.arange(10)
+        if self.nuisances is not None:
+            held = self.nuisances.nuisances
+            noisy = np.hstack((noisy, self.nuisances.of_channel(c, _UNIT_REGRESSORS @ phi)))
+            rows = np.concatenate((rows, self.drift.stop + held.rows_of_channel(c)))
+        # trace(C^-1 pose_gram): how much of the pose's noise the weighted windows let through
+        passed = len(self.y) * np.mean(self.spectrum / (sensor + kinematic * self.spectrum))
+        bias[np.ix_(rows, rows)] += passed * noisy.T @ self.form.poses.noise @ noisy
+
+    def _with_priors(self) -> tuple[Array, Array]:
+        """Solves the last linearisation with the priors; the strengths of drift and nuisances are improved along the way."""
+        normal, right, bias = self.system
+        prior = self.prior
+        for _ in range(VARIANCE_STEPS if self.walk or self.nuisances else 1):
             for c in range(6):
                 prior[self._drift_rows(c)] = STEP_STD[c] ** -2.0
                 prior[self._walk_rows(c)] = 1.0 / self.drift_variance[c]
-            covariance = _without_bias(_inverse(normal + np.diag(prior)), bias)
-            x = covariance @ right
-            for c in range(6 if self.walk else 0):
-                rows = self._walk_rows(c)
-                self.drift_variance[c] = improve_variance(self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c])
+            prior[self.drift.stop :] = 1.0 / self.strength
+            self.solution = compensate(normal, bias, prior)
+            covariance, x, strength = self.solution.covariance, self.solution.gain @ right, self.strength.copy()
+            self._improve_variances(x, covariance)
+        # the covariance is that of the strengths that it was made with
+        self.strength = strength
         return covariance, x
 
+    def _split_uncertainty(self) -> tuple[Array, Array]:
+        """(19, 19) covariance with the nuisances as they are, and (19, b) what each of them does to the solution."""
+        covariance, told, n = self.solution.covariance[: OFFSET.stop], self.solution.told, OFFSET.stop
+        error = covariance @ told - np.eye(n, self.size)
+        """What the solution is off by, through its prior, per unit of each unknown."""
+        random, variance = error[:, : self.drift.stop], 1.0 / self.prior[: self.drift.stop]
+        repeatability = covariance @ told @ covariance.T + (random * variance) @ random.T
+        return repeatability, error[:, self.drift.stop :]
 
-def _inverse(matrix: Array) -> Array:
-    scale = 1.0 / np.sqrt(np.diag(matrix))
-    return np.asarray(np.linalg.inv(matrix * np.outer(scale, scale)) * np.outer(scale, scale))
+    def _improve_variances(self, x: Array, covariance: Array) -> None:
+        """One step towards the variances of drift and nuisances that maximise the restricted likelihood."""
+        for c in range(6 if self.walk else 0):
+            rows = self._walk_rows(c)
+            self.drift_variance[c] = improve_variance(self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c])
+        for group in self.fitted:
+            b, spread = self._nuisances_in(group, x, covariance)
+            self.strength[group.rows] = improve_strength(float(self.strength[group.rows][0]), b, spread)
 
+    def _nuisances_in(self, group: Group, x: Array, covariance: Array) -> tuple[Array, Array]:
+        rows = slice(self.drift.stop + group.rows.start, self.drift.stop + group.rows.stop)
+        return x[rows], covariance[rows, rows]
 
-def _without_bias(covariance: Array, bias: Array) -> Array:
-    """Inverse of `covariance^-1 - bias`, the bias (10, 10) standing for what noise alone has added to the information on phi.
-
-    Where it stands for all of it, nothing is known: the little that rounding leaves is then replaced by next to nothing.
-    """
-    values, vectors = np.linalg.eigh(bias)
-    root = vectors * np.sqrt(np.maximum(values, 0.0))
-    share, directions = np.linalg.eigh(root.T @ covariance[:10, :10] @ root)
-    gain = covariance[:, :10] @ root @ directions
-    return np.asarray(covariance + (gain / np.where(share < LARGEST_NOISE_SHARE, 1.0 - share, SMALLEST_SHARE)) @ gain.T)
+    def _leave_out(self, x: Array, covariance: Array) -> bool:
+        """Leaves out, one by one, the groups of nuisances that the data do not ask for; whether there were any."""
+        before = len(self.fitted)
+        while self.fitted:
+            evidence = [find_evidence(float(self.strength[g.rows][0]), *self._nuisances_in(g, x, covariance)) for g in self.fitted]
+            least = int(np.argmin(evidence))
+            if evidence[least] > LEAST_EVIDENCE:
+                break
+            self.strength[self.fitted.pop(least).rows] = LEAST_STRENGTH
+            covariance, x = self._with_priors()
+        return len(self.fitted) < before
 
 
 def _misfit(result: Fit, noise: WrenchNoise) -> Array:

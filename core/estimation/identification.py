@@ -8,17 +8,18 @@ from numpy.typing import NDArray
 from core.array import Array
 from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, nearest_consistent
 from core.estimation.determination import find_determined, reasons
-from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries, TwinShare
-from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT, Fit, fit
+from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
+from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
 from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
+from core.estimation.nuisances import nuisances_of
 from core.estimation.offset import offset_of_opposed_poses
 from core.estimation.regression import Thresholds, regression
 from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase
 from core.estimation.setup.check import check_setup
 from core.estimation.setup.refutation import refute
 from core.estimation.torque_only import torque_only
-from core.estimation.twin_effects import TwinEffects, effects_on, fit_with_effects
+from core.estimation.twin_effects import Corrected, TwinEffects, effects_on, fit_with_effects
 from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
 from core.estimation.verification import LeaveOneOut
 from core.estimation.weak_form import WeakForm
@@ -65,26 +66,22 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     form = WeakForm(poses, still_only=still if rows_only else None)
     if len(form) < FEWEST_ROWS:
         return _nothing(segments, Message.of("estimation-too-short", lasts_s=float(recording.t[-1] - recording.t[0])))
-    effects = effects_on(recording, poses, segments, twin, static=static)
-    found, change, shares = _fit_wrench(form, wrench, noise or unknown_noise(), effects)
+    effects = effects_on(recording, poses, segments, twin, static=static) if twin.effects else None
+    corrected = fit_with_effects(form, wrench, noise or unknown_noise(), effects, nuisances_of(recording, poses.joints, twin))
+    found, change = corrected.found, corrected.change
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
-    estimate = _estimate(found, motion, static=rows_only, turned=turned)
+    estimate = _estimate(corrected, motion, static=rows_only, turned=turned)
     estimate = refute(estimate, setup.weighed)
     paper = _paper(wrench - change, motion, speed, still, found.noise)
-    series = None if rows_only else _series(recording.t, wrench, motion, found, change)
+    series = None if rows_only else _series(poses, wrench, motion, corrected)
     said = warnings_of(recording, estimate, found, static=rows_only)
-    warnings = (*setup.remarks, *said, *on_transfers_alone(estimate, turned), *_warn_of_effects_left_out(effects))
+    left_out = () if effects is None else _warn_of_effects_left_out(effects)
+    warnings = (*setup.remarks, *said, *on_transfers_alone(estimate, turned), *left_out)
     verdict = verdict_of(estimate, static=rows_only)
-    verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found.noise, segments).verifications
-    return Identification(paper, estimate, verdict, warnings, segments, series, accounted=effects.ids, shares=shares, verified=verified)
-
-
-def _fit_wrench(form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects) -> tuple[Fit, Array, tuple[TwinShare, ...]]:
-    """The fit, what the twin's effects add to the wrench (N, 6), and what each of them does to the payload."""
-    if not effects.ids:
-        return fit(form, wrench, noise), np.zeros_like(wrench), ()
-    corrected = fit_with_effects(form, wrench, noise, effects)
-    return corrected.found, corrected.change, corrected.shares
+    verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found, segments).verifications
+    return Identification(
+        paper, estimate, verdict, warnings, segments, series, accounted=corrected.accounted, shares=corrected.shares, verified=verified
+    )
 
 
 def _warn_of_effects_left_out(effects: TwinEffects) -> list[Message]:
@@ -113,9 +110,9 @@ def _find_labelled_still(recording: Recording, segments: tuple[Segment, ...]) ->
     return still
 
 
-def _estimate(found: Fit, motion: Motion, *, static: bool, turned: str | None) -> Estimate:
-    covariance = found.covariance
-    phi, S = found.phi.copy(), covariance[:10, :10].copy()
+def _estimate(corrected: Corrected, motion: Motion, *, static: bool, turned: str | None) -> Estimate:
+    found, covariance, budget = corrected.found, corrected.covariance, corrected.budget
+    phi, S = found.phi.copy(), budget.covariance
     std = np.sqrt(np.diag(S))
     known = find_determined(phi, std)
     body = nearest_consistent(phi, S) if known[0] else phi
@@ -134,8 +131,10 @@ def _estimate(found: Fit, motion: Motion, *, static: bool, turned: str | None) -
         S,
         known,
         why,
+        budget=budget,
         offset=found.x[OFFSET],
         offset_std=np.sqrt(np.diag(covariance)[OFFSET]),
+        converged=found.converged,
         consistent=is_consistent(body),
         constrained=constrained,
         residual_rms=rms,
@@ -159,12 +158,17 @@ def _paper(wrench: Array, motion: Motion, speed: Array, still: Bools, noise: Wre
     return PaperEstimate(phi, std, offset)
 
 
-def _series(t: Array, wrench: Array, motion: Motion, found: Fit, change: Array) -> TimeSeries:
-    """Measured and reconstructed at the same times; the reconstruction is delayed like the measurement, and has the twin's effects."""
+def _series(poses: Poses, wrench: Array, motion: Motion, corrected: Corrected) -> TimeSeries:
+    """Measured and reconstructed at the same times; the reconstruction is delayed like the measurement, and has all that was found."""
+    found, t = corrected.found, poses.t
     drift = np.column_stack([np.interp(t, found.centres, found.drift[:, c]) for c in range(6)])
     predicted = regressor(motion) @ found.phi
+    if found.nuisances is not None:
+        seen, _ = smooth_motion(found.nuisances.correct(poses, found.b), window_s=SMOOTHING_S)
+        load = regressor(seen) @ found.phi
+        predicted = load + load @ found.nuisances.reading(found.b).T
     late = np.column_stack([np.interp(t - found.x[DELAY], t, predicted[:, c]) for c in range(6)])
-    return TimeSeries(t, motion, wrench - found.x[OFFSET] - drift, late + change)
+    return TimeSeries(t, motion, wrench - found.x[OFFSET] - drift, late + corrected.change)
 
 
 def _nothing(segments: tuple[Segment, ...], why: Message) -> Identification:

@@ -6,7 +6,7 @@ the rotation matrix after every step, so that a linear filter with constant matr
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -23,6 +23,19 @@ from core.robot.rotations import exponential, logarithm
 
 
 @dataclass(frozen=True)
+class Joints:
+    """Joints that poses follow from.
+
+    Args:
+        robot: in the base frame.
+        q: (N, n), measured positions, rad.
+    """
+
+    robot: RobotModel
+    q: Array
+
+
+@dataclass(frozen=True)
 class Poses:
     """Sensor frame in the base frame, one row per sample.
 
@@ -32,6 +45,7 @@ class Poses:
         position: (N, 3), m; None where the recording does not give it.
         gravity: (3,), base frame.
         noise: (6, 6), covariance of one sample's position (m) and orientation (rad), sensor axes, averaged over the recording.
+        joints: that they follow from; None where poses were recorded.
     """
 
     t: Array
@@ -39,6 +53,7 @@ class Poses:
     position: Array | None
     gravity: Array
     noise: Array
+    joints: Joints | None = None
 
     @property
     def g(self) -> Array:
@@ -50,6 +65,23 @@ class Poses:
         """Median sampling period, s."""
         return float(np.median(np.diff(self.t)))
 
+    def every(self, k: int) -> Poses:
+        """Each k-th row."""
+        joints = None if self.joints is None else replace(self.joints, q=self.joints.q[::k])
+        position = None if self.position is None else self.position[::k]
+        return replace(self, t=self.t[::k], rotation=self.rotation[::k], position=position, joints=joints)
+
+    def with_zeros(self, zeros: Array) -> Poses:
+        """The same measured joints with their zeros (n,), rad, elsewhere; poses that do not follow from joints stay."""
+        if self.joints is None:
+            return self
+        pose = self.joints.robot.sensor_poses(self.joints.q + zeros)
+        return replace(self, rotation=pose.rotation, position=pose.position)
+
+    def with_sensor_turned(self, rotation: Array, gravity: Array) -> Poses:
+        """The sensor turned in its mounting by a rotation (3, 3), in a gravity (3,)."""
+        return replace(self, rotation=self.rotation @ rotation, gravity=gravity)
+
 
 def poses_of(recording: Recording) -> Poses | None:
     """Poses by forward kinematics of the joints, or as recorded; None where the recording has neither."""
@@ -57,7 +89,7 @@ def poses_of(recording: Recording) -> Poses | None:
     if recording.q is not None and recording.robot is not None:
         robot = RobotModel(recording.robot)
         pose = robot.sensor_poses(recording.q)
-        return Poses(t, pose.rotation, pose.position, recording.gravity, _joint_noise(robot, recording.q))
+        return Poses(t, pose.rotation, pose.position, recording.gravity, _joint_noise(robot, recording.q), Joints(robot, recording.q))
     if recording.orientation is not None:
         rotation, position = recording.orientation, recording.position
         noise = np.zeros((6, 6))

@@ -6,9 +6,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
 
-from core.array import Array
+from core.estimation.budget_part import BudgetPart, budget_part
+from core.estimation.result_part import Numbers, ResultPart, to_json_numbers
 from core.recording.order_reference import OrderReference
 from core.recording.recording import Recording
 from core.recording.workpiece import workpiece_alone
@@ -17,14 +18,6 @@ from core.words.message import Message
 
 if TYPE_CHECKING:  # who only reads answers waits for no estimator
     from core.estimation.estimate import Estimate, Identification, TwinShare, Verification
-
-Numbers = list[float | None]
-
-
-class ResultPart(BaseModel):
-    """Frozen; infinities and NaN never leave: what is not known is null."""
-
-    model_config = ConfigDict(frozen=True, allow_inf_nan=False)
 
 
 class ReferencePart(ResultPart):
@@ -51,7 +44,7 @@ class PaperPart(ResultPart):
 
 
 class EstimatePart(ResultPart):
-    """The estimate from all samples."""
+    """The estimate from all samples; `std` and `covariance` are the combined standard uncertainty, type A and type B."""
 
     phi: Numbers
     std: Numbers
@@ -69,6 +62,8 @@ class EstimatePart(ResultPart):
     base_tilt_std_rad: Numbers | None
     delay_s: float | None
     delay_std_s: float | None
+    budget: BudgetPart | None = None
+    """None in results of earlier versions, whose `std` and `covariance` are the repeatability alone."""
 
 
 class ResidualPart(ResultPart):
@@ -198,22 +193,17 @@ class Result(ResultPart):
     safety: SafetyPart | None
     seconds: SecondsPart
     recording: str | None
-    accounted: list[str] = []
+    accounted: list[str] = Field(default_factory=list)
     """Effects of the cell's twin that were taken off the wrench."""
-    twin: list[TwinSharePart] = []
+    twin: list[TwinSharePart] = Field(default_factory=list)
     """What each of these changed; nothing in results of earlier versions."""
-    verification: list[VerificationPart] = []
+    verification: list[VerificationPart] = Field(default_factory=list)
     workpiece: WorkpiecePart | None = None
     """None where there are no tools: then the whole is the workpiece."""
     order: OrderReference | None = None
     """That it was found out for; None where nobody named one."""
     version: str | None = None
     """Of the code that made it, see `core.version`; None in results from before it was kept."""
-
-
-def to_json_numbers(values: Array | None) -> Numbers:
-    """A list with null for NaN."""
-    return [] if values is None else [float(v) if np.isfinite(v) else None for v in values]
 
 
 def result_of(
@@ -305,4 +295,5 @@ def _estimate_part(estimate: Estimate) -> EstimatePart:
         base_tilt_std_rad=None if tilt_std is None else to_json_numbers(tilt_std),
         delay_s=estimate.delay_s,
         delay_std_s=estimate.delay_std,
+        budget=budget_part(estimate),
     )

@@ -12,10 +12,12 @@ import numpy as np
 
 from core.array import Array
 from core.effects.scene import Scene
+from core.estimation.budget import Budget, Source
 from core.estimation.estimate import TwinShare
-from core.estimation.generalised_least_squares import Fit, fit, refit
+from core.estimation.generalised_least_squares import OFFSET, Fit, fit, refit
 from core.estimation.kinematics import Poses, smooth_motion
 from core.estimation.noise import WrenchNoise
+from core.estimation.nuisances import Nuisances
 from core.estimation.scene import scene_of
 from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import WeakForm
@@ -88,34 +90,55 @@ class Corrected:
     """A fit to the wrench without the twin's effects.
 
     Args:
-        found: the fit; its covariance includes the uncertainty of the effects' parameters.
+        found: the fit.
         change: (N, 6), what the effects add to the wrench.
         shares: what each of them does to the payload.
+        accounted: identifiers of the effects.
+        directions: (19, k), change of the fit for one standard deviation of each direction of the effects' parameters.
     """
 
     found: Fit
     change: Array
     shares: tuple[TwinShare, ...]
+    accounted: tuple[str, ...]
+    directions: Array
+
+    @property
+    def covariance(self) -> Array:
+        """(19, 19), of the fit with the uncertainty of the effects' parameters; what is not seen of the nuisances stands in `budget`."""
+        n = OFFSET.stop
+        return np.asarray(self.found.covariance[:n, :n] + self.directions @ self.directions.T)
+
+    @property
+    def budget(self) -> Budget:
+        """Of the payload."""
+        budget = self.found.budget
+        twin = Source("twin", stated=True, directions=self.directions[:10])
+        return budget if not self.directions.size else replace(budget, sources=(*budget.sources, twin))
 
 
-def fit_with_effects(form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects) -> Corrected:
+def fit_with_effects(
+    form: WeakForm, wrench: Array, noise: WrenchNoise, effects: TwinEffects | None, nuisances: Nuisances | None
+) -> Corrected:
     """Fits payload and offsets to a wrench (N, 6) in which a twin's effects show.
 
     The effects' parameters are taken as independent of the recording: identifying the very recording that they were fitted to counts its
     noise twice, on the safe side.
     """
-    found = fit(form, wrench, noise)
+    found = fit(form, wrench, noise, nuisances)
+    if effects is None or not effects.ids:
+        return Corrected(found, np.zeros_like(wrench), (), (), np.zeros((OFFSET.stop, 0)))
     change = effects.change(found.phi)
     for _ in range(ROUNDS):
         x = refit(form, wrench - change, found)
-        moved = np.abs(x[:10] - found.phi) / np.sqrt(np.diag(found.covariance)[:10])
+        moved = np.abs(x[:10] - found.phi) / np.sqrt(np.diag(found.budget.repeatability))
         found = replace(found, x=x)
         change = effects.change(found.phi)
         if (moved < STANDS_STILL).all():
             break
-    found = fit(form, wrench - change, noise)
-    covariance = found.covariance + _of_parameters(form, wrench, found, effects)
-    return Corrected(replace(found, covariance=covariance), change, tuple(_find_shares(form, wrench, found, effects)))
+    found = fit(form, wrench - change, noise, nuisances)
+    directions = _of_parameters(form, wrench, found, effects)
+    return Corrected(found, change, tuple(_find_shares(form, wrench, found, effects)), effects.ids, directions)
 
 
 def _find_shares(form: WeakForm, wrench: Array, found: Fit, effects: TwinEffects) -> Iterator[TwinShare]:
@@ -128,12 +151,11 @@ def _find_shares(form: WeakForm, wrench: Array, found: Fit, effects: TwinEffects
 
 
 def _of_parameters(form: WeakForm, wrench: Array, found: Fit, effects: TwinEffects) -> Array:
-    """(19, 19), covariance that the uncertainty of the effects' parameters brings, by finite differences."""
+    """(19, k), what each direction in which the effects' parameters are uncertain does to the fit, by finite differences."""
     here = refit(form, wrench - effects.change(found.phi), found)
-    total = np.zeros_like(found.covariance)
+    moved = [np.zeros((OFFSET.stop, 0))]
     for entry in effects.twin.effects:
         for direction in entry.directions if entry.effect in effects.ids else ():
-            moved = effects.change(found.phi, effects.twin.with_entry(entry.move_parameters(direction)))
-            away = refit(form, wrench - moved, found) - here
-            total += np.outer(away, away)
-    return total
+            changed = effects.change(found.phi, effects.twin.with_entry(entry.move_parameters(direction)))
+            moved.append((refit(form, wrench - changed, found) - here)[: OFFSET.stop, None])
+    return np.concatenate(moved, axis=1)

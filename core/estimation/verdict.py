@@ -46,6 +46,8 @@ def warnings_of(recording: Recording, estimate: Estimate, found: Fit, *, static:
     if (found.noise.measured or stated is not None) and (ratio > LARGE_RESIDUAL).any():
         worst = int(np.argmax(ratio))
         said.append(Message.of("estimation-residual-above-noise", channel=CHANNELS[worst], times=float(ratio[worst])))
+    if not estimate.converged:
+        said.append(Message.of("estimation-not-converged"))
     if estimate.constrained:
         said.append(Message.of("estimation-no-such-body"))
     if not found.noise.measured and not static:

@@ -10,7 +10,7 @@ from core.array import Array
 from core.estimation.estimate import Verification
 from core.estimation.generalised_least_squares import DELAY, OFFSET, TILT, Fit, fit
 from core.estimation.kinematics import Poses
-from core.estimation.noise import WrenchNoise
+from core.estimation.nuisances import NuisanceColumns
 from core.estimation.segments import Segment
 from core.estimation.weak_form import WeakForm
 from core.payload.inertia import spatial_inertia
@@ -26,13 +26,13 @@ class LeaveOneOut:
     Args:
         poses: of all samples.
         wrench: (N, 6), raw, without what the cell's twin adds.
-        noise: of one sample.
+        whole: the fit to all motions, whose noise and nuisances are taken.
         segments: the motions.
     """
 
     poses: Poses
     wrench: Array
-    noise: WrenchNoise
+    whole: Fit
     segments: tuple[Segment, ...]
 
     def verifications(self) -> tuple[Verification, ...]:
@@ -48,7 +48,7 @@ class LeaveOneOut:
         rest, motion = WeakForm(self.poses, within=~left_out), WeakForm(self.poses, within=left_out)
         if min(len(rest), len(motion)) < FEWEST_WINDOWS:
             return None
-        found = fit(rest, self.wrench, self.noise)
+        found = fit(rest, self.wrench, self.whole.noise, self.whole.nuisances)
         predicted, uncertainty = prediction(motion, found)
         noise = estimate_window_variance(motion, found)
         return Verification(
@@ -62,13 +62,17 @@ class LeaveOneOut:
 
 def prediction(form: WeakForm, found: Fit) -> tuple[Array, Array]:
     """The wrench (K, 6) in the windows of other motions, and the variance (K, 6) that the fit's uncertainty gives it."""
-    features, rate = form.features(float(found.x[DELAY]))
-    V = features.regressor(found.x[TILT])
-    tilt, late = features.tilt_columns(found.phi, found.x[TILT]), rate.regressor(found.x[TILT]) @ found.phi
+    tilt, delay = found.x[TILT], float(found.x[DELAY])
+    features, rate = form.features(delay)
+    V = features.regressor(tilt)
+    late = rate.regressor(tilt) @ found.phi
     constant = np.broadcast_to(np.eye(6), (len(form), 6, 6))
-    J = np.concatenate((V, tilt, late[..., None], constant), axis=2)
+    beside = np.zeros((len(form), 6, 0))
+    if found.nuisances is not None:
+        beside = NuisanceColumns(form, found.nuisances).dense(features, found.phi, tilt, delay)
+    J = np.concatenate((V, features.tilt_columns(found.phi, tilt), late[..., None], constant, beside), axis=2)
     drift = np.column_stack([np.interp(form.centres, found.centres, found.drift[:, c]) for c in range(6)])
-    return V @ found.phi + found.x[OFFSET] + drift, np.einsum("kci,ij,kcj->kc", J, found.covariance, J)
+    return V @ found.phi + found.x[OFFSET] + drift + beside @ found.b, np.einsum("kci,ij,kcj->kc", J, found.covariance, J, optimize=True)
 
 
 def estimate_window_variance(form: WeakForm, found: Fit) -> Array:

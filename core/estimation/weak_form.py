@@ -50,6 +50,10 @@ class Features:
     B: Array
     gravity: Array
 
+    def less(self, other: Features, step: float) -> Features:
+        """Difference quotient of two: what the regressor is linear in may be subtracted."""
+        return Features((self.a - other.a) / step, (self.base - other.base) / step, (self.B - other.B) / step, self.gravity)
+
     def regressor(self, tilt: Array) -> Array:
         """V (K, 6, 10) for gravity turned by the base tilt (2,), rad."""
         return regressor_of(self.a - self.base @ (rotation_of(tilt_axes(self.gravity) @ tilt) @ self.gravity), self.B)
@@ -114,17 +118,21 @@ class WeakForm:
         self._within = np.ones(len(poses.t), dtype=bool) if within is None else within
         self.static = still_only is not None
         t = poses.t
-        rotation = poses.rotation
-        a, B = np.zeros((len(t), 3)), np.zeros((len(t), 3, 3))
         if still_only is not None:
             self._rows = np.flatnonzero(still_only)
             self.centres = t[self._rows]
         else:
-            raw = RawFeatures(poses)
-            a, B, self._difference = raw.a, raw.B, raw.difference
             self._step = max(STEP_S, 8.0 * poses.period)
             self.centres = self._centres(t)
-        self._samples = np.concatenate((a, np.swapaxes(rotation, 1, 2).reshape(-1, 9), B.reshape(-1, 9)), axis=1)
+        self._samples = self._samples_of(poses)
+
+    def _samples_of(self, poses: Poses) -> Array:
+        """(N, 21), what the windows average: acceleration, R^T and `R^T R''`."""
+        base = np.swapaxes(poses.rotation, 1, 2).reshape(-1, 9)
+        if self.static:
+            return np.concatenate((np.zeros((len(base), 3)), base, np.zeros((len(base), 9))), axis=1)
+        raw = RawFeatures(poses)
+        return np.concatenate((raw.a, base, raw.B.reshape(-1, 9)), axis=1)
 
     def __len__(self) -> int:
         return len(self.centres)
@@ -144,9 +152,8 @@ class WeakForm:
         self._kept = keep
         return np.asarray(centres[keep])
 
-    def _windows(self, delay: float, derivative: bool = False) -> csr_array:
-        """(K, N) weights of the windows shifted by `-delay`, each summing to 1; or their derivative by the delay."""
-        t = self.poses.t
+    def _windows(self, t: Array, delay: float, derivative: bool = False) -> csr_array:
+        """(K, N) weights on samples at times t (N,) of the windows shifted by `-delay`; or their derivative by the delay."""
         count = len(self._kept)
         knots = self._first + self._step * np.arange(count + 4)
         x = t + delay
@@ -168,7 +175,7 @@ class WeakForm:
         """Windowed means (K, n) of samples (N, n)."""
         if self.static:
             return x[self._rows]
-        W = self._windows(0.0)
+        W = self._windows(self.poses.t, 0.0)
         return np.asarray((W @ x) / (W.sum(axis=1))[:, None])
 
     def features(self, delay: float) -> tuple[Features, Features]:
@@ -177,19 +184,28 @@ class WeakForm:
         if self.static:
             values = self._samples[self._rows]
             return _features(values, gravity), _features(np.zeros_like(values), gravity)
-        W, dW = self._windows(delay), self._windows(delay, derivative=True)
+        W, dW = self._windows(self.poses.t, delay), self._windows(self.poses.t, delay, derivative=True)
         total = np.asarray(W.sum(axis=1))[:, None]
         rate = np.asarray(dW @ self._samples) / total
         return _features(np.asarray(W @ self._samples) / total, gravity), _features(rate, gravity)
+
+    def features_of(self, poses: Poses, delay: float) -> Features:
+        """Features of other poses, at some of the recording's times, in the same windows at `centres - delay`."""
+        samples = self._samples_of(poses)
+        if self.static:
+            return _features(samples[self._rows], poses.gravity)
+        W = self._windows(poses.t, delay)
+        return _features(np.asarray(W @ samples) / np.asarray(W.sum(axis=1))[:, None], poses.gravity)
 
     @cached_property
     def gram(self) -> tuple[Array, Array]:
         """Covariances of the windowed noise, as lower bands (4, K), for white noise of unit variance in the wrench, and in the pose."""
         if self.static:
             return np.ones((1, len(self))), np.zeros((1, len(self)))
-        W = self._windows(0.0)
+        W = self._windows(self.poses.t, 0.0)
         W = csr_array(diags_array(1.0 / np.asarray(W.sum(axis=1))) @ W)
-        return _bands(W @ W.T), _bands((W @ self._difference) @ (W @ self._difference).T)
+        second = W @ second_difference(self.poses.t)
+        return _bands(W @ W.T), _bands(second @ second.T)
 
     @cached_property
     def spectrum(self) -> Array:

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from core.array import Array
 from core.payload.channels import CHANNELS, UNITS
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
-from core.payload.uncertain_parameters import UncertainParameters
+from core.payload.uncertain_parameters import UncertainParameters, propagate, propagate_pair
 from core.words.message import Message
 
 SIGNIFICANT = 0.01
@@ -47,36 +47,54 @@ class Comparison(BaseModel):
 
 
 def compare_payloads(
-    first: UncertainParameters, second: UncertainParameters, offset_first: tuple[Array, Array], offset_second: tuple[Array, Array]
+    first: UncertainParameters,
+    second: UncertainParameters,
+    offset_first: tuple[Array, Array],
+    offset_second: tuple[Array, Array],
+    *,
+    shared: Array | None = None,
 ) -> Comparison:
     """Compares two runs whose noise is independent; what is wrong with the cell in both alike does not show.
 
     Args:
         first, second: in one frame.
         offset_first, offset_second: (6,) the sensor's offsets with their standard uncertainties (6,), N and N m.
+        shared: (10, 10), covariance of the second with the first, by what is uncertain in both alike; none where absent.
     """
-    parameters = differences(PHI_NAMES, first.phi, first.std, second.phi, second.std, PHI_UNITS)
-    chance = chance_of(second.phi - first.phi, first.covariance + second.covariance)
+    cross = np.zeros((10, 10)) if shared is None else shared
+    covariance = first.covariance + second.covariance - cross - cross.T
+    parameters = differences(PHI_NAMES, second.phi - first.phi, _std(covariance), PHI_UNITS)
+    chance = chance_of(second.phi - first.phi, covariance)
     differ = chance is not None and chance < SIGNIFICANT
+    com, inertia = (
+        propagate(a, first.covariance) + propagate(b, second.covariance) - _both(propagate_pair(b, cross, a))
+        for a, b in ((first.com_jacobian, second.com_jacobian), (first.inertia_com_jacobian, second.inertia_com_jacobian))
+    )
+    offset_std = np.hypot(offset_first[1], offset_second[1])
     return Comparison(
         parameters=parameters,
-        com=differences(("cx", "cy", "cz"), first.com_m, first.com_std, second.com_m, second.com_std, ("m",) * 3),
-        inertia_com=differences(
-            PHI_NAMES[4:], first.inertia_com, first.inertia_com_std, second.inertia_com, second.inertia_com_std, PHI_UNITS[4:]
-        ),
-        offset=differences(CHANNELS, *offset_first, *offset_second, UNITS),
+        com=differences(("cx", "cy", "cz"), second.com_m - first.com_m, _std(com), ("m",) * 3),
+        inertia_com=differences(PHI_NAMES[4:], second.inertia_com - first.inertia_com, _std(inertia), PHI_UNITS[4:]),
+        offset=differences(CHANNELS, offset_second[0] - offset_first[0], offset_std, UNITS),
         chance=chance,
         differ=differ,
         verdict=_verdict(parameters, chance, differ=differ),
     )
 
 
-def differences(
-    names: tuple[str, ...], first: Array, first_std: Array, second: Array, second_std: Array, units: tuple[str, ...]
-) -> list[Difference]:
+def _both(matrix: Array) -> Array:
+    return matrix + matrix.T
+
+
+def _std(covariance: Array) -> Array:
+    """Standard uncertainties; NaN where there is none."""
+    variance = np.diag(covariance)
+    return np.sqrt(np.where(variance >= 0.0, variance, np.nan))
+
+
+def differences(names: tuple[str, ...], difference: Array, std: Array, units: tuple[str, ...]) -> list[Difference]:
     """Of each number that both know with an uncertainty."""
-    std = np.hypot(first_std, second_std)
-    found = zip(names, second - first, std, units, strict=True)
+    found = zip(names, difference, std, units, strict=True)
     return [Difference(name=n, value=d, std=s, times_std=d / s, unit=u) for n, d, s, u in found if np.isfinite(d) and s > 0.0]
 
 

@@ -37,10 +37,16 @@ class UncertainParameters:
         return np.asarray(self.phi[1:4] / self.phi[0])
 
     @cached_property
+    def com_jacobian(self) -> Array:
+        """(3, 10), change of the centre of mass with the parameters; NaN where not determined."""
+        J = np.zeros((3, 10))
+        J[:, :4] = np.column_stack((-self.com_m / self.phi[0], np.eye(3) / self.phi[0]))
+        return J
+
+    @cached_property
     def com_covariance(self) -> Array:
         """(3, 3), m2, by first-order propagation."""
-        J = np.column_stack((-self.com_m / self.phi[0], np.eye(3) / self.phi[0]))
-        return _propagate(J, self.covariance[:4, :4])
+        return propagate(self.com_jacobian, self.covariance)
 
     @property
     def com_std(self) -> Array:
@@ -53,15 +59,20 @@ class UncertainParameters:
         return self.phi[4:] - six_of(_steiner(self.phi[:4]))
 
     @cached_property
-    def inertia_com_std(self) -> Array:
-        """(6,), kg m2, by first-order propagation."""
+    def inertia_com_jacobian(self) -> Array:
+        """(6, 10), change of the inertia about the centre of mass with the parameters; NaN where not determined."""
         m, mc = self.phi[0], self.phi[1:4]
         J = np.zeros((6, 10))
         J[:, 4:] = np.eye(6)
         J[:, 0] = six_of(_steiner(self.phi[:4])) / m
         for i, e in enumerate(np.eye(3)):
             J[:, 1 + i] = -six_of(2.0 * mc[i] * np.eye(3) - np.outer(mc, e) - np.outer(e, mc)) / m
-        return np.sqrt(np.diag(_propagate(J, self.covariance)))
+        return J
+
+    @cached_property
+    def inertia_com_std(self) -> Array:
+        """(6,), kg m2, by first-order propagation."""
+        return np.sqrt(np.diag(propagate(self.inertia_com_jacobian, self.covariance)))
 
     def in_frame(self, rotation: ArrayLike, translation: ArrayLike) -> UncertainParameters:
         """The same body in another frame, arguments as of `core.payload.inertia.frame_change`; what mixes with unknowns is unknown."""
@@ -70,7 +81,7 @@ class UncertainParameters:
         known = np.isfinite(self.phi)
         phi = A[:, known] @ self.phi[known]
         phi[(A[:, ~known] != 0.0).any(axis=1)] = np.nan
-        return UncertainParameters(phi, _propagate(A, self.covariance))
+        return UncertainParameters(phi, propagate(A, self.covariance))
 
 
 def _steiner(moments: Array) -> Array:
@@ -79,12 +90,16 @@ def _steiner(moments: Array) -> Array:
     return np.asarray((mc @ mc * np.eye(3) - np.outer(mc, mc)) / m)
 
 
-def _propagate(J: Array, covariance: Array) -> Array:
+def propagate(J: Array, covariance: Array) -> Array:
     """J S J^T in which a NaN spoils only the outputs that depend on it."""
     unknown = np.isnan(np.diag(covariance))
-    S = np.where(np.isnan(covariance), 0.0, covariance)
-    result = np.where(np.isnan(J), 0.0, J) @ S @ np.where(np.isnan(J), 0.0, J).T
+    result = propagate_pair(J, covariance, J)
     spoilt = np.isnan(J).any(axis=1) | (np.abs(np.where(np.isnan(J), 1.0, J)) @ unknown > 0)
     result[spoilt, :] = np.nan
     result[:, spoilt] = np.nan
-    return np.asarray(result)
+    return result
+
+
+def propagate_pair(J: Array, covariance: Array, K: Array) -> Array:
+    """J S K^T in which what is NaN counts as nothing."""
+    return np.asarray(np.nan_to_num(J) @ np.nan_to_num(covariance) @ np.nan_to_num(K).T)

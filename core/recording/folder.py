@@ -22,6 +22,7 @@ from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 from core.errors import BadInput, BadRecording
 from core.files.jail import find_inside, read_inside
 from core.payload.channels import CHANNELS
+from core.payload.site import gravity_at
 from core.recording.cut_text import cut_text
 from core.recording.manifest import FILE as MANIFEST
 from core.recording.manifest import RobotPart, manifest_of, read_manifest
@@ -66,7 +67,7 @@ def read_recording(folder: Path) -> Recording:
     phase = samples.texts("phase") if "phase" in samples else None
     return Recording(
         t=_read_time(samples),
-        gravity=np.array(manifest.gravity),
+        gravity=gravity_at(np.array(manifest.gravity), manifest.site),
         wrench=wrench,
         q=q,
         dq=_joint_columns(samples, "dq", n),
@@ -79,6 +80,8 @@ def read_recording(folder: Path) -> Recording:
         robot=robot,
         friction=manifest.robot.friction.description if manifest.robot and manifest.robot.friction else None,
         sensor=manifest.sensor.description,
+        zero_std_rad=manifest.robot.zero_std_rad if manifest.robot else None,
+        site=manifest.site,
         reference=reference.parameters if reference else None,
         reference_source=reference.source if reference else None,
         source=manifest.source,

@@ -14,8 +14,10 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from core.errors import BadRecording
 from core.files.jail import read_inside
 from core.files.schema_flaw import schema_flaw
+from core.payload.calibration import NOT_STATED, SensorCalibration
 from core.payload.inertia import InertialParameters, pseudo_inertia
 from core.payload.known_tool import KnownTool
+from core.payload.site import Site, gravity_at
 from core.recording.cut_text import cut_text
 from core.recording.order_reference import OrderReference
 from core.recording.recording import FrictionDescription, Recording, SensorDescription
@@ -58,6 +60,7 @@ class RobotPart(ManifestPart):
     base_frame: str
     sensor_frame: str
     friction: FrictionPart | None = None
+    zero_std_rad: NotNegative | None = None
 
 
 class SensorPart(ManifestPart):
@@ -67,12 +70,15 @@ class SensorPart(ManifestPart):
     noise_std: SixPositive | None = None
     range: SixPositive | None = None
     resolution: SixPositive | None = None
+    calibration: SensorCalibration | None = None
+    mount_std_rad: NotNegative | None = None
 
     @property
     def description(self) -> SensorDescription:
         """The same as arrays."""
         given = {key: getattr(self, key) for key in ("noise_std", "range", "resolution")}
-        return SensorDescription(**{key: np.array(value) for key, value in given.items() if value is not None})
+        arrays = {key: np.array(value) for key, value in given.items() if value is not None}
+        return SensorDescription(**arrays, calibration=self.calibration or NOT_STATED, mount_std_rad=self.mount_std_rad)
 
 
 class PayloadReferencePart(ManifestPart):
@@ -115,6 +121,7 @@ class Manifest(ManifestPart):
 
     format: Literal["recording/1"] = FORMAT
     gravity: Vector3
+    site: Site | None = None
     robot: RobotPart | None = None
     sensor: SensorPart = SensorPart()
     payload_reference: PayloadReferencePart | None = None
@@ -127,7 +134,7 @@ class Manifest(ManifestPart):
 
 
 PARTS: dict[str, type[BaseModel]] = {
-    "robot": RobotPart, "sensor": SensorPart, "payload_reference": PayloadReferencePart, "order": OrderReference,
+    "robot": RobotPart, "sensor": SensorPart, "site": Site, "payload_reference": PayloadReferencePart, "order": OrderReference,
 }  # fmt: skip
 
 
@@ -156,7 +163,8 @@ def read_manifest(folder: Path) -> Manifest:
         manifest = Manifest.model_validate(content)
     except ValidationError as error:
         raise schema_flaw(error.errors()[0]).refusal(BadRecording, where) from error
-    if not 9.0 < float(np.linalg.norm(manifest.gravity)) < 10.5:
+    strength = float(np.linalg.norm(gravity_at(np.array(manifest.gravity), manifest.site))) if any(manifest.gravity) else 0.0
+    if not 9.0 < strength < 10.5:
         raise BadRecording(f"{where}: gravity", "recording-gravity-not-of-the-earth", gravity_m_s2=manifest.gravity)
     if manifest.robot and manifest.robot.friction:
         _check_friction(manifest.robot.friction, len(manifest.robot.joints), f"{where}: robot.friction")
@@ -172,18 +180,21 @@ def manifest_of(recording: Recording) -> Manifest:
     robot, reference, sensor, friction = recording.robot, recording.reference, recording.sensor, recording.friction
     content: dict[str, Any] = {
         "gravity": recording.gravity.tolist(),
+        "site": recording.site,
         "robot": robot
         and {
             "urdf": "robot.urdf",
             "joints": robot.joints,
             "base_frame": robot.base_frame,
             "sensor_frame": robot.sensor_frame,
+            "zero_std_rad": recording.zero_std_rad,
             "friction": friction and {"coulomb_n_m": tuple(friction.coulomb.tolist()), "viscous_n_m_s": tuple(friction.viscous.tolist())},
         },
         "sensor": {
             key: None if getattr(sensor, key) is None else tuple(getattr(sensor, key).tolist())
             for key in ("noise_std", "range", "resolution")
-        },
+        }
+        | {"calibration": None if sensor.calibration == NOT_STATED else sensor.calibration, "mount_std_rad": sensor.mount_std_rad},
         "payload_reference": reference
         and {
             "mass": reference.mass,

@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 
 from core.array import Array
 from core.errors import BadRecording
+from core.payload.calibration import NOT_STATED, SensorCalibration
 from core.payload.inertia import InertialParameters
 from core.payload.known_tool import KnownTool, add_tools
+from core.payload.site import Site
 from core.recording.order_reference import NO_ORDER, OrderReference
 from core.words.message import Message
 
@@ -35,11 +37,18 @@ class RobotDescription:
 
 @dataclass(frozen=True)
 class SensorDescription:
-    """What is known of the wrist sensor; six values each, force (N) then torque (N m), None where unknown."""
+    """What is known of the wrist sensor; six values each, force (N) then torque (N m), None where unknown.
+
+    Args:
+        calibration: what its certificate states.
+        mount_std_rad: standard uncertainty of its orientation on the flange about each axis; None where nobody has said.
+    """
 
     noise_std: Array | None = None
     range: Array | None = None
     resolution: Array | None = None
+    calibration: SensorCalibration = NOT_STATED
+    mount_std_rad: float | None = None
 
 
 @dataclass(frozen=True)
@@ -62,6 +71,8 @@ class Recording:
         orientation: (N, 3, 3), sensor axes in the base frame, for a log without joints; `position`: (N, 3), m.
         temperature: (N,), degC.
         phase: (N,), text: `transfer`, `hold:<axis><sign>`, `hold:free`, `rotate:<axis>`.
+        zero_std_rad: standard uncertainty of each joint's zero; None where nobody has said.
+        site: where the cell stands, from which the strength of `gravity` is; None where nobody has said.
         friction: of the joints, as the cell states it; None where nobody has said. It may be stated later of the same robot.
         reference: the payload as somebody else knows it, with `reference_source`; without the tools.
         tools: known bodies between sensor and payload, which the wrench contains.
@@ -82,6 +93,8 @@ class Recording:
     robot: RobotDescription | None = None
     friction: FrictionDescription | None = None
     sensor: SensorDescription = field(default_factory=SensorDescription)
+    zero_std_rad: float | None = None
+    site: Site | None = None
     reference: InertialParameters | None = None
     reference_source: str | None = None
     source: str | None = None

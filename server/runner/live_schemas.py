@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from core.estimation.result import Numbers
+from core.estimation.result_part import Numbers
 from core.events import Event
 from core.words.message import Message
 from server.http.schemas import Answer

@@ -11,7 +11,7 @@ import numpy as np
 from core.array import Array
 from core.errors import Commanded
 from core.estimation.online import OnlineEstimator
-from core.estimation.result import to_json_numbers
+from core.estimation.result_part import to_json_numbers
 from core.events import Event, Progress
 from core.payload.rigid_wrench import wrench
 from core.planning.plan import Plan

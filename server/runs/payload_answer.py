@@ -6,8 +6,8 @@ from typing import Literal
 
 from pydantic import Field
 
+from core.estimation.budget_part import BudgetPart
 from core.estimation.result import (
-    Numbers,
     PaperPart,
     ReferencePart,
     ResidualPart,
@@ -18,6 +18,7 @@ from core.estimation.result import (
     VerificationPart,
     WorkpiecePart,
 )
+from core.estimation.result_part import Numbers
 from core.recording.order_reference import OrderReference
 from core.words.message import Message
 from server.http.schemas import Answer
@@ -38,20 +39,20 @@ class ResultPublic(Answer):
     verdict: Message = Field(description="The result in a sentence.")
     warnings: list[Message] = Field(description="What has to be known before the numbers are used.")
     mass_kg: float | None = Field(description="Mass, kg; null where it is not determined.", examples=[2.783])
-    mass_std_kg: float | None = Field(description="Its standard uncertainty, kg.", examples=[0.002])
+    mass_std_kg: float | None = Field(description="Its combined standard uncertainty, kg.", examples=[0.002])
     com_m: Numbers = Field(description="Centre of mass, m, sensor frame.", examples=[[0.0, -0.0168, 0.0365]])
-    com_std_m: Numbers = Field(description="Its standard uncertainties, m.", examples=[[0.0001, 0.0001, 0.0001]])
+    com_std_m: Numbers = Field(description="Its combined standard uncertainties, m.", examples=[[0.0001, 0.0001, 0.0001]])
     inertia_com_kg_m2: Numbers = Field(
         description="Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass, kg m2.", examples=[[0.0024, 0.0, 0.0, 0.0029, 0.0, 0.0025]]
     )
     inertia_com_std_kg_m2: Numbers = Field(
-        description="Their standard uncertainties, kg m2.", examples=[[0.0001, 0.0001, 0.0001, 0.0001, 0.0001, 0.0001]]
+        description="Their combined standard uncertainties, kg m2.", examples=[[0.0001, 0.0001, 0.0001, 0.0001, 0.0001, 0.0001]]
     )
     inertia_sensor_kg_m2: Numbers = Field(
         description="Ixx Ixy Ixz Iyy Iyz Izz about the sensor's origin, kg m2.", examples=[[0.0069, 0.0, 0.0, 0.0066, 0.0017, 0.0033]]
     )
     inertia_sensor_std_kg_m2: Numbers = Field(
-        description="Their standard uncertainties, kg m2.", examples=[[0.0001, 0.0001, 0.0001, 0.0001, 0.0001, 0.0001]]
+        description="Their combined standard uncertainties, kg m2.", examples=[[0.0001, 0.0001, 0.0001, 0.0001, 0.0001, 0.0001]]
     )
     parameters: Numbers = Field(
         description="Mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2); null is what is not determined.",
@@ -59,6 +60,11 @@ class ResultPublic(Answer):
     )
     covariance: list[Numbers] = Field(
         description="Covariance of `parameters`, ten rows of ten, products of their units.", examples=[[[4e-06, 0.0], [0.0, 9e-08]]]
+    )
+    budget: BudgetPart | None = Field(
+        default=None,
+        description="Where the uncertainty comes from: the repeatability and what stays the same from run to run; null in results of "
+        "earlier versions, whose uncertainties are the repeatability alone.",
     )
     reasons: dict[str, Message] = Field(description="By parameter, why it is not determined.")
     reference: ReferencePart | None = Field(description="The payload as somebody else knows it; null where nobody does.")
@@ -98,6 +104,7 @@ def payload_answer(run: str, result: Result) -> ResultPublic:
         inertia_sensor_std_kg_m2=list(std[4:]),
         parameters=list(phi),
         covariance=[[None] * 10] * 10 if found is None else found.covariance,
+        budget=None if found is None else found.budget,
         reasons={} if found is None else found.reasons,
         reference=result.reference,
         paper=result.paper,

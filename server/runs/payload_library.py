@@ -12,7 +12,8 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell, Payload
-from core.estimation.result import Numbers, Result
+from core.estimation.result import Result
+from core.estimation.result_part import Numbers
 from core.payload.inertia import is_consistent
 from core.payload.shapes import Box, Positive
 from core.words.message import Message

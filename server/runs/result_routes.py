@@ -9,6 +9,7 @@ from fastapi import APIRouter
 from pydantic import Field
 
 from core.cell.cell import Cell
+from core.estimation.budget_part import shared_covariance
 from core.export.exports import payload_of
 from core.payload.comparison import Comparison, compare_payloads
 from server.cells.folder import CellFolder, CellsDep
@@ -70,8 +71,12 @@ def compare_runs(run: RunPath, other: OtherRunPath, cells: CellsDep, conductor: 
     frame: Frame = "sensor" if rows[0].cell == rows[1].cell else "flange"
     mounted = [None if frame == "sensor" else _require_mount(cells, row) for row in rows]
     first, second = (payload_of(result, cell) for result, cell in zip(results, mounted, strict=True))
-    offsets = [(np.array(part.offset, float), np.array(part.offset_std, float)) for part in (each.estimate for each in results) if part]
-    return ComparisonPublic(run=run, other=other, frame=frame, comparison=compare_payloads(first, second, offsets[0], offsets[1]))
+    parts = [each.estimate for each in results if each.estimate is not None]
+    offsets = [(np.array(part.offset, float), np.array(part.offset_std, float)) for part in parts]
+    budgets = [part.budget for part in parts if part.budget is not None]
+    shared = shared_covariance(*budgets) if frame == "sensor" and len(budgets) == 2 else None
+    comparison = compare_payloads(first, second, offsets[0], offsets[1], shared=shared)
+    return ComparisonPublic(run=run, other=other, frame=frame, comparison=comparison)
 
 
 def _require_mount(cells: CellFolder, row: RunRow) -> Cell:

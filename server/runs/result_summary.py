@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from core.estimation.result import Numbers, Result
+from core.estimation.result import Result
+from core.estimation.result_part import Numbers
 from core.words.message import Message
 from server.http.schemas import Answer
 

@@ -41,6 +41,7 @@ estimation-joint-torques = the joint torques reach { $torques }; arm, friction a
 estimation-joint-torque = { FIXED($torque_n_m, digits: 1) } N m
 # What should be known before the numbers are used.
 estimation-residual-above-noise = the residual exceeds the sensor's noise, most in { $channel } ({ FIXED($times, digits: 1) } times): something that the model leaves out; the uncertainties were widened, but an error that repeats is not noise
+estimation-not-converged = the estimation did not come to rest: the motion does not tell apart what it has to find; the numbers are not to be relied on
 estimation-no-such-body = the data alone asked for a body that cannot exist; the nearest one that can was taken
 estimation-noise-of-residual = no motionless part long enough to measure the sensor's noise: it was taken from the residual
 estimation-saturated = the sensor reached the end of its range in { $channels }
@@ -54,3 +55,16 @@ estimation-drift-of-force = { $channel } { SIGNIFICANT($range_n, digits: 2) } N
 estimation-drift-of-torque = { $channel } { SIGNIFICANT($range_n_m, digits: 2) } N m
 estimation-transfers-alone = there was no rotation about { $axes }: { $parameters } rest on the transfers alone, and no rotation that was left out verifies them
 estimation-effect-left-out = the twin's effect could not be accounted for, { $reason }
+# The uncertainty budget: what contributes to it, and what was assumed because nobody has stated it.
+estimation-source-repeatability = repeatability
+estimation-source-sensor-gain = sensor gain
+estimation-source-sensor-crosstalk = cross-talk
+estimation-source-joint-zeros = joint zeros
+estimation-source-sensor-mount = sensor mounting
+estimation-source-gravity = gravity
+estimation-source-twin = twin
+estimation-assumed-gain = the sensor's calibration is not stated: a gain uncertainty of 1 % of the load is assumed (enter the certificate's figure under [sensor.calibration])
+estimation-assumed-crosstalk = the sensor's cross-talk is not stated: 0.5 % of the range at full load is assumed (enter the certificate's figure under [sensor.calibration])
+estimation-assumed-gravity = where the cell stands is not stated: 0.015 m/s² are assumed for local gravity (enter latitude and elevation under [site])
+estimation-assumed-zeros = the uncertainty of the joint zeros is not stated: 0.05 deg is assumed (enter zero_std_rad under [robot])
+estimation-assumed-mount = the uncertainty of the sensor's mounting is not stated: 0.1 deg is assumed (enter mount_std_rad under [sensor])

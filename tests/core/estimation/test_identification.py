@@ -1,4 +1,8 @@
-"""From recording to answer, end to end."""
+"""From recording to answer, end to end.
+
+The sensor of these recordings has no error of gain or cross-talk, their arms none of zeros: what is off is held against the repeatability,
+which is far less than the combined uncertainty that assumes what such sensors promise.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +45,7 @@ def test_a_clean_run_gives_all_ten_parameters_without_a_warning(clean: tuple[Rec
     assert estimate.determined.all() and estimate.consistent and not estimate.constrained
     assert found.warnings == ()
     assert "all ten" in found.verdict.text
-    z = (estimate.phi - recording.reference.phi) / estimate.std
+    z = (estimate.phi - recording.reference.phi) / estimate.repeatability.std
     assert np.abs(z).max() < 4.0
     np.testing.assert_allclose(estimate.residual_rms, estimate.noise_std, rtol=0.07)
     # quantisation adds a twelfth of a step squared
@@ -57,9 +61,9 @@ def test_a_sensor_that_jumped_in_a_pause_spoils_nothing(clean: tuple[Recording, 
     found = identify_recording(both)
     estimate = found.estimate
     assert estimate is not None and estimate.determined.all()
-    z = (estimate.phi - first.reference.phi) / estimate.std
+    z = (estimate.phi - first.reference.phi) / estimate.repeatability.std
     assert np.abs(z).max() < 4.0
-    assert (estimate.std < 1.02 * alone.estimate.std).all()
+    assert (estimate.repeatability.std < 1.02 * alone.estimate.repeatability.std).all()
 
 
 def test_the_series_shows_measured_and_reconstructed_side_by_side(clean: tuple[Recording, Identification]) -> None:
@@ -98,7 +102,7 @@ def test_tilt_delay_and_drift_are_found_and_do_not_reach_the_payload() -> None:
     assert abs(estimate.delay_s - 0.004) < 4 * estimate.delay_std
     assert estimate.delay_std < 1e-4
     np.testing.assert_allclose(estimate.drift.range[:3], 0.3, rtol=0.1)
-    assert (np.abs((estimate.phi - body.phi) / estimate.std) < 4.0).all()
+    assert (np.abs((estimate.phi - body.phi) / estimate.repeatability.std) < 4.0).all()
     said = " ".join(warning.text for warning in found.warnings)
     assert "not level" in said and "4.0 ms late" in said and "drifted" in said
 
@@ -110,8 +114,8 @@ def test_coarse_encoders_do_not_shrink_the_inertia() -> None:
     for seed in range(4):
         how = Imperfections(encoder_std=1e-4)
         estimate = estimate_of(record(run_of("lwr4_bench", seed % 2), body, np.random.default_rng(seed), how))
-        z.append(((estimate.phi - body.phi) / estimate.std)[[4, 7, 9]])
-        assert (estimate.std[[4, 7, 9]] < 0.02 * body.phi[[4, 7, 9]]).all()
+        z.append(((estimate.phi - body.phi) / estimate.repeatability.std)[[4, 7, 9]])
+        assert (estimate.repeatability.std[[4, 7, 9]] < 0.02 * body.phi[[4, 7, 9]]).all()
     assert np.abs(np.mean(z, axis=0)).max() < 2.5
 
 
@@ -131,7 +135,7 @@ def test_misfit_widens_the_uncertainty_and_is_said(clean: tuple[Recording, Ident
     found = identify_recording(replace(recording, wrench=touched))
     assert found.estimate is not None
     assert "exceeds the sensor's noise, most in fx" in found.warnings[0].text
-    assert found.estimate.std[0] > 2 * plain.estimate.std[0]
+    assert found.estimate.repeatability.std[0] > 2 * plain.estimate.repeatability.std[0]
 
 
 def test_transfers_and_holds_alone_leave_the_inertia_about_some_axis_open_or_uncertain() -> None:
@@ -153,7 +157,7 @@ def test_static_poses_give_mass_and_first_moment_and_say_that_the_inertia_is_not
     assert estimate.determined.tolist() == [True] * 4 + [False] * 6
     assert np.isnan(estimate.phi[4:]).all() and np.isnan(estimate.std[4:]).all()
     assert {reason.code for reason in estimate.reasons.values()} == {"estimation-standing"}
-    assert (np.abs(estimate.phi[:4] - body.phi[:4]) < 4 * estimate.std[:4]).all()
+    assert (np.abs(estimate.phi[:4] - body.phi[:4]) < 4 * estimate.repeatability.std[:4]).all()
     assert np.isnan(estimate.inertia_com).all() and not np.isnan(estimate.com_std).any()
 
 
@@ -177,10 +181,12 @@ def test_the_real_med_14_tool_weighs_what_its_owners_found() -> None:
     found = identify_recording(read_recording(REAL / "kuka-med14-static"))
     estimate = found.estimate
     assert estimate is not None
-    assert abs(estimate.phi[0] - 0.932) < 3 * estimate.std[0]
-    assert estimate.std[0] < 0.003
+    assert abs(estimate.phi[0] - 0.932) < 3 * estimate.repeatability.std[0]
+    assert estimate.repeatability.std[0] < 0.003
+    assert 0.005 * 0.932 < estimate.std[0] < 0.01 * 0.932
     assert estimate.determined.tolist() == [True] * 4 + [False] * 6
-    np.testing.assert_allclose(found.paper.phi[:4], estimate.phi[:4], atol=1e-4)
+    # the paper's method takes no gain, cross-talk or mounting off, which move the weight here by 0.2 %: less than they are uncertain
+    np.testing.assert_allclose(found.paper.phi[:4], estimate.phi[:4], atol=2e-3)
     assert "static poses only" in found.verdict.text
 
 

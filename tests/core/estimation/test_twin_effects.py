@@ -53,13 +53,15 @@ def test_a_gain_error_is_taken_off_and_its_uncertainty_goes_into_the_payload() -
     assert found.accounted == ("sensor_gain",)
     assert np.abs((found.estimate.phi - BODY.phi) / found.estimate.std).max() < 4.0
     # six independent gains over six orientations: the force channels share the weight, each in a third of the run
-    assert 0.5 * std < found.estimate.std[0] / BODY.mass < 1.2 * std
+    assert 0.5 * std < found.estimate.budget.parts["twin"][0] / BODY.mass < 1.2 * std
+    # what the twin has measured is not assumed on top of it
+    assert found.estimate.budget.parts["sensor_gain"][0] == 0.0
     (share,) = found.shares
     assert (share.effect, share.title.code) == ("sensor_gain", "effect-sensor-gain-title")
     np.testing.assert_allclose(share.change[:4], (found.estimate.phi - blind.phi)[:4], atol=1e-3)  # what the twin changed, by itself
     certain = identify_recording(amplified(), gain(0.0)).estimate
     assert certain is not None
-    assert certain.std[0] / BODY.mass < 0.1 * std
+    assert "twin" not in certain.budget.parts
     assert found.series is not None and found.series.measured is not None and found.series.reconstructed is not None
     still = np.char.startswith(amplified().phase.astype(str), "hold")  # type: ignore[union-attr]  # recorded with phases
     assert np.abs((found.series.measured - found.series.reconstructed)[still].mean(axis=0)).max() < 0.05

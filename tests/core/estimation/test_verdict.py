@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from core.estimation.budget import Budget
 from core.estimation.estimate import DriftEstimate, Estimate
 from core.estimation.verdict import verdict_of
 from core.payload.inertia import PHI_NAMES
@@ -22,7 +23,8 @@ def estimate(mass: float = 2.5, std: float = 0.001, undetermined: str = "") -> E
     determined = np.array([name not in undetermined.split() for name in PHI_NAMES])
     phi, covariance = np.array([mass, *[0.0] * 9]), std**2 * np.eye(10)
     reasons = dict.fromkeys(undetermined.split(), STANDING)
-    return Estimate(phi, covariance, determined, reasons, NONE, NONE, True, NONE, NONE, DriftEstimate(np.zeros(0), np.zeros((0, 6)), NONE))
+    drift = DriftEstimate(np.zeros(0), np.zeros((0, 6)), NONE)
+    return Estimate(phi, covariance, determined, reasons, NONE, NONE, True, NONE, NONE, drift, Budget(covariance))
 
 
 @given(st.floats(0.01, 50.0), st.floats(1e-6, 5.0))

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from core.cell.folder import load_cell
+from core.estimation.budget import Budget, Source
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.segments import segments_of_phase
 from core.payload.inertia import Motion
@@ -50,6 +51,7 @@ def case() -> tuple[Recording, Identification, RunSummary]:
     reconstructed = wrench(kinematics, PHI)
     measured = reconstructed + np.random.default_rng(0).normal(size=(N, 6)) * noise
     std = np.array([1e-3, 1e-5, 1e-5, 1e-5, *[2e-5] * 6])
+    budget = Budget(np.diag((0.6 * std) ** 2), (Source("sensor_gain", stated=False, directions=np.diag(0.8 * std)),))
     estimate = Estimate(
         phi=PHI + 1.1 * std,
         covariance=np.diag(std**2),
@@ -61,6 +63,7 @@ def case() -> tuple[Recording, Identification, RunSummary]:
         residual_rms=noise * [1, 1, 1, 1, 2.5, 1],
         noise_std=noise,
         drift=DriftEstimate(t[[0, -1]], np.zeros((2, 6)), np.full(6, 0.1)),
+        budget=budget,
         base_tilt_rad=np.radians([0.5, -0.25]),
         base_tilt_std=np.radians([0.01, 0.01]),
         delay_s=0.004,

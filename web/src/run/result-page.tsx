@@ -15,6 +15,7 @@ import { go } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { clock, moment, number, spelt } from '../ui/units';
 import { words } from '../words';
+import { Uncertainty } from './budget';
 import { Exports } from './exports';
 import { ParameterTable } from './parameter-table';
 import { ProposedBy } from './proposed-by';
@@ -40,6 +41,7 @@ function Result() {
           {words.value.interval}, {said.frame}. {answer.reference?.source}
         </p>
         <Workpiece answer={answer} />
+        <Uncertainty answer={answer} />
         <SaveResult answer={answer} />
       </section>
       <aside>

@@ -260,6 +260,11 @@ export const en = {
     workpiece: 'Workpiece alone',
     withoutTools: (tools: string) =>
       `The values above are of everything that the sensor carries. Here without: ${tools}`,
+    budget: 'Uncertainty',
+    budgetHint: 'Shares of the variance. What is not repeatability stays the same from run to run.',
+    repeatability: 'repeatability',
+    repeats: (half: string) => `repeats within ± ${half}`,
+    assumed: (count: number) => (count === 1 ? '1 assumption' : `${count} assumptions`),
     within: 'agrees',
     beyond: (times: string) => `significant (${times} × the interval)`,
     warnings: 'Warnings',

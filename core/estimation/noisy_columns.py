@@ -1,0 +1,55 @@
+"""Least squares whose columns are themselves noisy: what noise alone adds to the information is taken off again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.array import Array
+
+LARGEST_NOISE_SHARE = 0.9
+"""Of the information in one direction; beyond it what is left counts less and less."""
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Least squares whose columns are noisy: the gain (n, n) times the right-hand side is the solution.
+
+    Args:
+        covariance: (n, n), with priors. told: (n, n), information without them.
+    """
+
+    covariance: Array
+    gain: Array
+    told: Array
+
+
+def compensate(normal: Array, bias: Array, prior: Array) -> Solution:
+    """Takes off what noise alone has added to the information.
+
+    Where noise makes up nearly all of it, less and less is taken as known, and in the end the prior alone: the little that chance leaves
+    would be a number without meaning.
+
+    Args:
+        normal: (n, n); bias: (n, n), how much of it is noise on average. prior: (n,), information that is known before.
+    """
+    information = normal + np.diag(prior)
+    plain = _inverse(information)
+    rows = np.flatnonzero(np.diag(bias))
+    values, vectors = np.linalg.eigh(bias[np.ix_(rows, rows)])
+    root = vectors * np.sqrt(np.maximum(values, 0.0))
+    share, directions = np.linalg.eigh(root.T @ plain[np.ix_(rows, rows)] @ root)
+    lean, share = root @ directions, np.maximum(share, 1e-12)
+    trust = np.clip((1.0 - share) / (1.0 - LARGEST_NOISE_SHARE), 0.0, 1.0)
+    told = normal.copy()
+    told[np.ix_(rows, rows)] -= (lean * ((1.0 - (1.0 - share) * trust) / share)) @ lean.T
+    damping = np.eye(len(normal))
+    damping[rows] -= (lean * ((1.0 - trust) / share)) @ lean.T @ plain[rows]
+    covariance = _inverse(told + np.diag(prior + np.where(np.arange(len(prior)) < 10, prior, 0.0)))
+    return Solution(covariance, covariance @ damping, told)
+
+
+def _inverse(matrix: Array) -> Array:
+    scale = 1.0 / np.sqrt(np.diag(matrix))
+    return np.asarray(np.linalg.inv(matrix * np.outer(scale, scale)) * np.outer(scale, scale))
