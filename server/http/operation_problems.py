@@ -25,6 +25,8 @@ CELL_ZIP = (
     "uploads-no-cell-file", "uploads-check-too-large", "uploads-check-too-slow", "uploads-check-broken-off", "uploads-cell-misnamed",
     "uploads-model-not-buildable",
 )  # fmt: skip
+DRAFT = ("drafts-unknown",)
+DRAFT_WORK = ("drafts-busy", "drafts-work-ended", "uploads-outside-file", "uploads-program")
 UNUSABLE = ("bad-cell", "bad-robot")
 """Kinds of what the engine says of a cell, with codes of its own."""
 
@@ -43,6 +45,16 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "POST /api/cells/validate": CELL_ZIP,
     "GET /api/cells/{cell}": CELL,
     "PUT /api/cells/{cell}": (*CELL_ZIP, "uploads-other-cell"),
+    "POST /api/drafts": (
+        *ZIP, "uploads-too-many-bytes", "uploads-symbolic-link", "uploads-special-file", "uploads-name-outside", "uploads-name-unusual",
+        "uploads-same-names", "drafts-no-description", "drafts-too-many",
+    ),
+    "GET /api/drafts/{draft}": DRAFT,
+    "DELETE /api/drafts/{draft}": DRAFT,
+    "POST /api/drafts/{draft}/robot": (*DRAFT, *DRAFT_WORK, "drafts-file-unknown"),
+    "PUT /api/drafts/{draft}/cell": (*DRAFT, *DRAFT_WORK, "drafts-not-read"),
+    "GET /api/drafts/{draft}/picture": (*DRAFT, "drafts-no-picture"),
+    "POST /api/drafts/{draft}/import": (*DRAFT, *CELL_ZIP, "drafts-not-made", "uploads-cell-exists"),
     "PUT /api/cells/{cell}/zones/{zone}": (*CELL, "zone-unknown", "zone-clock-ahead", "zone-measured-before"),
     "POST /api/cells/{cell}/zones/{zone}/check": (*CELL, "zone-unknown", "zone-not-looked-at", "jobs-work-lost"),
     "POST /api/cells/{cell}/zones/{zone}/undo": (*CELL, "zone-unknown", "zone-not-moved", "zone-moved-on"),
@@ -113,6 +125,10 @@ ENGINE_REFUSALS: dict[str, tuple[str, ...]] = {
     "POST /api/cells": (*UNUSABLE, "bad-twin", "bad-input"),
     "POST /api/cells/validate": (*UNUSABLE, "bad-twin", "bad-input"),
     "PUT /api/cells/{cell}": (*UNUSABLE, "bad-twin", "bad-input"),
+    "POST /api/drafts": ("bad-robot",),
+    "POST /api/drafts/{draft}/robot": (*UNUSABLE, "bad-input"),
+    "PUT /api/drafts/{draft}/cell": (*UNUSABLE, "bad-input", "bad-payload"),
+    "POST /api/drafts/{draft}/import": (*UNUSABLE, "bad-twin", "bad-input"),
     "PUT /api/cells/{cell}/zones/{zone}": UNUSABLE,
     "POST /api/cells/{cell}/zones/{zone}/check": UNUSABLE,
     "POST /api/cells/{cell}/zones/{zone}/undo": UNUSABLE,

@@ -20,6 +20,7 @@ import { screenLater } from './ui/screen-later';
 
 const adminScreen = screenLater(async () => (await import('./admin/admin-page')).screenHere);
 const gapScreen = screenLater(async () => (await import('./gap/gap-page')).gapScreen);
+const newCellScreen = screenLater(async () => (await import('./new-cell/new-cell-page')).newCellScreen);
 const toolsScreen = screenLater(async () => (await import('./tools/tools-page')).toolsScreen);
 const trialsScreen = screenLater(async () => (await import('./trials/trials-page')).trialsScreen);
 
@@ -32,6 +33,7 @@ const SCREENS = new Map<string, () => Screen>([
   ['history', historyScreen],
   ['tools', toolsScreen],
   ['cells', () => cells],
+  ['new-cell', newCellScreen],
   ['orders', () => ordersScreen],
   ['alarms', () => alarmsScreen],
   ['control', () => controlScreen],

@@ -50,7 +50,10 @@ export const cells: typeof en.cells = {
     'In dieser Zelle kann jetzt kein Lauf geplant werden. Die Seite sagt, warum und was zu tun ist.',
   moveHint:
     'Wo ihre Mitte jetzt ist, im Weltkoordinatensystem. Das gilt sofort, auch für einen fahrenden Roboter.',
-  upload: 'Neue Zelle',
+  upload: 'Zelle importieren',
+  fromRobot: 'Neue Zelle',
+  fromRobotHint: 'Aus der URDF- oder xacro-Datei eines Roboters, Schritt für Schritt',
+  fromRobotBegin: 'Zelle anlegen…',
   uploadHint: 'Eine ZIP-Datei eines Ordners mit cell.toml und robot.urdf',
   choose: 'ZIP-Datei wählen…',
   checking: (file) => `${file} wird geprüft.`,

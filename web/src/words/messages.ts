@@ -1,10 +1,18 @@
-import { computed } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import { messageFiles } from '.';
 import { formatMessage, formatPart, formatValue, type Message, readCatalogue } from './catalogue';
 
+/** Messages that come with the pages that say them, by language. */
+const later = signal<Record<string, Record<string, string>>>({});
+
+/** Adds files of messages to those of a language. */
+export function addMessages(language: string, files: Record<string, string>): void {
+  later.value = { ...later.value, [language]: { ...later.value[language], ...files } };
+}
+
 const catalogue = computed(() => {
   const { language, messages, transform } = messageFiles.value;
-  return readCatalogue(language, messages, transform);
+  return readCatalogue(language, { ...messages, ...later.value[language] }, transform);
 });
 
 /** A message of the engine or the service, in the chosen language. */
