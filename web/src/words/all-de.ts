@@ -2,6 +2,9 @@
 export { de as own } from './de';
 
 export const messages = import.meta.glob<string>(
-  ['../../../core/words/de/*.ftl', '!../../../core/words/*/{cli,newcell,record,report,result,sheet}.ftl'],
+  [
+    '../../../core/words/de/*.ftl',
+    '!../../../core/words/*/{cli,drafts,library,newcell,record,report,result,sheet}.ftl',
+  ],
   { query: '?raw', import: 'default', eager: true },
 );

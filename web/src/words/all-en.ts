@@ -2,6 +2,9 @@
 export { en as own } from './en';
 
 export const messages = import.meta.glob<string>(
-  ['../../../core/words/en/*.ftl', '!../../../core/words/*/{cli,newcell,record,report,result,sheet}.ftl'],
+  [
+    '../../../core/words/en/*.ftl',
+    '!../../../core/words/*/{cli,drafts,library,newcell,record,report,result,sheet}.ftl',
+  ],
   { query: '?raw', import: 'default', eager: true },
 );
