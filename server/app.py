@@ -17,6 +17,7 @@ from fastapi.routing import APIRoute
 from core.version import release_version
 from core.words.catalogue import load_catalogue
 from server.alarms import routes as alarms_routes
+from server.cells import draft_routes
 from server.cells import routes as cells_routes
 from server.cells.folder import CellFolder
 from server.cells.uploads import CellChecker
@@ -69,6 +70,7 @@ ROUTES = (
     key_routes,
     audit_routes,
     cells_routes,
+    draft_routes,
     zone_routes,
     payload_routes,
     twin_routes,

@@ -9,6 +9,7 @@ from datetime import UTC, datetime
 from functools import cached_property
 
 from server.alarms.watch import AlarmWatch
+from server.cells.drafts import Drafts
 from server.cells.folder import CellFolder
 from server.cells.tool_outlines import ToolOutlines
 from server.cells.uploads import CellChecker
@@ -57,6 +58,11 @@ class Service:
     def started_at(self) -> datetime:
         """When the service started: it asks for this then."""
         return self.now()
+
+    @cached_property
+    def drafts(self) -> Drafts:
+        """Cells that are being made."""
+        return Drafts(self.cells)
 
     @cached_property
     def door(self) -> Door:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from core.array import Array
-from core.cell.cell import Box
+from core.cell.cell import Box, Friction, Limits, Sensor
+from core.new_cell.values import CellValues
 
 NOT_STATED = "not stated"
 """What a sensor's name begins with whose figures are nobody's."""
@@ -29,6 +30,7 @@ class CellParts:
         tool: links of the description that hang behind the sensor.
         sensor_sizes: how many times larger the assumed sensor is than a common one of 200 N and 10 N m, in force and in torque.
         source: name of the description's file.
+        values: what somebody has stated: sensor, limits and friction stand in the file as they are there.
     """
 
     name: str
@@ -46,11 +48,14 @@ class CellParts:
     tool: tuple[str, ...] = ()
     tool_name: str = "hand"
     sensor_sizes: tuple[int, int] = (1, 1)
+    values: CellValues = field(default_factory=CellValues)
 
 
 def cell_text(parts: CellParts) -> str:
     """The file."""
-    sections = (_head(parts), _robot(parts), _sensor(parts.sensor_sizes), _limits(), _tool(parts), _payload(parts), _example(parts))
+    given = parts.values
+    sensor = _sensor(parts.sensor_sizes) if given.sensor is None else _stated_sensor(given.sensor)
+    sections = (_head(parts), _robot(parts), sensor, _limits(given.limits), _tool(parts), _payload(parts), _example(parts))
     return "\n".join(line for section in sections for line in section) + "\n"
 
 
@@ -72,8 +77,9 @@ def _robot(parts: CellParts) -> list[str]:
         f"sensor_frame = {_text(parts.sensor)}",
         f"# joints: {_comment(', '.join(parts.joints))}",
         f"home_rad = {_list(parts.home)}",
-        "# not in any URDF: each joint's greatest speed in 0.2 s, between 1 and 10 rad/s2; put in the robot's own",
+        *_told_accelerations(parts),
         f"acceleration_rad_s2 = {_list(parts.acceleration)}",
+        *_friction(parts.values.friction),
     ]
     if parts.visual_shapes:
         lines += [
@@ -95,6 +101,32 @@ def _robot(parts: CellParts) -> list[str]:
     ]
 
 
+def _told_accelerations(parts: CellParts) -> list[str]:
+    joints = parts.values.joints
+    if all(name in joints and joints[name].acceleration_rad_s2 is not None for name in parts.joints):
+        return []
+    return ["# not in any URDF: each joint's greatest speed in 0.2 s, between 1 and 10 rad/s2; put in the robot's own"]
+
+
+def _friction(friction: Friction | None) -> list[str]:
+    if friction is None:
+        return []
+    return [f"friction.coulomb_n_m = {_list(friction.coulomb_n_m)}", f"friction.viscous_n_m_s = {_list(friction.viscous_n_m_s)}"]
+
+
+def _stated_sensor(sensor: Sensor) -> list[str]:
+    lines = [
+        "[sensor]",
+        f"name = {_text(sensor.name)}",
+        f"noise_std = {_list(sensor.noise_std)}",
+        f"range = {_list(sensor.range)}",
+        f"resolution = {_list(sensor.resolution)}",
+    ]
+    if sensor.mount is not None:
+        lines += [f"mount.xyz_m = {_list(sensor.mount.xyz_m)}", f"mount.rpy_rad = {_list(sensor.mount.rpy_rad)}"]
+    return [*lines, ""]
+
+
 def _sensor(sizes: tuple[int, int]) -> list[str]:
     times = [size for size in sizes for _ in "xyz"]
     noise, range_, resolution = ([round(k * value, 6) for k, value in zip(times, row, strict=True)] for row in (NOISE, RANGE, RESOLUTION))
@@ -112,12 +144,12 @@ def _sensor(sizes: tuple[int, int]) -> list[str]:
     ]
 
 
-def _limits() -> list[str]:
+def _limits(limits: Limits) -> list[str]:
     return [
         "[limits]",
-        "cartesian_speed_m_s = 0.25",
-        "clearance_m = 0.03       # to obstacles, protected zones and the floor",
-        "self_clearance_m = 0.01  # between the robot's links, and the payload",
+        f"cartesian_speed_m_s = {limits.cartesian_speed_m_s}",
+        f"clearance_m = {limits.clearance_m}       # to obstacles, protected zones and the floor",
+        f"self_clearance_m = {limits.self_clearance_m}  # between the robot's links, and the payload",
         "",
     ]
 
@@ -141,6 +173,7 @@ def _payload(parts: CellParts) -> list[str]:
         "[payload_box]",
         f"size_m = {_list(box.size_m)}",
         f"pose.xyz_m = {_list(box.pose.xyz_m)}",
+        *([f"pose.rpy_rad = {_list(box.pose.rpy_rad)}"] if any(box.pose.rpy_rad) else []),
         "",
     ]
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from core.cell.urdf_elements import UrdfJoint
 from core.errors import BadRobot
 from core.new_cell.order import Behind, CellOrder
+from core.new_cell.outline import LinkOutline, RobotOutline
 from core.new_cell.robot_tree import RobotTree
 from core.words.catalogue import find_language
 from core.words.message import Message
@@ -63,6 +65,45 @@ def choose_frames(tree: RobotTree, order: CellOrder, ask: Ask | None, notes: lis
     if beside:
         notes.append(Message.of("newcell-beside-sensor", links=beside))
     return ArmFrames(base, sensor, joints, tool)
+
+
+def _propose_frames(tree: RobotTree) -> tuple[str, str]:
+    """Base and sensor frame as they are chosen where nobody says anything.
+
+    Raises:
+        BadRobot: nothing in the description can be an arm.
+    """
+    nothing_said, notes = CellOrder(name="any", urdf=Path(tree.where)), list[Message]()
+    sensor = _sensor_frame(tree, nothing_said, notes)
+    return _base_frame(tree, sensor, nothing_said, notes), sensor
+
+
+def outline_robot(tree: RobotTree) -> RobotOutline:
+    """What there is to choose from.
+
+    Raises:
+        BadRobot: nothing in the description can be an arm.
+    """
+    base, sensor = _propose_frames(tree)
+    roots = [link for link in tree.checked.links if link not in tree.parents]
+    names = [name for root in roots for name in (root, *tree.behind(root))]
+    return RobotOutline(
+        robot=tree.root.get("name", "")[:150],
+        links=[_outline_link(tree, name) for name in names],
+        base_frame=base,
+        sensor_frame=sensor,
+    )
+
+
+def _outline_link(tree: RobotTree, name: str) -> LinkOutline:
+    above = tree.parents.get(name)
+    return LinkOutline(
+        name=name,
+        parent=None if above is None else above.parent,
+        joint=None if above is None else above.name,
+        kind=None if above is None else above.kind,
+        is_body=tree.is_body(name),
+    )
 
 
 def _sensor_frame(tree: RobotTree, order: CellOrder, notes: list[Message]) -> str:

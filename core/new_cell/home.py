@@ -73,8 +73,8 @@ class HomeSearch:
         above = [k for k, pair in enumerate(scene.names) if FLOOR in pair and scene.between[k] > FEW_JOINTS]
         return float((self._distances[:, above] >= LIMITS.clearance_m).all(axis=1).mean())
 
-    def home(self, where: str) -> Home:
-        """The best home.
+    def home(self, where: str, given: Array | None = None) -> Home:
+        """The best home, or the one that was given, whatever it is like.
 
         Raises:
             BadRobot: no configuration is free.
@@ -89,11 +89,12 @@ class HomeSearch:
         enough = np.maximum(np.minimum(scene.good, 0.7 * (most - required)), CONTACT_M)
         scene.judge(~overlapping, required, enough, _bend_of(self._robot, self._samples))
         scores = np.array([scene.score(q, found) for q, found in zip(self._samples, distances, strict=True)])
-        if scores.max() <= 0.0:
+        if scores.max() <= 0.0 and given is None:
             in_the_way = int(np.argmax(((distances < required) & ~overlapping).sum(axis=0)))
             first, second = scene.names[in_the_way]
             raise BadRobot(Message.of("newcell-home", file=where), "newcell-no-home", count=SAMPLES, first=first, second=second)
-        q = _refine(scene, np.round(self._samples[int(np.argmax(scores))], ROUND), self._low, self._high)
+        best = np.round(self._samples[int(np.argmax(scores))], ROUND)
+        q = _refine(scene, best, self._low, self._high) if given is None else given
         found = np.where(overlapping, np.inf, scene.distances(q))
         k = int(np.argmin(found))
         always = [pair for pair, is_so in zip(scene.names, overlapping, strict=True) if is_so and FLOOR not in pair]

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 
 import numpy as np
 
 from core.cell.urdf_elements import UrdfJoint
+from core.errors import BadInput
 from core.new_cell.frames import ArmFrames
 from core.new_cell.robot_tree import RobotTree
+from core.new_cell.values import JointValues
 from core.words.message import Message
 
 TURN = 2 * np.pi
@@ -52,6 +55,32 @@ def _follow(element: ET.Element, values: dict[str, float]) -> float:
     return value if abs(value) < 1e4 else 0.0
 
 
+GIVEN = {"lower_rad": "lower", "upper_rad": "upper", "velocity_rad_s": "velocity", "effort_n_m": "effort"}
+"""Of what is given for a joint, what the URDF calls it."""
+
+
+def put_limits(tree: RobotTree, frames: ArmFrames, given: dict[str, JointValues]) -> ArmFrames:
+    """Gives joints of the arm the limits that somebody has stated; the frames with the joints as they are then.
+
+    Raises:
+        BadInput: a joint that the arm does not have, or a range that is none.
+    """
+    names = [joint.name for joint in frames.joints]
+    for name, values in given.items():
+        if name not in names:
+            raise BadInput(f"joints.{name}", "newcell-joint-unknown", joints=names)
+        if values.lower_rad is not None and values.upper_rad is not None and values.lower_rad >= values.upper_rad:
+            raise BadInput(f"joints.{name}.lower_rad", "newcell-range-empty", lower_rad=values.lower_rad, upper_rad=values.upper_rad)
+        if values.lower_rad is not None and values.upper_rad is not None:
+            tree.joint(name).set("type", "revolute")  # also one that the description lets turn without end
+        for key, limit in GIVEN.items():
+            value = getattr(values, key)
+            if value is not None:
+                tree.set_limit(name, limit, value)
+    joints = {joint.name: joint for joint in tree.checked.joints}
+    return replace(frames, joints=tuple(joints[name] for name in names))
+
+
 def complete_limits(tree: RobotTree, frames: ArmFrames, notes: list[Message]) -> tuple[str, ...]:
     """Gives every joint of the arm all its limits and tells which; returns the joints whose effort is still to be estimated."""
     without_effort = []
@@ -82,3 +111,15 @@ def complete_limits(tree: RobotTree, frames: ArmFrames, notes: list[Message]) ->
 def propose_accelerations(velocities: list[float]) -> list[float]:
     """URDFs have no limit of acceleration: the greatest speed in 0.2 s, between 1 and 10 rad/s2."""
     return [round(float(np.clip(ACCELERATION_PER_VELOCITY * velocity, *ACCELERATIONS)), 2) for velocity in velocities]
+
+
+def choose_accelerations(frames: ArmFrames, velocities: list[float], given: dict[str, JointValues], notes: list[Message]) -> list[float]:
+    """The greatest acceleration of each joint: as it was stated, else proposed and told."""
+    stated = [None if joint.name not in given else given[joint.name].acceleration_rad_s2 for joint in frames.joints]
+    proposed = propose_accelerations(velocities)
+    if None in stated:
+        least, most = ACCELERATIONS
+        taken = [value for value, known in zip(proposed, stated, strict=True) if known is None]
+        told = {"seconds_s": 1.0 / ACCELERATION_PER_VELOCITY, "least_rad_s2": least, "most_rad_s2": most}
+        notes.append(Message.of("newcell-accelerations-taken", accelerations_rad_s2=taken, **told))
+    return [value if known is None else known for value, known in zip(proposed, stated, strict=True)]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import shutil
 import uuid
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,7 +21,7 @@ from core.new_cell.cell_text import RANGE, CellParts, cell_text
 from core.new_cell.expansion import description_text
 from core.new_cell.frames import ArmFrames, Ask, choose_frames
 from core.new_cell.home import Home, HomeSearch
-from core.new_cell.joints import ACCELERATION_PER_VELOCITY, ACCELERATIONS, complete_limits, fix_others, propose_accelerations
+from core.new_cell.joints import choose_accelerations, complete_limits, fix_others, put_limits
 from core.new_cell.masses import G, complete_efforts, complete_masses, tool_of
 from core.new_cell.meshes import choose_shapes, copy_meshes
 from core.new_cell.order import CellOrder, check_cell_order
@@ -29,6 +29,7 @@ from core.new_cell.packages import Packages
 from core.new_cell.payload_room import EDGE_M, payload_room
 from core.new_cell.picture import draw_home
 from core.new_cell.robot_tree import RobotTree
+from core.new_cell.values import CellValues
 from core.recording.recording import RobotDescription
 from core.robot.bodies import Body, link_bodies, payload_body
 from core.robot.collision import CollisionModel
@@ -58,21 +59,24 @@ class Made:
     notes: tuple[Message, ...]
 
 
-def make_cell(order: CellOrder, ask: Ask | None = None) -> Made:
+def make_cell(order: CellOrder, ask: Ask | None = None, picture: Path | None = None) -> Made:
     """Makes the cell's folder with cell.toml, robot.urdf, meshes and home.png.
 
     Args:
         ask: asks a person what only a person knows; None where nobody can be asked.
+        picture: where the picture of the home stands as well, also where the cell is refused for that home.
 
     Raises:
         BadInput: of whatever kind: what was given cannot be used, or the folder cannot be written. Nothing is left behind.
     """
     check_cell_order(order)
     notes: list[Message] = []
+    values = order.values
     packages = Packages(order.urdf, order.package_paths)
     tree = RobotTree(description_text(packages, order.xacro_arguments), str(order.urdf))
     frames = choose_frames(tree, order, ask, notes)
     fix_others(tree, frames, notes)
+    frames = put_limits(tree, frames, values.joints)
     without_effort = complete_limits(tree, frames, notes)
     tree.checked.hinges(frames.base, frames.sensor)
     visual = choose_shapes(tree, notes)
@@ -81,23 +85,23 @@ def make_cell(order: CellOrder, ask: Ask | None = None) -> Made:
         robot, bodies = _arm(tree, frames, visual, order, folder)
         if not any(body.joint > 0 for body in bodies):
             raise BadRobot(str(order.urdf), "newcell-no-shapes")
-        complete_masses(tree, frames, robot, bodies, notes)
+        complete_masses(tree, frames, robot, bodies, notes, values.masses_kg)
         robot, bodies = _arm(tree, frames, visual, order, folder)
         complete_efforts(tree, frames, robot, without_effort, notes)
         urdf = tree.checked
         urdf.check_bodies(frames.base, frames.sensor)
         (folder / URDF).write_text(tree.text, encoding="utf-8")
         urdf.check_meshes(folder)
-        box, home, floor_z = _box_and_home(tree, frames, robot, bodies, notes)
+        box, home, floor_z = _box_and_home(tree, frames, robot, bodies, values, notes)
         parts = CellParts(
             name=order.name,
-            title=f"{tree.root.get('name', '')[:150]}, as its description has it",
+            title=values.title or f"{tree.root.get('name', '')[:150]}, as its description has it",
             source=order.urdf.name,
             base=frames.base,
             sensor=frames.sensor,
             joints=tuple(joint.name for joint in frames.joints),
             home=home.q,
-            acceleration=propose_accelerations(list(robot.velocity)),
+            acceleration=choose_accelerations(frames, list(robot.velocity), values.joints, notes),
             floor_z=floor_z,
             payload_box=box,
             adjacent=home.always_overlapping,
@@ -105,26 +109,20 @@ def make_cell(order: CellOrder, ask: Ask | None = None) -> Made:
             tool=frames.tool,
             tool_name="hand_tool" if "hand" in urdf.links else "hand",  # which a link may not be called as well
             sensor_sizes=_sensor_sizes(tree, frames),
+            values=values,
         )
         (folder / CELL_FILE).write_text(cell_text(parts), encoding="utf-8")
-        _check_made(folder, order.folder)
         shown = [*bodies, payload_body(robot, box)]
         draw_home(folder / PICTURE, robot, shown, home.q, tool=frames.tool, floor_z=floor_z, name=order.name)
+        if picture is not None:
+            shutil.copyfile(folder / PICTURE, picture)
+        _check_made(folder, order.folder)
         notes += [
-            _tell_accelerations(parts.acceleration),
             *(Message.of("newcell-pair-left-out", first=first, second=second) for first, second in parts.adjacent),
             Message.of("newcell-nearest-at-home", first=home.nearest[0], second=home.nearest[1], distance_m=home.nearest_m),
-            Message.of("newcell-sensor-of-nobody"),
+            *([] if values.sensor else [Message.of("newcell-sensor-of-nobody")]),
         ]
     return Made(order.folder, home, tuple(notes))
-
-
-def _tell_accelerations(taken: Sequence[float]) -> Message:
-    least, most = ACCELERATIONS
-    return Message.of(
-        "newcell-accelerations-taken",
-        accelerations_rad_s2=taken, seconds_s=1.0 / ACCELERATION_PER_VELOCITY, least_rad_s2=least, most_rad_s2=most,
-    )  # fmt: skip
 
 
 def _sensor_sizes(tree: RobotTree, frames: ArmFrames) -> tuple[int, int]:
@@ -204,20 +202,32 @@ def _out_of_reach(robot: RobotModel, bodies: list[Body]) -> float:
 
 
 def _box_and_home(
-    tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], notes: list[Message]
+    tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], values: CellValues, notes: list[Message]
 ) -> tuple[Box, Home, float]:
-    """The largest of the default payload boxes with which a home is free, that home, and the height of the floor."""
+    """The payload box as stated, else the largest of the default ones with which a home is free; the home; the height of the floor.
+
+    Raises:
+        BadInput: the home that was stated is not one for each joint.
+        BadRobot: no home is free.
+    """
     joined = set(find_joined_links(tree.checked, {body.name for body in bodies}))
-    floor_z = _floor(bodies)
+    names = [joint.name for joint in frames.joints]
+    if values.home_rad is not None and len(values.home_rad) != len(names):
+        raise BadInput("home_rad", "cell-not-one-for-each-joint", count=len(values.home_rad), joints=names, joint_count=len(names))
+    home_given = None if values.home_rad is None else np.array(values.home_rad)
+    floor_z = _floor(bodies) if values.floor_z_m is None else values.floor_z_m
+    if values.payload_box is not None:
+        search = HomeSearch(robot, bodies, payload_body(robot, values.payload_box), floor_z, joined, frames.tool)
+        return values.payload_box, search.home(tree.where, home_given), floor_z
     for edge, gap in ROOMS_M:
         box = payload_room(robot, bodies, frames.tool, edge, gap)
         search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
-        if search.share_above_floor < STANDING:
+        if search.share_above_floor < STANDING and values.floor_z_m is None:
             floor_z = _out_of_reach(robot, bodies)
             notes.append(Message.of("newcell-floor-out-of-reach", floor_z_m=floor_z))
             search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
         try:
-            home = search.home(tree.where)
+            home = search.home(tree.where, home_given)
         except BadRobot as error:
             if (edge, gap) == ROOMS_M[-1]:
                 raise

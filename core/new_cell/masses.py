@@ -9,6 +9,7 @@ import numpy as np
 from core.array import Array
 from core.cell.urdf_elements import UrdfLink
 from core.cell.urdf_tree import UrdfTree
+from core.errors import BadInput
 from core.new_cell.frames import ArmFrames
 from core.new_cell.robot_tree import RobotTree
 from core.payload.inertia import InertialParameters
@@ -23,17 +24,32 @@ EFFORT_FACTOR = 2.0
 G = 9.81
 
 
-def complete_masses(tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], notes: list[Message]) -> None:
-    """Gives every moving link of the arm a mass and an inertia that a body can have, estimated from its shape where it has none."""
+def complete_masses(
+    tree: RobotTree, frames: ArmFrames, robot: RobotModel, bodies: list[Body], notes: list[Message], masses_kg: dict[str, float]
+) -> None:
+    """Gives every moving link of the arm a mass and an inertia that a body can have, estimated from its shape where it has none.
+
+    Args:
+        masses_kg: that somebody has stated, by link.
+
+    Raises:
+        BadInput: one of a link that no joint of the arm moves.
+    """
     links = {link.name: link for link in tree.checked.bodies}
-    for joint in frames.joints:
-        link = links[joint.child]
-        if _can_exist(link):
+    moved = [joint.child for joint in frames.joints]
+    for name in masses_kg:
+        if name not in moved:
+            raise BadInput(f"masses_kg.{name}", "newcell-link-unmoved", links=moved)
+    for name in moved:
+        link, stated = links[name], masses_kg.get(name)
+        if stated is None and _can_exist(link):
             continue
         own = [body for body in bodies if body.name == link.name]
-        given = link.mass if link.mass else None
+        given = stated or (link.mass if link.mass else None)
         mass, com, inertia = _of_shapes(robot, link.name, own, given)
         tree.set_inertia(link.name, mass, com, inertia)
+        if stated is not None:
+            continue
         if given is None:
             notes.append(Message.of("newcell-mass-taken", link=link.name, mass_kg=mass, density_kg_m3=DENSITY))
         else:

@@ -8,6 +8,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from core.errors import BadInput
+from core.new_cell.values import CellValues
 
 NAME = re.compile(r"[A-Za-z0-9_-]{1,64}", re.ASCII)
 
@@ -34,6 +35,7 @@ class CellOrder:
         mount: a link that a new link `ft_sensor` is fixed to, in place of `sensor_frame`.
         mount_xyz: of `ft_sensor` in that link, m. mount_rpy: rad.
         behind: what the links behind the sensor frame are; None to ask, or to refuse where nobody can be asked.
+        values: what is known better than the description has it.
     """
 
     name: str
@@ -47,6 +49,7 @@ class CellOrder:
     mount_xyz: tuple[float, float, float] = (0.0, 0.0, 0.0)
     mount_rpy: tuple[float, float, float] = (0.0, 0.0, 0.0)
     behind: Behind | None = None
+    values: CellValues = field(default_factory=CellValues)
 
     @property
     def folder(self) -> Path:

@@ -9,7 +9,8 @@ from collections import Counter
 from pathlib import Path, PurePosixPath
 
 from core.cell.cell import CELL_FILE
-from core.errors import BadCell
+from core.errors import BadCell, BadRobot
+from server.http.flaws import restore_flaw
 from server.http.zip_file import UPLOADED, locate_file, open_zip, write_entry
 
 MAX_FILES = 200
@@ -17,6 +18,12 @@ MAX_BYTES = 60_000_000  # of all files together, unpacked
 MAX_DEPTH = 4
 KINDS = (".toml", ".urdf", ".stl", ".obj", ".dae", ".json", ".md", ".txt")
 """What a cell is made of."""
+
+MAX_ROBOT_FILES = 2000
+MAX_ROBOT_BYTES = 200_000_000
+MAX_ROBOT_DEPTH = 12
+ROBOT_KINDS = (".urdf", ".xacro", ".xml", ".stl", ".obj", ".dae", ".yaml", ".yml")
+"""What a robot's description is made of; whatever else is in its packages is left out."""
 
 UPLOAD, CELL = "upload.zip", "cell"
 """In the folder of one upload: the archive, and what it is unpacked to."""
@@ -44,15 +51,43 @@ def unpack_cell(archive: Path, folder: Path) -> None:
             _write(opened, entry, folder / name.relative_to(shared))
 
 
-def _check_amount(files: list[zipfile.ZipInfo]) -> None:
-    if len(files) > MAX_FILES:
-        raise BadCell(UPLOADED, "uploads-too-many-files", files=len(files), most_files=MAX_FILES)
+def unpack_robot(archive: Path, folder: Path) -> None:
+    """Unpacks what of a zip of ROS packages describes a robot.
+
+    Args:
+        folder: made here.
+
+    Raises:
+        BadRobot: no zip, or an entry that no honest package has.
+    """
+    try:
+        with open_zip(archive, BadCell, "robot") as opened:
+            wanted = [entry for entry in opened.infolist() if _is_of_robot(entry)]
+            _check_amount(wanted, MAX_ROBOT_FILES, MAX_ROBOT_BYTES)
+            names = [_parse_name(entry, ROBOT_KINDS, MAX_ROBOT_DEPTH) for entry in wanted]
+            _check_unique(names)
+            folder.mkdir()
+            for entry, name in zip(wanted, names, strict=True):
+                _write(opened, entry, folder / name)
+    except BadCell as error:
+        raise restore_flaw(BadRobot, error.message) from error
+
+
+def _is_of_robot(entry: zipfile.ZipInfo) -> bool:
+    name = PurePosixPath(entry.filename)
+    hidden = any(part.startswith((".", "__")) for part in name.parts if part != "..")
+    return not entry.is_dir() and not hidden and name.suffix.lower() in ROBOT_KINDS
+
+
+def _check_amount(files: list[zipfile.ZipInfo], most_files: int = MAX_FILES, most_bytes: int = MAX_BYTES) -> None:
+    if len(files) > most_files:
+        raise BadCell(UPLOADED, "uploads-too-many-files", files=len(files), most_files=most_files)
     total = sum(entry.file_size for entry in files)
-    if total > MAX_BYTES:
-        raise BadCell(UPLOADED, "uploads-too-many-bytes", unpacked_bytes=total, most_bytes=MAX_BYTES)
+    if total > most_bytes:
+        raise BadCell(UPLOADED, "uploads-too-many-bytes", unpacked_bytes=total, most_bytes=most_bytes)
 
 
-def _parse_name(entry: zipfile.ZipInfo) -> PurePosixPath:
+def _parse_name(entry: zipfile.ZipInfo, kinds: tuple[str, ...] = KINDS, most_levels: int = MAX_DEPTH) -> PurePosixPath:
     where, name = locate_file(entry.filename), PurePosixPath(entry.filename)
     kind = stat.S_IFMT(entry.external_attr >> 16)
     if kind == stat.S_IFLNK:
@@ -65,10 +100,10 @@ def _parse_name(entry: zipfile.ZipInfo) -> PurePosixPath:
         raise BadCell(where, "uploads-encrypted-file")
     if set("\\\0") & set(entry.orig_filename) or name.is_absolute() or ".." in name.parts:
         raise BadCell(where, "uploads-name-outside")
-    if len(name.parts) > MAX_DEPTH or not all(_PART.fullmatch(part) for part in name.parts):
-        raise BadCell(where, "uploads-name-unusual", levels=MAX_DEPTH)
-    if name.suffix not in KINDS:
-        raise BadCell(where, "uploads-kind-unknown", kind=name.suffix, kinds=KINDS)
+    if len(name.parts) > most_levels or not all(_PART.fullmatch(part) for part in name.parts):
+        raise BadCell(where, "uploads-name-unusual", levels=most_levels)
+    if name.suffix.lower() not in kinds:
+        raise BadCell(where, "uploads-kind-unknown", kind=name.suffix, kinds=kinds)
     return name
 
 

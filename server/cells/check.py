@@ -9,7 +9,6 @@ from __future__ import annotations
 import gc
 import json
 import os
-import resource
 import select
 import signal
 import sys
@@ -20,18 +19,17 @@ from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.effects.library import library
 from core.errors import BadCell, BadInput, BadRobot
-from core.files.confinement import stay_here
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.twin.file import read_twin
 from server.cells.archive import CELL, UPLOAD, unpack_cell
-from server.http.flaws import dump_flaws
+from server.http.flaws import dump_refusal
 from server.http.zip_file import UPLOADED
+from server.runner.confinement import confine
 
 SECONDS = 15.0
 MEMORY = 512_000_000  # bytes of private data
 MOST_FLAWS = 50  # told of one cell
-FORBIDDEN = ("socket.", "subprocess.", "os.exec", "os.fork", "os.posix_spawn", "os.system", "ctypes.", "os.symlink", "os.link")
 
 CheckAnswer = dict[str, Any]
 
@@ -59,36 +57,6 @@ def _build(cell: Cell) -> None:
         raise BadRobot(cell.robot.urdf, "uploads-model-not-buildable", reason=str(error)[:200]) from error
 
 
-def confine(folder: Path) -> None:
-    """From here on: little time, little memory, no file outside the folder, no network, no other program."""
-    resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (round(SECONDS) + 1,) * 2)
-    resource.setrlimit(resource.RLIMIT_NOFILE, (64, 64))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    stay_here()
-    inside = folder.resolve()
-
-    def watch(event: str, arguments: tuple[Any, ...]) -> None:
-        if event == "open" and isinstance(arguments[0], str | bytes | os.PathLike):
-            path = Path(os.fsdecode(arguments[0])).resolve()
-            if not path.is_relative_to(inside) and not _belongs_to_program(path, arguments):
-                raise BadInput(str(path), "uploads-outside-file")
-        elif event.startswith(FORBIDDEN):
-            raise BadInput(UPLOADED, "uploads-program", event=event)
-
-    sys.addaudithook(watch)
-
-
-def _belongs_to_program(path: Path, arguments: tuple[Any, ...]) -> bool:
-    """What Python itself may still have to read: modules, compiled code."""
-    flags = arguments[2] if len(arguments) > 2 and isinstance(arguments[2], int) else 0
-    writes = flags & (os.O_WRONLY | os.O_RDWR | os.O_CREAT)
-    return not writes and any(path.is_relative_to(place) for place in PROGRAM)
-
-
-PROGRAM = tuple({Path(place).resolve() for place in (sys.prefix, sys.base_prefix, Path(__file__).parents[2] / "core")})
-
-
 def check_in_child(folder: Path) -> CheckAnswer:
     """`check`, in a fork that is given up after its time."""
     read_fd, write_fd = os.pipe()
@@ -103,7 +71,7 @@ def check_in_child(folder: Path) -> CheckAnswer:
 def _run_child(folder: Path, write_fd: int) -> None:
     status = 1
     try:
-        confine(folder)
+        confine(folder, SECONDS, MEMORY)
         answer = check_upload(folder)
         os.write(write_fd, json.dumps(answer).encode())
         status = 0
@@ -129,7 +97,8 @@ def _read_outcome(child: int, read_fd: int) -> CheckAnswer:
 
 def _refusal(error: BadInput) -> CheckAnswer:
     """In codes alone: nothing is worded where nothing may be read."""
-    return {"refused": type(error).__name__, "flaws": dump_flaws(error, MOST_FLAWS)}
+    answer: CheckAnswer = json.loads(dump_refusal(error, MOST_FLAWS))
+    return answer
 
 
 def main() -> None:

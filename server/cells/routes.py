@@ -13,7 +13,7 @@ from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell
 from core.cell.folder import CellRead
-from core.errors import BadInput, BadTwin, HeftError
+from core.errors import BadInput, BadTwin
 from core.payload.shapes import Shape
 from core.words.message import Message
 from server.cells import zones
@@ -21,14 +21,13 @@ from server.cells.archive import UPLOAD
 from server.cells.folder import CellFolder, CellsDep
 from server.cells.now import read_now
 from server.cells.tool_outlines import ToolOutline, ToolOutlinesDep
-from server.cells.uploads import CheckerDep, take_in, upload_folder
+from server.cells.uploads import CheckerDep, import_cell, upload_folder
 from server.cells.zones import ZonePosition
 from server.http.dependencies import MetricsDep, NowDep, StoreDep
 from server.http.flaws import Flaw, list_flaws
 from server.http.parameters import CellPath
 from server.http.schemas import Answer
 from server.http.zip_body import ZIP, check_is_zip, write_body
-from server.people import audit
 from server.people.auth import CallerDep
 
 router = APIRouter(prefix="/api/cells", tags=["cells"])
@@ -144,9 +143,9 @@ def create_cell(
     response: Response,
 ) -> CellVersion:
     """Takes a new cell in."""
-    taken = _take_in(store, cells, metrics, checker, folder, None, caller, now)
-    response.headers["Location"] = f"/api/cells/{taken.name}"
-    return taken
+    name, sha256 = import_cell(store, cells, metrics, checker, folder, None, caller.who, now)
+    response.headers["Location"] = f"/api/cells/{name}"
+    return CellVersion(name=name, sha256=sha256)
 
 
 @router.put("/{cell}", openapi_extra=ZIP)
@@ -161,7 +160,8 @@ def replace_cell(
     now: NowDep,
 ) -> CellVersion:
     """Takes a cell in, in place of the one of that name."""
-    return _take_in(store, cells, metrics, checker, folder, cell, caller, now)
+    name, sha256 = import_cell(store, cells, metrics, checker, folder, cell, caller.who, now)
+    return CellVersion(name=name, sha256=sha256)
 
 
 def _inspect(cells: CellFolder, db: Session, name: str) -> tuple[CellRead | None, list[BadInput]]:
@@ -204,26 +204,3 @@ def _place(row: ZonePosition, in_file: Shape | None) -> ZonePlace:
         previous=zones.shape_before(row, in_file),
         in_file=in_file,
     )
-
-
-def _take_in(
-    store: StoreDep,
-    cells: CellsDep,
-    metrics: MetricsDep,
-    checker: CheckerDep,
-    folder: Path,
-    name: str | None,
-    caller: CallerDep,
-    now: NowDep,
-) -> CellVersion:
-    counted = metrics.cells_checked.labels
-    try:
-        found = take_in(checker, cells, folder, name=name)
-    except HeftError:
-        counted("refused").inc()
-        raise
-    counted("taken in").inc()
-    sha256 = cells.digest(found)
-    with store.write() as db:
-        audit.record(db, caller.who, "cell.create" if name is None else "cell.replace", {"cell": found, "sha256": sha256}, now=now)
-    return CellVersion(name=found, sha256=sha256)

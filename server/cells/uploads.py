@@ -11,17 +11,20 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from datetime import datetime
 from pathlib import Path
 from threading import Lock
 from typing import Annotated, Any
 
-from core import errors
-from core.errors import BadInput
+from core.errors import HeftError
 from server.cells.archive import CELL
 from server.cells.folder import NEW, CellFolder
 from server.http.dependencies import depend_on
 from server.http.errors import Unprocessable
-from server.http.flaws import load_flaws
+from server.http.flaws import raise_refused
+from server.people import audit
+from server.store.store import Store
+from server.telemetry.metrics import Metrics
 
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 
@@ -57,9 +60,7 @@ class CellChecker:
         """
         with self._busy:
             answer = self._ask(folder)
-        if "refused" in answer:
-            kind: type[BadInput] = getattr(errors, answer["refused"])
-            raise errors.together(load_flaws(kind, answer["flaws"]))
+        raise_refused(answer)
         return str(answer["name"])
 
     def _begin(self) -> subprocess.Popen[str]:
@@ -115,6 +116,30 @@ def take_in(checker: CellChecker, cells: CellFolder, folder: Path, *, name: str 
         raise Unprocessable("uploads-other-cell", cell=found, name=name)
     cells.install(folder / CELL, found, replace=name is not None)
     return found
+
+
+def import_cell(
+    store: Store, cells: CellFolder, metrics: Metrics, checker: CellChecker, folder: Path, name: str | None, who: str, now: datetime
+) -> tuple[str, str]:
+    """`take_in`, counted and written down; the cell's name, and the SHA-256 of its files.
+
+    Args:
+        name: of the cell that it replaces; None for a new cell.
+
+    Raises:
+        BadInput, Unprocessable, Conflict: as `take_in`.
+    """
+    counted = metrics.cells_checked.labels
+    try:
+        found = take_in(checker, cells, folder, name=name)
+    except HeftError:
+        counted("refused").inc()
+        raise
+    counted("taken in").inc()
+    sha256 = cells.digest(found)
+    with store.write() as db:
+        audit.record(db, who, "cell.create" if name is None else "cell.replace", {"cell": found, "sha256": sha256}, now=now)
+    return found, sha256
 
 
 CheckerDep = Annotated[CellChecker, depend_on("checker")]

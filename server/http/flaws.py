@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 from pydantic import BaseModel, Field, TypeAdapter
 
+from core import errors
 from core.errors import BadInput
 from core.files.schema_flaw import schema_flaw
 from core.words.message import Message
 
 MESSAGES = TypeAdapter(list[Message])
 SECRET = "password"
+REFUSED = "refused"
+"""In the answer of another process: the kind of the error that it refused with."""
 
 
 class Flaw(BaseModel):
@@ -43,6 +47,18 @@ def dump_flaws(error: BadInput | None, most: int | None = None) -> str:
     """An error and its others as JSON, for another process; in codes alone, since whoever looks at cells words nothing."""
     flaws = [] if error is None else [each.message for each in (error, *error.others)]
     return MESSAGES.dump_json(flaws[:most], exclude={"__all__": {"text"}}).decode()
+
+
+def dump_refusal(error: BadInput, most: int | None = None) -> str:
+    """The same with the error's kind, for a process that may refuse in several kinds."""
+    return json.dumps({REFUSED: type(error).__name__, "flaws": dump_flaws(error, most)})
+
+
+def raise_refused(answer: dict[str, Any]) -> None:
+    """Raises what `dump_refusal` has made of an error; nothing happens where the answer is another one."""
+    if REFUSED in answer:
+        kind: type[BadInput] = getattr(errors, answer[REFUSED])
+        raise errors.together(load_flaws(kind, answer["flaws"]))
 
 
 def load_flaws(kind: type[BadInput], text: str) -> list[BadInput]:

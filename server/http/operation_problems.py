@@ -26,6 +26,8 @@ CELL_ZIP = (
     "uploads-model-not-buildable",
 )  # fmt: skip
 DRAWN_ZONE = ("zone-too-small", "zone-too-large", "zone-too-far", "zone-not-looked-at", "jobs-work-lost")
+DRAFT = ("drafts-unknown",)
+DRAFT_WORK = ("drafts-busy", "drafts-work-ended", "uploads-outside-file", "uploads-program")
 UNUSABLE = ("bad-cell", "bad-robot")
 """Kinds of what the engine says of a cell, with codes of its own."""
 
@@ -47,6 +49,16 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "POST /api/cells/{cell}/zones": (*CELL, *DRAWN_ZONE, "zone-name-taken", "zone-exists"),
     "PUT /api/cells/{cell}/zones/{zone}/shape": (*CELL, *DRAWN_ZONE, "zone-unknown"),
     "DELETE /api/cells/{cell}/zones/{zone}": (*CELL, "zone-unknown"),
+    "POST /api/drafts": (
+        *ZIP, "uploads-too-many-bytes", "uploads-symbolic-link", "uploads-special-file", "uploads-name-outside", "uploads-name-unusual",
+        "uploads-same-names", "drafts-no-description", "drafts-too-many",
+    ),
+    "GET /api/drafts/{draft}": DRAFT,
+    "DELETE /api/drafts/{draft}": DRAFT,
+    "POST /api/drafts/{draft}/robot": (*DRAFT, *DRAFT_WORK, "drafts-file-unknown"),
+    "PUT /api/drafts/{draft}/cell": (*DRAFT, *DRAFT_WORK, "drafts-not-read"),
+    "GET /api/drafts/{draft}/picture": (*DRAFT, "drafts-no-picture"),
+    "POST /api/drafts/{draft}/import": (*DRAFT, *CELL_ZIP, "drafts-not-made", "uploads-cell-exists"),
     "PUT /api/cells/{cell}/zones/{zone}": (*CELL, "zone-unknown", "zone-clock-ahead", "zone-measured-before"),
     "POST /api/cells/{cell}/zones/{zone}/check": (*CELL, "zone-unknown", "zone-not-looked-at", "jobs-work-lost"),
     "POST /api/cells/{cell}/zones/{zone}/undo": (*CELL, "zone-unknown", "zone-not-moved", "zone-moved-on"),
@@ -120,6 +132,10 @@ ENGINE_REFUSALS: dict[str, tuple[str, ...]] = {
     "POST /api/cells/{cell}/zones": (*UNUSABLE, "bad-zone"),
     "PUT /api/cells/{cell}/zones/{zone}/shape": (*UNUSABLE, "bad-zone"),
     "DELETE /api/cells/{cell}/zones/{zone}": UNUSABLE,
+    "POST /api/drafts": ("bad-robot",),
+    "POST /api/drafts/{draft}/robot": (*UNUSABLE, "bad-input"),
+    "PUT /api/drafts/{draft}/cell": (*UNUSABLE, "bad-input", "bad-payload"),
+    "POST /api/drafts/{draft}/import": (*UNUSABLE, "bad-twin", "bad-input"),
     "PUT /api/cells/{cell}/zones/{zone}": UNUSABLE,
     "POST /api/cells/{cell}/zones/{zone}/check": UNUSABLE,
     "POST /api/cells/{cell}/zones/{zone}/undo": UNUSABLE,

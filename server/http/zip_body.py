@@ -17,6 +17,25 @@ ZIP: dict[str, Any] = {
 """How OpenAPI describes it."""
 
 
+FILE = "application/octet-stream"
+ROBOT: dict[str, Any] = {
+    "requestBody": {"required": True, "content": dict.fromkeys(("application/zip", FILE), ZIP["requestBody"]["content"]["application/zip"])}
+}
+"""The same where one file may come in place of a zip."""
+
+
+def check_is_upload(request: Request) -> bool:
+    """Whether the request brings a single file, not a zip of a robot's description.
+
+    Raises:
+        Unprocessable: it says that it brings something else.
+    """
+    if request.headers.get("content-type", "").partition(";")[0] == FILE:
+        return True
+    check_is_zip(request, "robot")
+    return False
+
+
 def check_is_zip(request: Request, what: What) -> None:
     """The request says that it brings a zip of the folder of `what`.
 

@@ -392,6 +392,130 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/drafts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Create Draft
+         * @description Begins a cell with a robot's description: a zip of it with its meshes, or one URDF or xacro file.
+         */
+        post: operations["create_draft"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/drafts/{draft}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Draft
+         * @description What was sent.
+         */
+        get: operations["read_draft"];
+        put?: never;
+        post?: never;
+        /**
+         * Delete Draft
+         * @description Leaves it; nothing of it stays.
+         */
+        delete: operations["delete_draft"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/drafts/{draft}/robot": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Read Draft Robot
+         * @description Reads one of the descriptions: the links and joints that there are to choose from.
+         */
+        post: operations["read_draft_robot"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/drafts/{draft}/cell": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Make Draft Cell
+         * @description Makes the cell anew, with what is wrong and doubtful in it; nothing is imported.
+         */
+        put: operations["make_draft_cell"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/drafts/{draft}/picture": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Draft Picture
+         * @description The robot at the home of the cell that was made last, also where that was refused for this home.
+         */
+        get: operations["read_draft_picture"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/drafts/{draft}/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Import Draft
+         * @description Takes the cell in that was made last, checked as an upload is; the draft is gone then.
+         */
+        post: operations["import_draft"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/cells/{cell}/zones": {
         parameters: {
             query?: never;
@@ -1725,6 +1849,24 @@ export interface components {
             advice: components["schemas"]["Message"];
         };
         /**
+         * ArgumentPublic
+         * @description An argument that a xacro file declares.
+         */
+        ArgumentPublic: {
+            /**
+             * Name
+             * @description Its name.
+             * @example ur_type
+             */
+            name: string;
+            /**
+             * Default
+             * @description What it is where nobody says; empty where there is no default.
+             * @example ur5e
+             */
+            default: string;
+        };
+        /**
          * AuditEntryPublic
          * @description One thing that was done or refused; `hash` covers it and, by `previous_hash`, all before it.
          */
@@ -1832,6 +1974,12 @@ export interface components {
             /** @description What is wrong with the entry after them; null where all hold. */
             flaw: components["schemas"]["Message"] | null;
         };
+        /**
+         * Behind
+         * @description What links behind the sensor frame are.
+         * @enum {string}
+         */
+        Behind: "tool" | "robot";
         /**
          * Box
          * @description A cuboid with its centre at `pose`.
@@ -2226,6 +2374,70 @@ export interface components {
              * @description All that is wrong with it now.
              */
             flaws: components["schemas"]["Flaw"][];
+        };
+        /**
+         * CellValues
+         * @description What is known better than the description has it; null and what is absent is taken.
+         */
+        CellValues: {
+            /**
+             * Title
+             * @description What people call the cell.
+             * @example LWR 4 on the bench
+             */
+            title?: string | null;
+            /**
+             * Joints
+             * @description Limits of joints, by their names.
+             */
+            joints?: {
+                [key: string]: components["schemas"]["JointValues"];
+            };
+            /**
+             * Masses Kg
+             * @description Masses of links, kg, by their names; the inertia goes with it.
+             * @example {
+             *       "link_3": 2.7
+             *     }
+             */
+            masses_kg?: {
+                [key: string]: number;
+            };
+            /** @description Friction of the arm's joints. */
+            friction?: components["schemas"]["Friction"] | null;
+            /**
+             * Home Rad
+             * @description Joint positions at home, rad, from base to sensor.
+             * @example [
+             *       0,
+             *       0.5,
+             *       0,
+             *       -1.2,
+             *       0,
+             *       0.8,
+             *       0
+             *     ]
+             */
+            home_rad?: number[] | null;
+            /** @description The wrist force/torque sensor. */
+            sensor?: components["schemas"]["Sensor"] | null;
+            /**
+             * Floor Z M
+             * @description Height of the floor, m, in the base frame.
+             * @example -0.75
+             */
+            floor_z_m?: number | null;
+            /** @description The room that a payload takes, sensor frame. */
+            payload_box?: components["schemas"]["Box"] | null;
+            /**
+             * @description Largest speed and smallest distances.
+             * @default {
+             *       "cartesian_speed_m_s": 0.25,
+             *       "clearance_m": 0.03,
+             *       "self_clearance_m": 0.01
+             *     }
+             */
+            limits?: components["schemas"]["Limits"];
         };
         /**
          * CellVersion
@@ -2724,6 +2936,23 @@ export interface components {
             last_error: components["schemas"]["Message"] | null;
         };
         /**
+         * DescriptionPublic
+         * @description A file that may describe a robot.
+         */
+        DescriptionPublic: {
+            /**
+             * File
+             * @description Its path in what was sent.
+             * @example robot/arm_description/urdf/arm.urdf.xacro
+             */
+            file: string;
+            /**
+             * Arguments
+             * @description What a xacro file lets one choose.
+             */
+            arguments: components["schemas"]["ArgumentPublic"][];
+        };
+        /**
          * Diagnosis
          * @description The whole answer; all of it but `also` is about the wrench that the twin predicts.
          */
@@ -3010,6 +3239,227 @@ export interface components {
              * @example 12
              */
             files: number;
+        };
+        /**
+         * DraftCellPublic
+         * @description The cell as it would be imported now.
+         */
+        DraftCellPublic: {
+            /** @description The cell. */
+            cell: components["schemas"]["Cell"];
+            /**
+             * Joints
+             * @description The arm's joints, from base to sensor.
+             */
+            joints: components["schemas"]["DraftJoint"][];
+            /**
+             * Links
+             * @description The links that they move, in the same order.
+             */
+            links: components["schemas"]["DraftLink"][];
+            /**
+             * Notes
+             * @description What was chosen, taken or left out, since the description does not say.
+             */
+            notes: components["schemas"]["Message"][];
+            /**
+             * Findings
+             * @description What is wrong or doubtful, what is wrong first.
+             */
+            findings: components["schemas"]["DraftFinding"][];
+        };
+        /**
+         * DraftCellUpdate
+         * @description What is known of the cell; whatever is absent is taken, and told.
+         */
+        DraftCellUpdate: {
+            /**
+             * Name
+             * @description Name of the cell.
+             * @example line3
+             */
+            name: string;
+            /**
+             * Base Frame
+             * @description Link that the arm begins with.
+             * @example base
+             */
+            base_frame: string;
+            /**
+             * Sensor Frame
+             * @description Link in whose frame the sensor measures; null where `mount` says.
+             * @example flange
+             */
+            sensor_frame?: string | null;
+            /**
+             * Mount
+             * @description Link that the sensor is fixed to, as a new link `ft_sensor`.
+             * @example flange
+             */
+            mount?: string | null;
+            /**
+             * @description The sensor frame in `mount`.
+             * @default {
+             *       "xyz_m": [
+             *         0,
+             *         0,
+             *         0
+             *       ],
+             *       "rpy_rad": [
+             *         0,
+             *         0,
+             *         0
+             *       ]
+             *     }
+             */
+            mount_pose?: components["schemas"]["Pose"];
+            /** @description What the links behind the sensor frame are: carried by it (tool), or in front of it (robot). */
+            behind?: components["schemas"]["Behind"] | null;
+            /**
+             * @description What is known better than the description has it.
+             * @default {
+             *       "joints": {},
+             *       "masses_kg": {},
+             *       "limits": {
+             *         "cartesian_speed_m_s": 0.25,
+             *         "clearance_m": 0.03,
+             *         "self_clearance_m": 0.01
+             *       }
+             *     }
+             */
+            values?: components["schemas"]["CellValues"];
+        };
+        /**
+         * DraftFinding
+         * @description Something that is wrong or doubtful in the cell.
+         */
+        DraftFinding: {
+            /**
+             * Severity
+             * @description Wrong keeps the cell from being planned in; doubtful may be as it should.
+             * @enum {string}
+             */
+            severity: "wrong" | "doubtful";
+            /** @description Where it is, what is there, and what is right or usual. */
+            message: components["schemas"]["Message"];
+        };
+        /**
+         * DraftImportCreate
+         * @description The cell that is to be imported.
+         */
+        DraftImportCreate: {
+            /**
+             * Name
+             * @description Name with which it was made.
+             * @example line3
+             */
+            name: string;
+        };
+        /**
+         * DraftJoint
+         * @description A joint of the arm with its limits, as stated, as the description has them, or as they were taken.
+         */
+        DraftJoint: {
+            /**
+             * Name
+             * @description Name of the joint.
+             * @example joint_3
+             */
+            name: string;
+            /**
+             * Lower Rad
+             * @description Lower limit of its position, rad.
+             * @example -2.97
+             */
+            lower_rad: number | null;
+            /**
+             * Upper Rad
+             * @description Upper limit of its position, rad.
+             * @example 2.97
+             */
+            upper_rad: number | null;
+            /**
+             * Velocity Rad S
+             * @description Its greatest speed, rad/s.
+             * @example 1.9
+             */
+            velocity_rad_s: number | null;
+            /**
+             * Effort N M
+             * @description Its greatest torque, N m.
+             * @example 176
+             */
+            effort_n_m: number | null;
+            /**
+             * Acceleration Rad S2
+             * @description Its greatest acceleration, rad/s2.
+             * @example 10
+             */
+            acceleration_rad_s2: number;
+        };
+        /**
+         * DraftLink
+         * @description A link that a joint of the arm moves.
+         */
+        DraftLink: {
+            /**
+             * Name
+             * @description Name of the link.
+             * @example link_3
+             */
+            name: string;
+            /**
+             * Mass Kg
+             * @description Its mass, kg.
+             * @example 2.7
+             */
+            mass_kg: number;
+        };
+        /**
+         * DraftPublic
+         * @description A cell that is being made; it is gone when it is imported or deleted, or when nobody has asked for it for some time.
+         */
+        DraftPublic: {
+            /**
+             * Draft
+             * @description Identifier of the draft.
+             * @example 9f86d081884c7d659a2feaa0
+             */
+            draft: string;
+            /**
+             * Descriptions
+             * @description Files that may describe the robot, the likeliest first.
+             */
+            descriptions: components["schemas"]["DescriptionPublic"][];
+            /**
+             * Expires At
+             * Format: date-time
+             * @description When it is gone unless somebody asks for it.
+             * @example 2026-03-01T10:00:00Z
+             */
+            expires_at: string;
+        };
+        /**
+         * DraftRobotCreate
+         * @description Which file describes the robot.
+         */
+        DraftRobotCreate: {
+            /**
+             * File
+             * @description One of the draft's descriptions.
+             * @example robot/arm.urdf
+             */
+            file: string;
+            /**
+             * Arguments
+             * @description Arguments of a xacro file, by name.
+             * @example {
+             *       "ur_type": "ur5e"
+             *     }
+             */
+            arguments?: {
+                [key: string]: string;
+            };
         };
         /**
          * EndedRequestPublic
@@ -3603,6 +4053,42 @@ export interface components {
             torque_rms_n_m: number | null;
         };
         /**
+         * JointValues
+         * @description Limits of one joint; null is what the description says, or what is taken where it says nothing.
+         */
+        JointValues: {
+            /**
+             * Lower Rad
+             * @description Lower limit of its position, rad.
+             * @example -2.97
+             */
+            lower_rad?: number | null;
+            /**
+             * Upper Rad
+             * @description Upper limit of its position, rad.
+             * @example 2.97
+             */
+            upper_rad?: number | null;
+            /**
+             * Velocity Rad S
+             * @description Its greatest speed, rad/s.
+             * @example 1.9
+             */
+            velocity_rad_s?: number | null;
+            /**
+             * Effort N M
+             * @description Its greatest torque, N m.
+             * @example 176
+             */
+            effort_n_m?: number | null;
+            /**
+             * Acceleration Rad S2
+             * @description Its greatest acceleration, rad/s2.
+             * @example 10
+             */
+            acceleration_rad_s2?: number | null;
+        };
+        /**
          * KeyCreate
          * @description A machine that is to be let in.
          */
@@ -3839,6 +4325,41 @@ export interface components {
              * @example 0.01
              */
             self_clearance_m?: number;
+        };
+        /**
+         * LinkOutline
+         * @description A link, and the joint that it hangs on.
+         */
+        LinkOutline: {
+            /**
+             * Name
+             * @description Name of the link.
+             * @example link_3
+             */
+            name: string;
+            /**
+             * Parent
+             * @description The link that it hangs on; null for the root.
+             * @example link_2
+             */
+            parent: string | null;
+            /**
+             * Joint
+             * @description The joint that it hangs on; null for the root.
+             * @example joint_3
+             */
+            joint: string | null;
+            /**
+             * Kind
+             * @description Kind of that joint, as the URDF has it; null for the root.
+             * @example revolute
+             */
+            kind: string | null;
+            /**
+             * Is Body
+             * @description Whether it has mass or a shape.
+             */
+            is_body: boolean;
         };
         /**
          * LinkPublic
@@ -5824,6 +6345,35 @@ export interface components {
              *     ]
              */
             visual_shapes?: string[];
+        };
+        /**
+         * RobotOutline
+         * @description The links of a description, parents first, and the frames that are proposed.
+         */
+        RobotOutline: {
+            /**
+             * Robot
+             * @description Name of the robot, as the description has it.
+             * @example lwr4
+             */
+            robot: string;
+            /**
+             * Links
+             * @description All links, each after the one that it hangs on.
+             */
+            links: components["schemas"]["LinkOutline"][];
+            /**
+             * Base Frame
+             * @description Proposed link that the arm begins with.
+             * @example base
+             */
+            base_frame: string;
+            /**
+             * Sensor Frame
+             * @description Proposed link in whose frame the sensor measures.
+             * @example flange
+             */
+            sensor_frame: string;
         };
         /**
          * RobotStopped
@@ -8990,6 +9540,30 @@ export interface components {
              */
             type: "/problems/library-unknown";
         });
+        /** @description drafts-unknown = draft "{ $draft }": there is none of that name, or not any more; begin a new one */
+        DraftsUnknownProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/drafts-unknown";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "not-found";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/drafts-unknown";
+        });
         /** @description request-cell-unknown = cell: there is none called "{ $cell }". List what there is and ask again. */
         RequestCellUnknownProblem: {
             /**
@@ -10301,6 +10875,128 @@ export interface components {
              */
             type: "/problems/jobs-no-effect-yet";
         });
+        /** @description drafts-too-many = drafts: { $most_drafts } cells are being made already; finish or leave one of them */
+        DraftsTooManyProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/drafts-too-many";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description How many drafts there may be. */
+                most_drafts: number;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/drafts-too-many";
+        });
+        /** @description drafts-busy = draft "{ $draft }": it is being worked on; wait for the answer */
+        DraftsBusyProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/drafts-busy";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/drafts-busy";
+        });
+        /** @description drafts-not-read = draft "{ $draft }": no description was read yet; choose one first */
+        DraftsNotReadProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/drafts-not-read";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/drafts-not-read";
+        });
+        /** @description drafts-not-made = draft "{ $draft }": no cell "{ $name }" was made of it yet */
+        DraftsNotMadeProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/drafts-not-made";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the draft. */
+                draft: string;
+                /** @description Name that was given. */
+                name: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/drafts-not-made";
+        });
+        /** @description drafts-no-picture = draft "{ $draft }": there is no picture yet; choose the frames first */
+        DraftsNoPictureProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/drafts-no-picture";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "conflict";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/drafts-no-picture";
+        });
         /**
          * @description library-name-taken =
          *         name: "{ $name }" is taken in cell "{ $cell }" by { $by ->
@@ -10710,6 +11406,54 @@ export interface components {
              * @enum {string}
              */
             type: "/problems/library-without-box";
+        });
+        /** @description drafts-file-unknown = file: "{ $file }" is not one of the descriptions that were sent */
+        DraftsFileUnknownProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/drafts-file-unknown";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "unprocessable";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Name of the file. */
+                file: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/drafts-file-unknown";
+        });
+        /** @description drafts-work-ended = draft "{ $draft }": the process that works on it ended, since it took too much time or memory; send a smaller description, or one with simpler meshes */
+        DraftsWorkEndedProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/drafts-work-ended";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "unprocessable";
+            /** @description What the words name. */
+            parameters: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/drafts-work-ended";
         });
         /** @description uploads-no-zip = Content-Type: found "{ $found }", expected application/zip; send a zip of the { $what }'s folder */
         UploadsNoZipProblem: {
@@ -11153,7 +11897,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell" | "bad-recording";
+            kind: "bad-cell" | "bad-robot" | "bad-recording";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11185,7 +11929,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell" | "bad-recording";
+            kind: "bad-cell" | "bad-robot" | "bad-recording";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11217,7 +11961,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-cell" | "bad-robot";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11249,7 +11993,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-cell" | "bad-robot";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11279,7 +12023,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-cell" | "bad-robot";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11307,7 +12051,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-cell" | "bad-robot";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11335,7 +12079,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-cell" | "bad-robot";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11363,7 +12107,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-cell" | "bad-robot";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11393,7 +12137,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-cell" | "bad-robot";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11421,7 +12165,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-cell" | "bad-robot";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11483,7 +12227,7 @@ export interface components {
              * @description For programs that know no single situations.
              * @enum {unknown}
              */
-            kind: "bad-cell";
+            kind: "bad-cell" | "bad-robot";
             /** @description What the words name. */
             parameters: {
                 /** @description The part of the request, or the file with the key in it. */
@@ -11807,6 +12551,36 @@ export interface components {
             type: "/problems/uploads-model-not-buildable";
         });
         /**
+         * @description drafts-no-description =
+         *         .found = no description of a robot
+         *         .expected = one file, or a zip with one, of the kinds { $kinds }
+         */
+        DraftsNoDescriptionProblem: {
+            /**
+             * @description Address of what describes the situation.
+             * @constant
+             */
+            type: "/problems/drafts-no-description";
+            /**
+             * @description For programs that know no single situations.
+             * @enum {unknown}
+             */
+            kind: "bad-robot";
+            /** @description What the words name. */
+            parameters: {
+                /** @description The part of the request, or the file with the key in it. */
+                where: string | components["schemas"]["NestedMessage"];
+                /** @description What it may be. */
+                kinds: (string | components["schemas"]["NestedMessage"])[];
+            };
+        } & (WithRequired<components["schemas"]["ProblemDetails"], "type" | "kind" | "parameters"> & {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "/problems/drafts-no-description";
+        });
+        /**
          * @description uploads-recording-too-large =
          *         .found = more than { $most_bytes } bytes when unpacked
          *         .expected = a recording of a plausible size
@@ -12037,7 +12811,7 @@ export interface components {
              */
             type: "EngineProblem";
         });
-        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
+        Problem: components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"] | components["schemas"]["PeopleSignInRefusedProblem"] | components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleOriginMissingProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"] | components["schemas"]["PeopleEndpointClosedProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleKeyWithoutPasswordProblem"] | components["schemas"]["PeoplePasswordWrongProblem"] | components["schemas"]["RunsUnknownProblem"] | components["schemas"]["AlarmsUnknownProblem"] | components["schemas"]["RunsWebhookUnknownProblem"] | components["schemas"]["PeopleAccountUnknownProblem"] | components["schemas"]["PeopleKeyUnknownProblem"] | components["schemas"]["PeopleSessionUnknownProblem"] | components["schemas"]["JobsUnknownProblem"] | components["schemas"]["JobsEffectNotInTwinProblem"] | components["schemas"]["ZoneUnknownProblem"] | components["schemas"]["LibraryUnknownProblem"] | components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestProblemUnknownProblem"] | components["schemas"]["RequestConsoleFileUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"] | components["schemas"]["RunsCommandNotPossibleProblem"] | components["schemas"]["RunsCommandImpossibleProblem"] | components["schemas"]["RunsNoPlanProblem"] | components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoRecordingProblem"] | components["schemas"]["RunsNoReportProblem"] | components["schemas"]["RunsRecordingOpenProblem"] | components["schemas"]["RunsNothingLeftProblem"] | components["schemas"]["RunsRecordingNotThereProblem"] | components["schemas"]["RunsAcceptedAlreadyProblem"] | components["schemas"]["AlarmsAcknowledgedAlreadyProblem"] | components["schemas"]["RunsNothingToStopProblem"] | components["schemas"]["RunsNoCommonFrameProblem"] | components["schemas"]["RunsSpeedNotAllowedProblem"] | components["schemas"]["RunsStartOfOtherRobotProblem"] | components["schemas"]["RunsControlTakenProblem"] | components["schemas"]["RunsControlFreeProblem"] | components["schemas"]["RunsControlElsewhereProblem"] | components["schemas"]["RunsControlAskedProblem"] | components["schemas"]["RunsControlNotAskedProblem"] | components["schemas"]["RunsControlOvertakenProblem"] | components["schemas"]["RunsCommandWithoutControlProblem"] | components["schemas"]["RunsCommandRepeatedProblem"] | components["schemas"]["RunsCommandLateProblem"] | components["schemas"]["RunsPlanVoidProblem"] | components["schemas"]["RunsOfferForeignProblem"] | components["schemas"]["RunsOfferOldProblem"] | components["schemas"]["PeopleAccountExistsProblem"] | components["schemas"]["PeopleLastAdminProblem"] | components["schemas"]["PeopleKeyExistsProblem"] | components["schemas"]["JobsOverProblem"] | components["schemas"]["JobsNoOverlayProblem"] | components["schemas"]["JobsNoReportProblem"] | components["schemas"]["JobsNoCellProblem"] | components["schemas"]["JobsRecordingGoneProblem"] | components["schemas"]["JobsPayloadUnknownProblem"] | components["schemas"]["JobsPayloadUnnamedProblem"] | components["schemas"]["JobsPayloadDiffersProblem"] | components["schemas"]["JobsNoMotionYetProblem"] | components["schemas"]["JobsNoMotionProposedProblem"] | components["schemas"]["JobsNoMotionAskedProblem"] | components["schemas"]["JobsMotionRefusedProblem"] | components["schemas"]["JobsMotionNotPlannedProblem"] | components["schemas"]["JobsRobotChangedProblem"] | components["schemas"]["JobsGravityChangedProblem"] | components["schemas"]["JobsNoEffectYetProblem"] | components["schemas"]["DraftsTooManyProblem"] | components["schemas"]["DraftsBusyProblem"] | components["schemas"]["DraftsNotReadProblem"] | components["schemas"]["DraftsNotMadeProblem"] | components["schemas"]["DraftsNoPictureProblem"] | components["schemas"]["LibraryNameTakenProblem"] | components["schemas"]["LibraryFullProblem"] | components["schemas"]["LibraryRunOfOtherCellProblem"] | components["schemas"]["ZoneMeasuredBeforeProblem"] | components["schemas"]["ZoneClockAheadProblem"] | components["schemas"]["ZoneNotMovedProblem"] | components["schemas"]["ZoneMovedOnProblem"] | components["schemas"]["ZoneExistsProblem"] | components["schemas"]["UploadsCellExistsProblem"] | components["schemas"]["RequestKeyBusyProblem"] | components["schemas"]["JobsUploadOfOtherCellProblem"] | components["schemas"]["JobsUploadOfOtherRobotProblem"] | components["schemas"]["PeopleRoleNotForMachinesProblem"] | components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["ZoneNotLookedAtProblem"] | components["schemas"]["LibraryWithoutBoxProblem"] | components["schemas"]["DraftsFileUnknownProblem"] | components["schemas"]["DraftsWorkEndedProblem"] | components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsOtherCellProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["RequestKeyReusedProblem"] | components["schemas"]["RequestBodyTooLargeProblem"] | components["schemas"]["PeopleSignInBlockedProblem"] | components["schemas"]["StoreUnavailableProblem"] | components["schemas"]["StoreReleaseWaitsProblem"] | components["schemas"]["StoreReleaseNotTakenProblem"] | components["schemas"]["StoreResumeWaitsProblem"] | components["schemas"]["StoreResultNotThereProblem"] | components["schemas"]["RunsDiskTooFullProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["RunsCellWithoutPayloadProblem"] | components["schemas"]["RunsPayloadUnknownProblem"] | components["schemas"]["LibraryMassRangeProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["ZoneNameTakenProblem"] | components["schemas"]["ZoneTooSmallProblem"] | components["schemas"]["ZoneTooLargeProblem"] | components["schemas"]["ZoneTooFarProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["DraftsNoDescriptionProblem"] | components["schemas"]["UploadsRecordingTooLargeProblem"] | components["schemas"]["UploadsTwoRecordingsProblem"] | components["schemas"]["UploadsNoManifestProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["RequestNoJsonProblem"] | components["schemas"]["RequestMethodNotAllowedProblem"] | components["schemas"]["RequestRefusedProblem"] | components["schemas"]["RequestUnforeseenProblem"] | components["schemas"]["EngineProblem"];
     };
     responses: never;
     parameters: never;
@@ -12051,9 +12825,11 @@ export type AccountPublic = components['schemas']['AccountPublic'];
 export type AccountUpdate = components['schemas']['AccountUpdate'];
 export type AlarmPublic = components['schemas']['AlarmPublic'];
 export type Also = components['schemas']['Also'];
+export type ArgumentPublic = components['schemas']['ArgumentPublic'];
 export type AuditEntryPublic = components['schemas']['AuditEntryPublic'];
 export type AuditNames = components['schemas']['AuditNames'];
 export type AuditVerified = components['schemas']['AuditVerified'];
+export type Behind = components['schemas']['Behind'];
 export type Box = components['schemas']['Box'];
 export type BudgetPart = components['schemas']['BudgetPart'];
 export type Capsule = components['schemas']['Capsule'];
@@ -12062,6 +12838,7 @@ export type Cell = components['schemas']['Cell'];
 export type CellNow = components['schemas']['CellNow'];
 export type CellPublic = components['schemas']['CellPublic'];
 export type CellSummary = components['schemas']['CellSummary'];
+export type CellValues = components['schemas']['CellValues'];
 export type CellVersion = components['schemas']['CellVersion'];
 export type Change = components['schemas']['Change'];
 export type ChannelOverlay = components['schemas']['ChannelOverlay'];
@@ -12078,12 +12855,21 @@ export type ControlRequestUpdate = components['schemas']['ControlRequestUpdate']
 export type Credentials = components['schemas']['Credentials'];
 export type Cylinder = components['schemas']['Cylinder'];
 export type DeliveryPublic = components['schemas']['DeliveryPublic'];
+export type DescriptionPublic = components['schemas']['DescriptionPublic'];
 export type Diagnosis = components['schemas']['Diagnosis'];
 export type DiagnosisCreate = components['schemas']['DiagnosisCreate'];
 export type DiagnosisPublic = components['schemas']['DiagnosisPublic'];
 export type Difference = components['schemas']['Difference'];
 export type Disk = components['schemas']['Disk'];
 export type DiskPart = components['schemas']['DiskPart'];
+export type DraftCellPublic = components['schemas']['DraftCellPublic'];
+export type DraftCellUpdate = components['schemas']['DraftCellUpdate'];
+export type DraftFinding = components['schemas']['DraftFinding'];
+export type DraftImportCreate = components['schemas']['DraftImportCreate'];
+export type DraftJoint = components['schemas']['DraftJoint'];
+export type DraftLink = components['schemas']['DraftLink'];
+export type DraftPublic = components['schemas']['DraftPublic'];
+export type DraftRobotCreate = components['schemas']['DraftRobotCreate'];
 export type EndedRequestPublic = components['schemas']['EndedRequestPublic'];
 export type EventMessage = components['schemas']['EventMessage'];
 export type Experiment = components['schemas']['Experiment'];
@@ -12102,6 +12888,7 @@ export type Instruction = components['schemas']['Instruction'];
 export type JobState = components['schemas']['JobState'];
 export type JobStatus = components['schemas']['JobStatus'];
 export type JointGap = components['schemas']['JointGap'];
+export type JointValues = components['schemas']['JointValues'];
 export type KeyCreate = components['schemas']['KeyCreate'];
 export type KeyIssued = components['schemas']['KeyIssued'];
 export type KeyPublic = components['schemas']['KeyPublic'];
@@ -12109,6 +12896,7 @@ export type LargestTorque = components['schemas']['LargestTorque'];
 export type Lateness = components['schemas']['Lateness'];
 export type LeftOutPair = components['schemas']['LeftOutPair'];
 export type Limits = components['schemas']['Limits'];
+export type LinkOutline = components['schemas']['LinkOutline'];
 export type LinkPublic = components['schemas']['LinkPublic'];
 export type LiveBatch = components['schemas']['LiveBatch'];
 export type Message = components['schemas']['Message'];
@@ -12152,6 +12940,7 @@ export type ResidualPart = components['schemas']['ResidualPart'];
 export type ResultPublic = components['schemas']['ResultPublic'];
 export type ResultSummary = components['schemas']['ResultSummary'];
 export type Robot = components['schemas']['Robot'];
+export type RobotOutline = components['schemas']['RobotOutline'];
 export type RobotStopped = components['schemas']['RobotStopped'];
 export type Role = components['schemas']['Role'];
 export type RunCommand = components['schemas']['RunCommand'];
@@ -12237,6 +13026,7 @@ export type JobsUnknownProblem = components['schemas']['JobsUnknownProblem'];
 export type JobsEffectNotInTwinProblem = components['schemas']['JobsEffectNotInTwinProblem'];
 export type ZoneUnknownProblem = components['schemas']['ZoneUnknownProblem'];
 export type LibraryUnknownProblem = components['schemas']['LibraryUnknownProblem'];
+export type DraftsUnknownProblem = components['schemas']['DraftsUnknownProblem'];
 export type RequestCellUnknownProblem = components['schemas']['RequestCellUnknownProblem'];
 export type RequestProblemUnknownProblem = components['schemas']['RequestProblemUnknownProblem'];
 export type RequestConsoleFileUnknownProblem = components['schemas']['RequestConsoleFileUnknownProblem'];
@@ -12288,6 +13078,11 @@ export type JobsMotionNotPlannedProblem = components['schemas']['JobsMotionNotPl
 export type JobsRobotChangedProblem = components['schemas']['JobsRobotChangedProblem'];
 export type JobsGravityChangedProblem = components['schemas']['JobsGravityChangedProblem'];
 export type JobsNoEffectYetProblem = components['schemas']['JobsNoEffectYetProblem'];
+export type DraftsTooManyProblem = components['schemas']['DraftsTooManyProblem'];
+export type DraftsBusyProblem = components['schemas']['DraftsBusyProblem'];
+export type DraftsNotReadProblem = components['schemas']['DraftsNotReadProblem'];
+export type DraftsNotMadeProblem = components['schemas']['DraftsNotMadeProblem'];
+export type DraftsNoPictureProblem = components['schemas']['DraftsNoPictureProblem'];
 export type LibraryNameTakenProblem = components['schemas']['LibraryNameTakenProblem'];
 export type LibraryFullProblem = components['schemas']['LibraryFullProblem'];
 export type LibraryRunOfOtherCellProblem = components['schemas']['LibraryRunOfOtherCellProblem'];
@@ -12304,6 +13099,8 @@ export type PeopleRoleNotForMachinesProblem = components['schemas']['PeopleRoleN
 export type JobsWorkLostProblem = components['schemas']['JobsWorkLostProblem'];
 export type ZoneNotLookedAtProblem = components['schemas']['ZoneNotLookedAtProblem'];
 export type LibraryWithoutBoxProblem = components['schemas']['LibraryWithoutBoxProblem'];
+export type DraftsFileUnknownProblem = components['schemas']['DraftsFileUnknownProblem'];
+export type DraftsWorkEndedProblem = components['schemas']['DraftsWorkEndedProblem'];
 export type UploadsNoZipProblem = components['schemas']['UploadsNoZipProblem'];
 export type UploadsOtherCellProblem = components['schemas']['UploadsOtherCellProblem'];
 export type UploadsCheckerEndedProblem = components['schemas']['UploadsCheckerEndedProblem'];
@@ -12343,6 +13140,7 @@ export type ZoneTooSmallProblem = components['schemas']['ZoneTooSmallProblem'];
 export type ZoneTooLargeProblem = components['schemas']['ZoneTooLargeProblem'];
 export type ZoneTooFarProblem = components['schemas']['ZoneTooFarProblem'];
 export type UploadsModelNotBuildableProblem = components['schemas']['UploadsModelNotBuildableProblem'];
+export type DraftsNoDescriptionProblem = components['schemas']['DraftsNoDescriptionProblem'];
 export type UploadsRecordingTooLargeProblem = components['schemas']['UploadsRecordingTooLargeProblem'];
 export type UploadsTwoRecordingsProblem = components['schemas']['UploadsTwoRecordingsProblem'];
 export type UploadsNoManifestProblem = components['schemas']['UploadsNoManifestProblem'];
@@ -14121,6 +14919,662 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    create_draft: {
+        parameters: {
+            query?: {
+                /** @description Name of a single file, where no zip is sent. */
+                name?: string | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/zip": string;
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsTooManyProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["DraftsNoDescriptionProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_draft: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_draft: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_draft_robot: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DraftRobotCreate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RobotOutline"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsBusyProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsWorkEndedProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["DraftsFileUnknownProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    make_draft_cell: {
+        parameters: {
+            query?: {
+                /** @description Language of the picture. */
+                language?: "en" | "de";
+            };
+            header?: never;
+            path: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DraftCellUpdate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DraftCellPublic"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsBusyProblem"] | components["schemas"]["DraftsNotReadProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsWorkEndedProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_draft_picture: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": unknown;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsNoPictureProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestUnfitProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    import_draft: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the draft. */
+                draft: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DraftImportCreate"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CellVersion"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestNoJsonProblem"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"] | components["schemas"]["PeopleOriginForeignProblem"] | components["schemas"]["PeopleCsrfTokenWrongProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["DraftsNotMadeProblem"] | components["schemas"]["UploadsCellExistsProblem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RequestBodyTooLargeProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsNoZipProblem"] | components["schemas"]["UploadsNotUnpackableProblem"] | components["schemas"]["UploadsTooManyFilesProblem"] | components["schemas"]["UploadsLongerThanListedProblem"] | components["schemas"]["UploadsEncryptedFileProblem"] | components["schemas"]["UploadsCompressionUnknownProblem"] | components["schemas"]["UploadsCheckerEndedProblem"] | components["schemas"]["UploadsOutsideFileProblem"] | components["schemas"]["UploadsProgramProblem"] | components["schemas"]["UploadsTooManyBytesProblem"] | components["schemas"]["UploadsSymbolicLinkProblem"] | components["schemas"]["UploadsSpecialFileProblem"] | components["schemas"]["UploadsNameOutsideProblem"] | components["schemas"]["UploadsNameUnusualProblem"] | components["schemas"]["UploadsKindUnknownProblem"] | components["schemas"]["UploadsSameNamesProblem"] | components["schemas"]["UploadsNoCellFileProblem"] | components["schemas"]["UploadsCheckTooLargeProblem"] | components["schemas"]["UploadsCheckTooSlowProblem"] | components["schemas"]["UploadsCheckBrokenOffProblem"] | components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["UploadsModelNotBuildableProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */

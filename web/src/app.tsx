@@ -26,7 +26,14 @@ const gapScreen = screenLater(async () => {
   return (await import('./gap/gap-page')).gapScreen;
 });
 const manualScreen = screenLater(async () => (await import('./help/manual-page')).manualScreen);
-const toolsScreen = screenLater(async () => (await import('./tools/tools-page')).toolsScreen);
+const newCellScreen = screenLater(async () => {
+  await fetchLaterMessages();
+  return (await import('./new-cell/new-cell-page')).newCellScreen;
+});
+const toolsScreen = screenLater(async () => {
+  await fetchLaterMessages();
+  return (await import('./tools/tools-page')).toolsScreen;
+});
 const trialsScreen = screenLater(async () => {
   await fetchLaterMessages();
   return (await import('./trials/trials-page')).trialsScreen;
@@ -41,6 +48,7 @@ const SCREENS = new Map<string, () => Screen>([
   ['history', historyScreen],
   ['tools', toolsScreen],
   ['cells', cellsScreen],
+  ['new-cell', newCellScreen],
   ['orders', () => ordersScreen],
   ['alarms', () => alarmsScreen],
   ['control', () => controlScreen],

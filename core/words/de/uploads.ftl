@@ -3,15 +3,17 @@ uploads-upload = hochgeladene Datei
 uploads-file = hochgeladene Datei: „{ $name }“
 
 # Die ZIP-Datei.
-uploads-no-zip = Content-Type: gefunden: „{ $found }“, erwartet: application/zip; senden Sie eine ZIP-Datei des Ordners der { $what ->
-        [cell] Zelle
-       *[recording] Aufzeichnung
+uploads-no-zip = Content-Type: gefunden: „{ $found }“, erwartet: application/zip; senden Sie eine ZIP-Datei des Ordners { $what ->
+        [cell] der Zelle
+        [robot] des Roboters
+       *[recording] der Aufzeichnung
     }
 uploads-not-unpackable =
     .found = eine ZIP-Datei, die sich nicht entpacken lässt ({ $reason })
-    .expected = eine einfache ZIP-Datei des Ordners einer { $what ->
-        [cell] Zelle
-       *[recording] Aufzeichnung
+    .expected = eine einfache ZIP-Datei des Ordners { $what ->
+        [cell] einer Zelle
+        [robot] eines Roboters
+       *[recording] einer Aufzeichnung
     }
 uploads-too-many-files =
     .found = { $files } Dateien

@@ -2,7 +2,7 @@ import '../look/zones.css';
 import { Viewer } from '../run/viewer';
 import { may } from '../session/session';
 import { FlawList } from '../ui/flaw-list';
-import { go } from '../ui/route';
+import { go, to } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { words } from '../words';
 import { CellChoice } from './cell-choice';
@@ -25,6 +25,15 @@ function Cells() {
         <h1>{said.title}</h1>
         <CellChoice legend={said.list} chosen={looked.value} choose={(name) => go('cells', name)} />
         <Flawed />
+        {may('engineer') && (
+          <section>
+            <h2>{said.fromRobot}</h2>
+            <p class="hint">{said.fromRobotHint}</p>
+            <a class="download" href={to('new-cell')}>
+              {said.fromRobotBegin}
+            </a>
+          </section>
+        )}
         {may('engineer') && <CellUpload />}
       </section>
       <section>

@@ -39,7 +39,7 @@ export interface Asked<O> {
   query?: Parameters<O, 'query'>;
   header?: Parameters<O, 'header'>;
   body?: Body<O>;
-  /** A zip in place of a body. */
+  /** A zip in place of a body, or another file, whose type says so. */
   zip?: Blob;
   /** How long the answer may take, where that is not as long as for others. */
   patience_ms?: number;
@@ -58,7 +58,7 @@ export async function ask<E extends Endpoint>(
   const headers = new Headers(entries(asked.header));
   if (method !== 'GET') headers.set('X-CSRF-Token', csrfToken.value ?? '');
   const body = asked.zip ?? (asked.body === undefined ? null : JSON.stringify(asked.body));
-  if (body !== null) headers.set('Content-Type', asked.zip ? 'application/zip' : 'application/json');
+  if (body !== null) headers.set('Content-Type', contentType(asked.zip));
   const patience_ms = asked.patience_ms ?? (method === 'GET' ? PATIENCE_MS.get : PATIENCE_MS.others);
   const signal = asked.zip ? null : AbortSignal.timeout(patience_ms);
   const response = await reached(addressOf(template, asked.path, asked.query), {
@@ -68,6 +68,14 @@ export async function ask<E extends Endpoint>(
     signal,
   });
   return (response.status === 204 ? undefined : await response.json()) as Good<Operation<E>>;
+}
+
+/** Of a file that is no zip, as the service wants it. */
+export const PLAIN_FILE = 'application/octet-stream';
+
+function contentType(file: Blob | undefined): string {
+  if (file === undefined) return 'application/json';
+  return file.type === PLAIN_FILE ? PLAIN_FILE : 'application/zip';
 }
 
 /** An address of the service, its braces filled in. */

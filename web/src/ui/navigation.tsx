@@ -26,7 +26,7 @@ export function Navigation() {
       <a href={to('tools')} aria-current={here === 'tools' ? 'page' : undefined}>
         {said.tools}
       </a>
-      <a href={to('cells')} aria-current={here === 'cells' ? 'page' : undefined}>
+      <a href={to('cells')} aria-current={here === 'cells' || here === 'new-cell' ? 'page' : undefined}>
         {said.cells}
       </a>
       <a href={to('settings')} aria-current={here === 'settings' ? 'page' : undefined}>

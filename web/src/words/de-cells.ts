@@ -45,7 +45,10 @@ export const cells: typeof en.cells = {
   lookAtCell: 'Zelle und Zonen zeigen',
   nextFlawed:
     'In dieser Zelle kann jetzt kein Lauf geplant werden. Die Seite sagt, warum und was zu tun ist.',
-  upload: 'Neue Zelle',
+  upload: 'Zelle importieren',
+  fromRobot: 'Neue Zelle',
+  fromRobotHint: 'Aus der URDF- oder xacro-Datei eines Roboters, Schritt für Schritt',
+  fromRobotBegin: 'Zelle anlegen…',
   uploadHint: 'Eine ZIP-Datei eines Ordners mit cell.toml und robot.urdf',
   choose: 'ZIP-Datei wählen…',
   checking: (file) => `${file} wird geprüft.`,

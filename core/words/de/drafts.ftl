@@ -1,0 +1,11 @@
+drafts-unknown = Entwurf „{ $draft }“: keiner heißt so, oder nicht mehr; beginnen Sie einen neuen
+drafts-too-many = Entwürfe: es werden schon { $most_drafts } Zellen angelegt; schließen Sie eine davon ab, oder verwerfen Sie sie
+drafts-busy = Entwurf „{ $draft }“: er wird gerade bearbeitet; warten Sie auf die Antwort
+drafts-no-description =
+    .found = keine Beschreibung eines Roboters
+    .expected = eine Datei, oder eine Zip-Datei mit einer, der Arten { $kinds }
+drafts-file-unknown = Datei: „{ $file }“ ist keine der gesendeten Beschreibungen
+drafts-not-read = Entwurf „{ $draft }“: es wurde noch keine Beschreibung gelesen; wählen Sie zuerst eine
+drafts-not-made = Entwurf „{ $draft }“: eine Zelle „{ $name }“ wurde noch nicht daraus gemacht
+drafts-no-picture = Entwurf „{ $draft }“: es gibt noch kein Bild; wählen Sie zuerst die Koordinatensysteme
+drafts-work-ended = Entwurf „{ $draft }“: der Prozess, der ihn bearbeitet, wurde beendet, weil er zu viel Zeit oder Speicher brauchte; senden Sie eine kleinere Beschreibung oder eine mit einfacheren Netzen

@@ -1,0 +1,11 @@
+drafts-unknown = draft "{ $draft }": there is none of that name, or not any more; begin a new one
+drafts-too-many = drafts: { $most_drafts } cells are being made already; finish or leave one of them
+drafts-busy = draft "{ $draft }": it is being worked on; wait for the answer
+drafts-no-description =
+    .found = no description of a robot
+    .expected = one file, or a zip with one, of the kinds { $kinds }
+drafts-file-unknown = file: "{ $file }" is not one of the descriptions that were sent
+drafts-not-read = draft "{ $draft }": no description was read yet; choose one first
+drafts-not-made = draft "{ $draft }": no cell "{ $name }" was made of it yet
+drafts-no-picture = draft "{ $draft }": there is no picture yet; choose the frames first
+drafts-work-ended = draft "{ $draft }": the process that works on it ended, since it took too much time or memory; send a smaller description, or one with simpler meshes

@@ -1,0 +1,97 @@
+"""Makes a cell of a description that somebody has sent, with limits: what is wrong and doubtful in it is told with it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+import numpy as np
+
+from core.cell.folder import load_cell
+from core.cell.urdf import check_urdf
+from core.cell.urdf_elements import UrdfJoint
+from core.errors import BadInput
+from core.new_cell.findings import CellFinding, findings_of
+from core.new_cell.making import URDF, make_cell
+from core.new_cell.order import CellOrder
+from core.recording.recording import RobotDescription
+from core.robot.model import RobotModel
+from core.words.catalogue import Language
+from core.words.message import Message
+from server.http.flaws import dump_refusal
+from server.runner.confinement import confine
+from server.runner.draft_schemas import DraftCellPublic, DraftFinding, DraftJoint, DraftLink
+from server.runner.messages import Answered
+from server.runner.work import give_way
+
+SECONDS, MEMORY = 90.0, 1_500_000_000
+PICTURE = "home.png"
+TURNS = '<axis xyz="0 0 1"/><limit lower="-1" upper="1" velocity="1" effort="1"/></joint>'
+TWO_HINGES = (
+    '<robot name="two"><link name="base"/><link name="middle"/><link name="tip"/>'
+    f'<joint name="first" type="revolute"><parent link="base"/><child link="middle"/>{TURNS}'
+    f'<joint name="second" type="revolute"><parent link="middle"/><child link="tip"/>{TURNS}</robot>'
+)
+
+
+def main(folder: Path, order: CellOrder, language: Language, connection: Connection) -> None:
+    """Answers with a `DraftCellPublic`, or with what is wrong (`dump_refusal`). The picture of the home stands in the folder either way.
+
+    Args:
+        folder: of the draft; the paths of the order are from there.
+        language: of the picture.
+    """
+    give_way()
+    os.chdir(folder)  # errors name files as the upload does
+    os.environ["HEFT_LANGUAGE"] = language
+    sys.dont_write_bytecode = True
+    compile_kinematics()
+    confine(folder, SECONDS, MEMORY)
+    shutil.rmtree(order.folder, ignore_errors=True)
+    Path(PICTURE).unlink(missing_ok=True)
+    try:
+        made = make_cell(order, picture=Path(PICTURE))
+        answer = _describe(made.folder, made.notes).model_dump_json()
+        connection.send(Answered(answer))
+    except BadInput as error:
+        connection.send(Answered(dump_refusal(error)))
+
+
+def compile_kinematics() -> None:
+    """What is compiled when it is first called, before this process may no longer: numba needs more than a file that is read."""
+    robot = RobotModel(RobotDescription(TWO_HINGES, ("first", "second"), "base", "tip"))
+    robot.sensor_jacobian(np.zeros(2))
+    robot.sensor_pose(np.zeros(2))
+
+
+def _describe(folder: Path, notes: tuple[Message, ...]) -> DraftCellPublic:
+    cell = load_cell(folder)
+    urdf = check_urdf(cell.urdf, URDF)
+    known = {joint.name: joint for joint in urdf.joints}
+    joints = [known[hinge.name] for hinge in urdf.hinges(cell.robot.base_frame, cell.robot.sensor_frame)]
+    masses = {link.name: link.mass for link in urdf.bodies}
+    return DraftCellPublic(
+        cell=cell,
+        joints=[_describe_joint(joint, value) for joint, value in zip(joints, cell.robot.acceleration_rad_s2, strict=True)],
+        links=[DraftLink(name=joint.child, mass_kg=masses.get(joint.child) or 0.0) for joint in joints],
+        notes=list(notes),
+        findings=[_tell(finding) for finding in findings_of(folder)],
+    )
+
+
+def _describe_joint(joint: UrdfJoint, acceleration_rad_s2: float) -> DraftJoint:
+    return DraftJoint(
+        name=joint.name,
+        lower_rad=joint.lower,
+        upper_rad=joint.upper,
+        velocity_rad_s=joint.velocity,
+        effort_n_m=joint.effort,
+        acceleration_rad_s2=acceleration_rad_s2,
+    )
+
+
+def _tell(finding: CellFinding) -> DraftFinding:
+    return DraftFinding(severity=finding.severity, message=finding.message)
