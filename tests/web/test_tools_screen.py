@@ -105,9 +105,9 @@ def test_a_tool_is_saved_where_a_run_is_set_up_chosen_planned_with_and_shows_its
     rows = page.locator(".run-list tbody tr")
     expect(rows).to_have_count(2)
     expect(rows.first).to_contain_text("housing")
-    expect(page.get_by_label("Tool", exact=True)).to_have_value(saved["id"])
-    page.get_by_label("Tool", exact=True).select_option("")
-    expect(page.get_by_label("Tool", exact=True)).to_have_value("")
+    expect(page.get_by_role("combobox", name="Tool")).to_have_value(saved["id"])
+    page.get_by_role("combobox", name="Tool").select_option("")
+    expect(page.get_by_role("combobox", name="Tool")).to_have_value("")
     assert "saved=" not in page.url
 
 
