@@ -1,4 +1,5 @@
 import '../look/new-cell.css';
+import { useEffect, useRef } from 'preact/hooks';
 import { may } from '../session/session';
 import { AskFirst } from '../ui/ask-first';
 import { say } from '../ui/notice';
@@ -48,17 +49,13 @@ const PAGES: Record<Step, () => preact.JSX.Element | null> = {
 /** A cell made from a robot's description: a question after the other, with a picture and what is doubtful. */
 function NewCell() {
   const said = newCellWords.value;
-  if (!may('engineer'))
-    return (
-      <div class="page">
-        <h1>{said.title}</h1>
-        <p>{said.closed}</p>
-      </div>
-    );
   const Here = PAGES[step.value];
+  const top = useRef<HTMLHeadingElement>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: each step begins at its top
+  useEffect(() => top.current?.scrollIntoView(), [step.value]);
   return (
     <div class="page new-cell">
-      <h1>{said.title}</h1>
+      <h1 ref={top}>{said.title}</h1>
       <Steps />
       <div class="new-cell-parts">
         <section class="stack">
@@ -66,11 +63,23 @@ function NewCell() {
           <RefusedHere />
           <Here />
           {draft.value && (
-            <AskFirst label={said.discard} question={said.discardAsk} yes={said.discardYes} act={discard} />
+            <div>
+              <AskFirst label={said.discard} question={said.discardAsk} yes={said.discardYes} act={discard} />
+            </div>
           )}
         </section>
         {step.value !== 'description' && <Picture />}
       </div>
+    </div>
+  );
+}
+
+function Closed() {
+  const said = newCellWords.value;
+  return (
+    <div class="page">
+      <h1>{said.title}</h1>
+      <p>{said.closed}</p>
     </div>
   );
 }
@@ -149,7 +158,7 @@ async function finish(): Promise<void> {
 }
 
 const page: Screen = {
-  Page: NewCell,
+  Page: () => (may('engineer') ? <NewCell /> : <Closed />),
   Actions,
   next: () => (may('engineer') ? (lack() ?? newCellWords.value.next[step.value]) : newCellWords.value.closed),
 };

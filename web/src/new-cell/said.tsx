@@ -3,6 +3,7 @@ import { FlawSentence } from '../ui/flaw-sentence';
 import { MessageText } from '../ui/message-text';
 import { messageOf } from '../ui/notice';
 import { Told } from '../ui/told';
+import { words } from '../words';
 import type { Message } from '../words/catalogue';
 import { sayPart, sayValue } from '../words/messages';
 import { made, refused, type Step } from './draft';
@@ -77,10 +78,13 @@ export function Findings({ findings }: { findings: DraftFinding[] }) {
 
 /** Where it is, what is there, and what to do. */
 function Finding({ message }: { message: Message }) {
+  const said = words.value.cells;
   return (
     <>
-      <code>{sayValue(message.parameters?.where)}</code>: {sayPart(message, 'found')}.{' '}
-      <span class="advice">{sayPart(message, 'expected')}</span>
+      <code>{sayValue(message.parameters?.where)}</code>: {said.foundWord} {sayPart(message, 'found')},
+      <span class="advice">
+        {said.expected} {sayPart(message, 'expected')}
+      </span>
     </>
   );
 }

@@ -1,14 +1,16 @@
 import '../look/tools.css';
 import { useSignal } from '@preact/signals';
+import { useEffect } from 'preact/hooks';
 import { cells, chosenCell } from '../cells/cells';
 import { may } from '../session/session';
+import { until } from '../ui/connection';
 import { say } from '../ui/notice';
 import { Press } from '../ui/press';
 import { Reading } from '../ui/reading';
 import { filters, setFilter } from '../ui/route';
 import type { Screen } from '../ui/screen';
 import { Select } from '../ui/select';
-import { containsWords, library } from './library';
+import { containsWords, library, readLibrary } from './library';
 import { ToolForm } from './tool-form';
 import { ToolTile } from './tool-tile';
 import { toolWords } from './tool-words';
@@ -19,6 +21,7 @@ const search = () => filters.value.get('search') ?? '';
 function Tools() {
   const said = toolWords.value;
   const all = library.value;
+  useEffect(() => until(readLibrary), []);
   if (all === null) return <Reading />;
   const found = all.filter((tool) => containsWords(tool, search()));
   return (

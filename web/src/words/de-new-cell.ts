@@ -87,7 +87,7 @@ export const newCell: typeof en = {
   },
   sensor: {
     name: 'Hersteller und Typ',
-    nameHint: 'Zu allen Daten des Sensors',
+    nameHint: 'Nötig, sobald Sie Daten des Sensors ändern',
     lackName: 'Geben Sie Hersteller und Typ des Sensors ein',
     range: 'Messbereich',
     noise: 'Rauschen (Standardabweichung)',

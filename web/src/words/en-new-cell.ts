@@ -85,7 +85,7 @@ export const newCell = {
   },
   sensor: {
     name: 'Make and model',
-    nameHint: 'With any figure of the sensor',
+    nameHint: 'Needed as soon as you change a figure of the sensor',
     lackName: 'Enter make and model of the sensor',
     range: 'Range',
     noise: 'Noise (standard deviation)',
