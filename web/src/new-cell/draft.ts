@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { DraftCellPublic, DraftPublic, Flaw, RobotOutline } from '../api';
+import type { DraftCellPublic, DraftPublic, Flaw, paths, RobotOutline } from '../api';
 import { cells, readCells } from '../cells/cells';
 import { language } from '../session/settings';
 import { addressOf, ask, PLAIN_FILE } from '../ui/client';
@@ -8,6 +8,11 @@ import { Refusal } from '../ui/refusal';
 import { NARROW_SPACE, number, typed } from '../ui/units';
 import { armOf, type Frames, framesFit } from './frames';
 import { valuesOf } from './values';
+
+/** The console's languages are files of its own; the service knows its own as well. */
+type ServerLanguage = NonNullable<
+  NonNullable<paths['/api/drafts/{draft}/cell']['put']['parameters']['query']>['language']
+>;
 
 export const STEPS = ['description', 'arm', 'joints', 'home', 'sensor', 'room', 'check'] as const;
 export type Step = (typeof STEPS)[number];
@@ -91,7 +96,7 @@ async function make(): Promise<void> {
   const body = { ...framesFit(arm, outline.value), values: valuesOf(arm.title, edits.value, before) };
   const path = { draft: draft.value.draft };
   try {
-    const query = { language: language.value };
+    const query = { language: language.value as ServerLanguage };
     made.value = await ask('PUT /api/drafts/{draft}/cell', { path, query, body, patience_ms: PATIENCE_MS });
   } finally {
     pictures.value += 1;
