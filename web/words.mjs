@@ -81,7 +81,9 @@ async function lackingTexts(language) {
     [ENGLISH, language].map((each) => readModules(both.map((file) => `${each}${file}`))),
   );
   const textsOf = (each, file, modules) =>
-    pathsOf(modules[`${each}${file}`]).map((path) => path.replace(new RegExp(`^(?:${each}|${ENGLISH})(?=[A-Z.]|$)`), '*'));
+    pathsOf(modules[`${each}${file}`]).map((path) =>
+      path.replace(new RegExp(`^(?:${each}|${ENGLISH})(?=[A-Z.]|$)`), '*'),
+    );
   return [
     ...missing.map((file) => `web/src/words lacks ${language}${file}`),
     ...both.flatMap((file) => {
