@@ -15,7 +15,7 @@ from tests.web.looks import look
 from tests.web.screens import show, signed_in
 from tests.web.tablet import Tablet
 
-STOPPED = "Stoppen, verlangt von account:operator."
+STOPPED = "gestoppt von operator."
 TOLD = {
     "explained": "Basis waagrecht ausrichten",
     "ambiguous": "Fachkraft fragen: Ursache nicht geklärt",

@@ -5,7 +5,7 @@ runs-command = { $command ->
     [stop] Stoppen
     [abort] Abbrechen
     [clear] Quittieren
-    [cancel] Zurücknehmen
+    [cancel] Stornieren
     [release] Freigeben
    *[other] { $command }
 }
@@ -41,12 +41,12 @@ runs-cancelled = storniert von { PERSON($who) }.
 runs-cancelled-because = storniert von { PERSON($who) }: { $why }
 runs-ended = der Lauf wurde beendet.
 runs-shut-down = der Dienst wurde beendet; der Roboter wurde gestoppt.
-runs-service-ended = der Dienst endete, während der Lauf im Zustand { runs-state } war; der Roboter wurde gestoppt. Sehen Sie nach der Zelle, dann quittieren Sie.
-runs-server-gone = der Dienst ist fort; der Roboter wurde gestoppt. Starten Sie den Dienst und quittieren Sie den Lauf.
-runs-journal-not-writable = was mit dem Lauf geschieht, ließ sich nicht schreiben ({ $reason }); der Roboter wurde gestoppt. Schaffen Sie Platz auf der Platte.
+runs-service-ended = der Dienst endete, während der Lauf im Zustand { runs-state } war; der Roboter wurde gestoppt. Prüfen Sie die Zelle, dann quittieren Sie.
+runs-server-gone = der Dienst ist nicht mehr da; der Roboter wurde gestoppt. Starten Sie den Dienst und quittieren Sie den Lauf.
+runs-journal-not-writable = was mit dem Lauf geschieht, ließ sich nicht schreiben ({ $reason }); der Roboter wurde gestoppt. Schaffen Sie Platz auf der Festplatte.
 runs-folder-not-writable = der Ordner des Laufs ließ sich nicht beschreiben ({ $reason }); der Roboter wurde gestoppt. Schaffen Sie Platz.
 runs-folder-not-made = der Ordner des Laufs ließ sich nicht anlegen ({ $reason }); nichts hat sich bewegt. Schaffen Sie Platz, dann beginnen Sie einen neuen Lauf.
-runs-release-not-kept = die Freigabe ließ sich nicht schreiben, darum hat sich nichts bewegt; sehen Sie nach Datenbank und Platte, dann beginnen Sie einen neuen Lauf.
+runs-release-not-kept = die Freigabe ließ sich nicht schreiben, darum hat sich nichts bewegt; prüfen Sie Datenbank und Festplatte, dann beginnen Sie einen neuen Lauf.
 runs-control-process-lost = die Steuerung endete mit { $exit_code }; ihr Roboter bekam keine Befehle mehr. Sehen Sie im Protokoll nach.
 runs-control-process-not-started = die Steuerung ließ sich nicht starten; nichts hat sich bewegt. Sehen Sie im Protokoll nach.
 runs-planner-lost = die Planung endete unerwartet; beginnen Sie einen neuen Lauf.
@@ -58,7 +58,7 @@ runs-command-impossible = Lauf { $run }: { runs-command } ist im Zustand { runs-
 runs-no-plan = Lauf { $run }: es gibt noch keinen Plan, er ist im Zustand { runs-state }; warten Sie, bis er auf seine Freigabe wartet
 runs-no-result = Lauf { $run }: es gibt kein Ergebnis, er ist im Zustand { runs-state }
 runs-no-result-because = Lauf { $run }: es gibt kein Ergebnis, er ist im Zustand { runs-state } ({ $cause })
-runs-no-recording = Lauf { $run }: hat keine Aufzeichnung, er ist im Zustand { runs-state }; sie ist da, sobald ein Roboter, der sich bewegt hat, wieder steht
+runs-no-recording = Lauf { $run }: hat keine Aufzeichnung, er ist im Zustand { runs-state }; es gibt sie, sobald der Roboter sich bewegt hat und wieder steht
 runs-no-report = Lauf { $run }: hat keinen Bericht, er ist im Zustand { runs-state }; ein Bericht kommt mit einem Lauf, der fertig ist
 runs-recording-open = Lauf { $run }: seine Steuerung schließt noch die Aufzeichnung; versuchen Sie es in einigen Sekunden noch einmal
 runs-nothing-left = Lauf { $run }: es gibt nichts fortzusetzen; er ist im Zustand { runs-state } und hat { $finished_steps } Schritte fertig. Beginnen Sie einen neuen Lauf
@@ -92,7 +92,7 @@ runs-command-late = Befehl: { FIXED($age_s, digits: 3) } s alt (0 bis { SIGNIFIC
 runs-plan-void = Plan { $plan }: gilt nicht mehr, Plan oder Zelle haben sich geändert; sehen Sie ihn noch einmal an
 runs-offer-foreign = Freigabe: nicht für diesen Plan gemacht; sehen Sie ihn noch einmal an und geben Sie frei, was er zeigt
 runs-offer-old = Freigabe: { FIXED($age_s, digits: 0) } s alt (Grenze { FIXED($limit_s, digits: 0) } s); sehen Sie den Plan noch einmal an und geben Sie frei, was er zeigt
-runs-disk-too-full = Platte: { FIXED($free_mb, digits: 0) } MB sind frei, wo Läufe aufgezeichnet werden, dieser braucht bis zu { FIXED($needed_mb, digits: 0) } MB; schaffen Sie Platz und geben Sie dann noch einmal frei
+runs-disk-too-full = Festplatte: { FIXED($free_mb, digits: 0) } MB sind frei, wo Läufe aufgezeichnet werden, dieser braucht bis zu { FIXED($needed_mb, digits: 0) } MB; schaffen Sie Platz und geben Sie dann noch einmal frei
 
 # Wer zusieht, und wer benachrichtigt wird.
 runs-watcher-too-slow = eine Nachricht ging nicht innerhalb von { SIGNIFICANT($limit_s) } s hinaus

@@ -255,25 +255,24 @@ def check_the_public_stop(nobody: httpx.Client, console: Console) -> None:
     wait_for(lambda: nobody.get("/api/now").json() == [], "the cell to be free")
 
 
-def test_a_zone_that_moves_into_the_way_stops_the_robot_and_the_rest_is_planned_anew_around_it(service, console):
+@pytest.mark.parametrize("how", ["moved", "drawn"])
+def test_a_zone_that_comes_into_the_way_stops_the_robot_and_the_rest_is_planned_anew_around_it(how, service, console):
     run = console.queue(seed=5, pace="real_time")
     console.wait(run, "Idle")
     shown = console.http.get(f"/api/runs/{run}/plan").json()["plan"]
     ahead = next(path for path in shown["paths"] if path["toward"] == "x-")["q_rad"][-1]
     cell = load_cell(ROOT / "cells" / "lwr4_bench")
     sensor = RobotModel.of_cell(cell).sensor_pose(np.array(ahead)).position
-    zone = cell.zones[0]
+    name = cell.zones[0].name if how == "moved" else "trolley"
     assert console.release(run).status_code == 200
     console.wait(run, "Execute")
-    for place in (sensor, zone.shape.pose.translation):
-        now = datetime.now(UTC).isoformat()
-        body = {"pose": {"xyz_m": place.tolist(), "rpy_rad": zone.shape.pose.rpy_rad}, "measured_at": now}
-        answer = console.http.put(f"/api/cells/lwr4_bench/zones/{zone.name}", json=body)
-        assert answer.status_code == 200, answer.text
+    bring = move_zones if how == "moved" else draw_and_delete
+    for answer in bring(console, cell.zones[0], sensor.tolist()):
+        assert answer.is_success, answer.text
         wait_for(lambda: any(event["kind"] == "robot_stopped" for event in events(console, run)), "the guard to stop the robot")
     stop = next(event for event in events(console, run) if event["kind"] == "robot_stopped")
     assert stop["error"] == "TooClose"
-    assert stop["message"]["parameters"]["second"] == {"code": "body-zone", "parameters": {"name": zone.name}}
+    assert stop["message"]["parameters"]["second"] == {"code": "body-zone", "parameters": {"name": name}}
     states = [event["state"] for event in events(console, run) if event["kind"] == "state_changed"]
     assert states[4:6] == ["Suspending", "Suspended"]
     wait_for(lambda: console.run(run)["state"] != "Suspended", "the new plan")
@@ -285,6 +284,20 @@ def test_a_zone_that_moves_into_the_way_stops_the_robot_and_the_rest_is_planned_
     figures = console.http.get("/metrics").text
     assert re.search(r'heft_guard_stops_total\{error="TooClose"\} [1-9]', figures)
     assert re.search(r"heft_control_ticks_total [1-9]", figures)
+
+
+def move_zones(console, zone, there):
+    """A zone of the file into the way, and back."""
+    for place in (there, list(zone.shape.pose.xyz_m)):
+        body = {"pose": {"xyz_m": place, "rpy_rad": zone.shape.pose.rpy_rad}, "measured_at": datetime.now(UTC).isoformat()}
+        yield console.http.put(f"/api/cells/lwr4_bench/zones/{zone.name}", json=body)
+
+
+def draw_and_delete(console, _, there):
+    """A new zone in the way, and away with it."""
+    shape = {"kind": "sphere", "radius_m": 0.1, "pose": {"xyz_m": there}}
+    yield console.http.post("/api/cells/lwr4_bench/zones", json={"name": "trolley", "shape": shape})
+    yield console.http.delete("/api/cells/lwr4_bench/zones/trolley")
 
 
 def test_signing_out_ends_the_control_that_was_taken_before(service):

@@ -17,7 +17,7 @@ from viser import _messages as messages
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from core.cell.cell import Obstacle, Pose, Zone
+from core.cell.cell import Obstacle, Pose, Sphere, Zone
 from core.cell.folder import load_cell
 from core.report.faces import box_faces
 from server.viewer import scene
@@ -166,6 +166,24 @@ def test_a_zone_that_is_in_the_way_is_marked_where_it_is_now(drawn):
     scene.show_zones(cell.model_copy(update={"zones": (elsewhere, *cell.zones[1:])}))
     mark.update_zones()
     np.testing.assert_allclose(shown()["/in_the_way/edges"].points.mean(axis=(0, 1)), moved.xyz_m, atol=1e-6)
+
+
+def test_zones_that_come_grow_and_go_are_drawn_so_also_while_one_is_marked(drawn):
+    mark, scene, shown = drawn
+    plain, cell = shown(), scene.cell
+    larger = cell.with_zone("trolley", Sphere(kind="sphere", radius_m=0.4)).with_zone(cell.zones[0].name, None)
+    for now, names in (
+        (cell.with_zone("trolley", Sphere(kind="sphere", radius_m=0.2)), {"/zones/operator", "/zones/trolley"}),
+        (larger, {"/zones/trolley"}),
+    ):
+        scene.show_zones(now)
+        mark.show("trolley")
+        assert {name for name in shown() if name.startswith("/zones/")} == names
+        assert {thing.node for thing in scene.things if thing.node.startswith("/zones/")} == names
+    assert np.abs(shown()["/zones/trolley"].vertices).max() == pytest.approx(0.4, rel=0.1)
+    scene.show_zones(cell)
+    mark.show(None)
+    assert shown().keys() == plain.keys()
 
 
 def test_a_link_that_is_in_the_way_is_marked_where_it_moves_with_its_joint(drawn):

@@ -12,7 +12,7 @@ from viser import ClientHandle
 from viser import _messages as messages
 from websockets.sync.client import ClientConnection, connect
 
-from core.cell.cell import Box
+from core.cell.cell import Box, Pose
 from core.cell.folder import load_cell
 from server.viewer.scene import ViewerScene, open_server
 from server.viewer.views import FADED, Views
@@ -78,6 +78,19 @@ def test_a_box_that_is_typed_is_drawn_for_the_page_where_it_is_typed_and_for_no_
     assert "/robot/7/payload" not in other.drawn
     views.update("one", Wish(), None)
     assert "/robot/7/payload" not in one.drawn
+
+
+def test_a_zone_that_is_being_changed_is_drawn_for_the_page_that_changes_it_and_stays_while_the_robot_moves(open_page):
+    page, views, _ = open_page
+    one, other = page("one"), page("other")
+    zone = Box(size_m=(0.4, 0.4, 1.0), pose=Pose(xyz_m=(1.0, 1.0, 0.5)))
+    views.update("one", Wish(zone=zone), None)
+    np.testing.assert_allclose(one.drawn["/drawn_zone/body"].vertices.mean(axis=0), (1.0, 1.0, 0.5), atol=1e-6)
+    assert not [name for name in other.drawn if name.startswith("/drawn_zone")]
+    views.forget_plans()
+    assert "/drawn_zone/body" in one.drawn
+    views.update("one", Wish(), None)
+    assert not [name for name in one.drawn if name.startswith("/drawn_zone")]
 
 
 def test_the_planned_robot_goes_where_it_is_asked_and_is_gone_when_the_real_one_moves(open_page):

@@ -35,7 +35,7 @@ export const handover: Words['handover'] = {
     others:
       'Fordern Sie die Bedienung an. Wer sie hat, kann sie übergeben oder behalten; ohne Antwort geht sie auf Sie über.',
     free: 'Niemand hat die Bedienung. Übernehmen Sie sie, um einen Lauf freizugeben oder fortfahren zu lassen.',
-    watch: 'Ihr Konto darf zusehen. Nur Bediener übernehmen die Bedienung.',
+    watch: 'Mit diesem Konto können Sie nur zusehen. Übernehmen können Bediener.',
   },
   told: {
     accepted: (to) => `Bedienung an ${to} übergeben.`,

@@ -17,7 +17,7 @@ export const history: typeof en.history = {
   cutOff: 'Es werden nur die neuesten 500 Läufe durchsucht.',
   serialNumber: 'Seriennummer',
   orderId: 'Auftrag',
-  workOrder: (order) => `Arbeitsauftrag ${order}`,
+  workOrder: (order) => `Fertigungsauftrag ${order}`,
   pick: (when) => `Den Lauf vom ${when} vergleichen`,
   run: 'Lauf',
   mass: 'Masse',

@@ -4,7 +4,7 @@ import type { secondLook as enSecondLook } from './en-plan';
 export const secondLook: typeof enSecondLook = {
   title: 'Zweitprüfung',
   how: (points) =>
-    `Geprüft mit Code, den der Planer nicht benutzt, an allen ${points} Punkten der Bewegung. Alle Grenzen sind eingehalten.`,
+    `Geprüft mit einem Programm, das der Planer nicht benutzt, an allen ${points} Punkten der Bewegung. Alle Grenzen sind eingehalten.`,
   what: 'Was',
   least: 'Gemessen',
   where: 'Wo und wann',
@@ -14,7 +14,7 @@ export const secondLook: typeof enSecondLook = {
     'first links against what the robot is mounted on': 'Erste Glieder zu dem, worauf der Roboter steht',
     'payload against links': 'Last zu Gliedern',
     'links against links': 'Glieder zueinander',
-    'near each other by construction': 'Durch den Bau nah beieinander',
+    'near each other by construction': 'Bauartbedingt nah beieinander',
   },
   fastest: 'Schnellster Punkt',
   limit: (limit) => `Grenze ${limit}`,

@@ -25,8 +25,8 @@ export const refusal: Words['refusal'] = {
     zone: 'Schutzzone',
   },
   details: 'Einzelheiten',
-  cancelled: 'Der Lauf wurde abgesagt',
-  cancelledNext: 'Nichts hat sich bewegt. Beginnen Sie einen neuen Lauf, wenn Sie bereit sind.',
+  cancelled: 'Der Lauf wurde storniert',
+  cancelledNext: 'Der Roboter hat sich nicht bewegt. Beginnen Sie einen neuen Lauf, wenn Sie bereit sind.',
   badBox: 'Geben Sie drei Längen über 0 an, etwa 0,12 oder 0.12',
   correct: {
     box: 'Berichtigen Sie zuerst den Hüllquader.',

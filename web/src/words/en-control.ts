@@ -35,7 +35,7 @@ export const handover = {
     others:
       'Ask for control. Whoever has it can hand it over or keep it; without an answer it passes to you.',
     free: 'Nobody has control. Take it to release or resume a run.',
-    watch: 'Your account may watch. Only an operator takes control.',
+    watch: 'You can only watch with this account. Operators take control.',
   },
   told: {
     accepted: (to: string) => `Control handed over to ${to}.`,

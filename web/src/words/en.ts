@@ -153,7 +153,7 @@ export const en = {
     plan: 'Take control and plan',
     planOnly: 'Plan',
     next: 'Choose what the robot carries. Then the plan is shown; nothing moves before you release it.',
-    mayNot: 'Your account may watch. Only an operator plans and releases.',
+    mayNot: 'You can only watch with this account. Operators plan and release.',
     busy: (who: string) => `${who} has control of this cell. You can watch.`,
     running: 'A run is active in this cell.',
     open: 'Open the run',
