@@ -1695,6 +1695,94 @@ export interface components {
             pose?: components["schemas"]["Pose"];
         };
         /**
+         * BudgetPart
+         * @description Where the uncertainty comes from, in the sense of the GUM: the repeatability (type A) and everything else (type B).
+         */
+        BudgetPart: {
+            /**
+             * Repeatability
+             * @description Covariance of the ten parameters by this recording alone (type A), ten rows of ten.
+             * @example [
+             *       [
+             *         1e-8,
+             *         0
+             *       ],
+             *       [
+             *         0,
+             *         9e-10
+             *       ]
+             *     ]
+             */
+            repeatability: (number | null)[][];
+            /**
+             * Repeatability Std
+             * @description Its standard uncertainties: mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2).
+             * @example [
+             *       0.0001,
+             *       0.00003,
+             *       0.00003,
+             *       0.00003,
+             *       0.000006,
+             *       0.000004,
+             *       0.000004,
+             *       0.000006,
+             *       0.000004,
+             *       0.000005
+             *     ]
+             */
+            repeatability_std: (number | null)[];
+            /**
+             * Repeatability Com Std M
+             * @description The same of the centre of mass, m.
+             * @example [
+             *       0.00001,
+             *       0.00001,
+             *       0.00001
+             *     ]
+             */
+            repeatability_com_std_m: (number | null)[];
+            /**
+             * Repeatability Inertia Com Std Kg M2
+             * @description The same of Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass, kg m2.
+             * @example [
+             *       0.000006,
+             *       0.000004,
+             *       0.000004,
+             *       0.000006,
+             *       0.000004,
+             *       0.000005
+             *     ]
+             */
+            repeatability_inertia_com_std_kg_m2: (number | null)[];
+            /**
+             * Sources
+             * @description What stays the same from recording to recording (type B); their variances add.
+             */
+            sources: components["schemas"]["SourcePart"][];
+            /**
+             * Largest
+             * @description Of each of the ten parameters, what contributes most: `repeatability` or the name of a source; null where it is not determined.
+             * @example [
+             *       "sensor_gain",
+             *       "sensor_crosstalk",
+             *       "sensor_gain",
+             *       "sensor_gain",
+             *       "sensor_gain",
+             *       null,
+             *       null,
+             *       "sensor_gain",
+             *       null,
+             *       "repeatability"
+             *     ]
+             */
+            largest: (string | null)[];
+            /**
+             * Assumptions
+             * @description What nobody has stated, was assumed and matters here.
+             */
+            assumptions: components["schemas"]["Message"][];
+        };
+        /**
          * Capsule
          * @description A cylinder along the z axis of `pose` with round ends; `length_m` without the ends.
          */
@@ -1785,7 +1873,7 @@ export interface components {
             control?: components["schemas"]["Control"];
             /**
              * Gravity M S2
-             * @description Gravity in the world frame, m/s2.
+             * @description Gravity in the world frame, m/s2; with a site its direction only.
              * @default [
              *       0,
              *       0,
@@ -1802,6 +1890,8 @@ export interface components {
                 number,
                 number
             ];
+            /** @description Where on the earth it stands, which gives the strength of gravity. */
+            site?: components["schemas"]["Site"] | null;
             /**
              * Floor Z M
              * @description Height at which a load that comes off stops falling, m, world frame.
@@ -5071,7 +5161,7 @@ export interface components {
             mass_kg: number | null;
             /**
              * Mass Std Kg
-             * @description Its standard uncertainty, kg.
+             * @description Its combined standard uncertainty, kg.
              * @example 0.002
              */
             mass_std_kg: number | null;
@@ -5087,7 +5177,7 @@ export interface components {
             com_m: (number | null)[];
             /**
              * Com Std M
-             * @description Its standard uncertainties, m.
+             * @description Its combined standard uncertainties, m.
              * @example [
              *       0.0001,
              *       0.0001,
@@ -5110,7 +5200,7 @@ export interface components {
             inertia_com_kg_m2: (number | null)[];
             /**
              * Inertia Com Std Kg M2
-             * @description Their standard uncertainties, kg m2.
+             * @description Their combined standard uncertainties, kg m2.
              * @example [
              *       0.0001,
              *       0.0001,
@@ -5136,7 +5226,7 @@ export interface components {
             inertia_sensor_kg_m2: (number | null)[];
             /**
              * Inertia Sensor Std Kg M2
-             * @description Their standard uncertainties, kg m2.
+             * @description Their combined standard uncertainties, kg m2.
              * @example [
              *       0.0001,
              *       0.0001,
@@ -5179,6 +5269,8 @@ export interface components {
              *     ]
              */
             covariance: (number | null)[][];
+            /** @description Where the uncertainty comes from: the repeatability and what stays the same from run to run; null in results of earlier versions, whose uncertainties are the repeatability alone. */
+            budget?: components["schemas"]["BudgetPart"] | null;
             /**
              * Reasons
              * @description By parameter, why it is not determined.
@@ -5356,6 +5448,12 @@ export interface components {
             velocity_rad_s?: number[] | null;
             /** @description Friction of the joints; null where nobody has said. */
             friction?: components["schemas"]["Friction"] | null;
+            /**
+             * Zero Std Rad
+             * @description Standard uncertainty of each joint's zero, rad; 0.05 deg is assumed, and said to be, where null.
+             * @example 0.0005
+             */
+            zero_std_rad?: number | null;
             /**
              * Payload Limit Kg
              * @description What the arm may carry by its maker's word, kg; null where nobody has said.
@@ -6139,8 +6237,71 @@ export interface components {
                 number,
                 number
             ];
+            /**
+             * @description What the certificate of its calibration states.
+             * @default {}
+             */
+            calibration?: components["schemas"]["SensorCalibration"];
+            /**
+             * Mount Std Rad
+             * @description Standard uncertainty of its orientation on the flange about each axis, rad; 0.1 deg is assumed, and said to be, where null.
+             * @example 0.001
+             */
+            mount_std_rad?: number | null;
             /** @description The sensor frame in the flange from which the robot's controller counts; null where nobody has said. */
             mount?: components["schemas"]["Pose"] | null;
+        };
+        /**
+         * SensorCalibration
+         * @description Standard uncertainties (1 sigma) of a certificate; six values each, force, then torque.
+         */
+        SensorCalibration: {
+            /**
+             * Gain Std
+             * @description Relative standard uncertainty of each channel's gain; 0.01, and said to be assumed, where null.
+             * @example [
+             *       0.005,
+             *       0.005,
+             *       0.004,
+             *       0.006,
+             *       0.006,
+             *       0.005
+             *     ]
+             */
+            gain_std?: [
+                number,
+                number,
+                number,
+                number,
+                number,
+                number
+            ] | null;
+            /**
+             * Crosstalk Std
+             * @description What full load of another channel makes of each channel, as a share of its range, standard uncertainty; 0.005, and said to be assumed, where null.
+             * @example [
+             *       0.003,
+             *       0.003,
+             *       0.003,
+             *       0.004,
+             *       0.004,
+             *       0.004
+             *     ]
+             */
+            crosstalk_std?: [
+                number,
+                number,
+                number,
+                number,
+                number,
+                number
+            ] | null;
+            /**
+             * Source
+             * @description Where the figures are from.
+             * @example certificate 4711 of 2026-03-02
+             */
+            source?: string | null;
         };
         /**
          * SessionPublic
@@ -6174,6 +6335,104 @@ export interface components {
          * @enum {string}
          */
         Severity: "high" | "medium" | "low";
+        /**
+         * Site
+         * @description Place of a cell on the earth: it gives the strength of gravity, whose direction is stated apart from it.
+         */
+        Site: {
+            /**
+             * Latitude Deg
+             * @description Geographic latitude, deg, north positive.
+             * @example 48.1
+             */
+            latitude_deg: number;
+            /**
+             * Elevation M
+             * @description Height above sea level, m.
+             * @default 0
+             * @example 520
+             */
+            elevation_m?: number;
+        };
+        /**
+         * SourcePart
+         * @description One cause of uncertainty that stays the same from recording to recording (type B).
+         */
+        SourcePart: {
+            /**
+             * Name
+             * @description What is uncertain: `sensor_gain`, `sensor_crosstalk`, `joint_zeros`, `sensor_mount`, `gravity` or `twin`.
+             * @example sensor_gain
+             */
+            name: string;
+            /** @description The same in words. */
+            title: components["schemas"]["Message"];
+            /**
+             * Stated
+             * @description Whether the cell or the recording states its size; it is assumed otherwise.
+             * @example false
+             */
+            stated: boolean;
+            /**
+             * Std
+             * @description Its standard uncertainty in mass (kg), first moment (kg m) and inertia about the sensor's origin (kg m2); null is what is not determined.
+             * @example [
+             *       0.016,
+             *       0.0002,
+             *       0.0003,
+             *       0.0006,
+             *       0.00004,
+             *       0.00001,
+             *       0.00001,
+             *       0.00004,
+             *       0.00001,
+             *       0.00002
+             *     ]
+             */
+            std: (number | null)[];
+            /**
+             * Com Std M
+             * @description The same in the centre of mass, m.
+             * @example [
+             *       0.00008,
+             *       0.0001,
+             *       0.0002
+             *     ]
+             */
+            com_std_m: (number | null)[];
+            /**
+             * Inertia Com Std Kg M2
+             * @description The same in Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass, kg m2.
+             * @example [
+             *       0.00003,
+             *       0.00001,
+             *       0.00001,
+             *       0.00003,
+             *       0.00001,
+             *       0.00002
+             *     ]
+             */
+            inertia_com_std_kg_m2: (number | null)[];
+            /**
+             * Directions
+             * @description Change of the ten parameters for one standard deviation of each of its independent causes: what two runs of one cell have in common.
+             * @example [
+             *       [
+             *         0.016,
+             *         0,
+             *         -0.0003,
+             *         0.0006,
+             *         0.00004,
+             *         0,
+             *         0,
+             *         0.00004,
+             *         0,
+             *         0.00002
+             *       ]
+             *     ]
+             */
+            directions: (number | null)[][];
+        };
         /**
          * Sphere
          * @description A ball with its centre at `pose`.
@@ -10918,6 +11177,7 @@ export type AuditEntryPublic = components['schemas']['AuditEntryPublic'];
 export type AuditNames = components['schemas']['AuditNames'];
 export type AuditVerified = components['schemas']['AuditVerified'];
 export type Box = components['schemas']['Box'];
+export type BudgetPart = components['schemas']['BudgetPart'];
 export type Capsule = components['schemas']['Capsule'];
 export type Cause = components['schemas']['Cause'];
 export type Cell = components['schemas']['Cell'];
@@ -11025,8 +11285,11 @@ export type Seal = components['schemas']['Seal'];
 export type SecondOpinion = components['schemas']['SecondOpinion'];
 export type SecondsPart = components['schemas']['SecondsPart'];
 export type Sensor = components['schemas']['Sensor'];
+export type SensorCalibration = components['schemas']['SensorCalibration'];
 export type SessionPublic = components['schemas']['SessionPublic'];
 export type Severity = components['schemas']['Severity'];
+export type Site = components['schemas']['Site'];
+export type SourcePart = components['schemas']['SourcePart'];
 export type Sphere = components['schemas']['Sphere'];
 export type StartConfigurationFound = components['schemas']['StartConfigurationFound'];
 export type State = components['schemas']['State'];

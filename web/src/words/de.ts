@@ -252,8 +252,7 @@ export const de: Words = {
     workpiece: 'Werkstück allein',
     withoutTools: (tools) => `Die Werte oben gelten für alles, was der Sensor trägt. Hier ohne: ${tools}`,
     budget: 'Unsicherheit',
-    budgetHint:
-      'Anteile an der Varianz. Was nicht Wiederholbarkeit ist, bleibt von Lauf zu Lauf gleich.',
+    budgetHint: 'Anteile an der Varianz. Was nicht Wiederholbarkeit ist, bleibt von Lauf zu Lauf gleich.',
     repeatability: 'Wiederholbarkeit',
     repeats: (half) => `wiederholt sich auf ± ${half}`,
     assumed: (count) => (count === 1 ? '1 Annahme' : `${count} Annahmen`),
