@@ -23,7 +23,7 @@ from core.array import Array
 from core.estimation.budget import Budget, Source
 from core.estimation.determination import SIZE_M, find_determined
 from core.estimation.drift import STEP_STD, drift_basis, improve_variance, parts_of, steps_between
-from core.estimation.noise import WrenchNoise
+from core.estimation.noise import WrenchNoise, misfit
 from core.estimation.noisy_columns import Solution, compensate
 from core.estimation.nuisances import (
     LEAST_EVIDENCE,
@@ -114,10 +114,10 @@ def fit(form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances 
     if not noise.measured:
         # the channels weigh each other by their noise: the residual of the first fit, then that of the second
         for _ in range(2):
-            noise = replace(noise, std=noise.std * np.sqrt(_misfit(result, noise)))
+            noise = replace(noise, std=noise.std * np.sqrt(misfit(result.whitened, noise)))
             result = _Problem(form, wrench, noise, nuisances).solve(np.ones(6))
         return result
-    scale = _misfit(result, noise)
+    scale = misfit(result.whitened, noise)
     return result if (scale == 1.0).all() else replace(problem.solve(scale), scale=scale)
 
 
@@ -132,6 +132,23 @@ def refit(form: WeakForm, wrench: Array, found: Fit) -> Array:
 
 _UNIT_REGRESSORS = np.stack([spatial_inertia(unit).T for unit in np.eye(10)], axis=2)
 """(6, 6, 10): V for a unit of each linear and angular acceleration."""
+
+
+@dataclass(frozen=True)
+class _Linearised:
+    """What the least squares are made of at one place.
+
+    Args:
+        shared: (K, 6, 13), change of the wrench with phi, tilt and delay; beside: (K, 6, b), with the nuisances that show in every channel.
+        load: (K, 6), the wrench that gains and cross-talk act on; target: (K, 6), what is to be explained.
+        likely: (10,), a payload that could be.
+    """
+
+    shared: Array
+    beside: Array
+    load: Array
+    target: Array
+    likely: Array
 
 
 class _Problem:
@@ -209,15 +226,8 @@ class _Problem:
 
     def step(self, x: Array, scale: Array) -> tuple[Array, Array, Array]:
         """One linearisation at x: covariance, new x, whitened residuals."""
-        phi, tilt, delay = x[:10], x[TILT], float(x[DELAY])
-        features, rate = self.form.features(delay)
-        V = features.regressor(tilt)
-        likely = self._likely(phi)
-        load = V @ likely
-        shared = np.concatenate((V, features.tilt_columns(phi, tilt), (rate.regressor(tilt) @ phi)[..., None]), axis=2)
-        target = self.y + shared[:, :, TILT] @ tilt + shared[:, :, DELAY] * delay
-        beside = None if self.nuisances is None else self.nuisances.shared(features, likely, tilt, delay)
-        M = spatial_inertia(likely)
+        seen = self._linearise(x)
+        M = spatial_inertia(seen.likely)
         kinematic = np.diag(M @ self.form.poses.noise @ M.T)
         normal, right, bias = np.zeros((self.size, self.size)), np.zeros(self.size), np.zeros((self.size, self.size))
         white = []
@@ -225,14 +235,14 @@ class _Problem:
             # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
             sensor = max(self.noise.variance[c] * scale[c], 1e-7 * kinematic[c] * float(self.spectrum.max()))
             bands = sensor * self.wrench_gram + kinematic[c] * self.pose_gram
-            own = [shared[:, c], np.ones((len(self.y), 1)), self.ramps]
-            if self.nuisances is not None and beside is not None:
-                own += [beside[:, c], self.nuisances.of_channel(c, load)]
-            w, rows = whiten(bands, np.column_stack((*own, target[:, c]))), self._rows_of_channel(c)
+            own = [seen.shared[:, c], np.ones((len(self.y), 1)), self.ramps]
+            if self.nuisances is not None:
+                own += [seen.beside[:, c], self.nuisances.of_channel(c, seen.load)]
+            w, rows = whiten(bands, np.column_stack((*own, seen.target[:, c]))), self._rows_of_channel(c)
             white.append((w, rows))
             normal[np.ix_(rows, rows)] += w[:, :-1].T @ w[:, :-1]
             right[rows] += w[:, :-1].T @ w[:, -1]
-            self._add_bias(bias, c, likely, sensor, kinematic[c])
+            self._add_bias(bias, c, seen.likely, sensor, kinematic[c])
         self.system = normal, right, bias
         covariance, x = self._with_priors()
         self.std = np.sqrt(np.diag(covariance)[:10])
@@ -240,6 +250,21 @@ class _Problem:
         x[DELAY] = np.clip(x[DELAY], -LARGEST_DELAY_S, LARGEST_DELAY_S)
         x[TILT] = np.clip(x[TILT], -LARGEST_TILT_RAD, LARGEST_TILT_RAD)
         return covariance, x, np.array(residuals)
+
+    def _linearise(self, x: Array) -> _Linearised:
+        phi, tilt, delay, b = x[:10], x[TILT], float(x[DELAY]), x[self.drift.stop :]
+        features, rate = self.form.features(delay)
+        held = None if self.nuisances is None else self.nuisances.nuisances
+        if held is not None:
+            features, rate = features.seen_turned(held.mounting(b)), rate.seen_turned(held.mounting(b))
+        V, likely = features.regressor(tilt), self._likely(phi)
+        shared = np.concatenate((V, features.tilt_columns(phi, tilt), (rate.regressor(tilt) @ phi)[..., None]), axis=2)
+        target = self.y + shared[:, :, TILT] @ tilt + shared[:, :, DELAY] * delay
+        beside = np.zeros((len(V), 6, 0))
+        if self.nuisances is not None and held is not None:
+            beside = self.nuisances.shared(features, likely, tilt, delay)
+            target = target + beside[:, :, held.mount.start - held.of_loads : held.mount.stop - held.of_loads] @ b[held.mount]
+        return _Linearised(shared, beside, V @ likely, target, likely)
 
     def _likely(self, phi: Array) -> Array:
         """(10,), a payload to weigh and to linearise with: where phi is not determined yet, that of a body of usual size in its place.
@@ -311,32 +336,3 @@ class _Problem:
             self.strength[self.fitted.pop(least).rows] = LEAST_STRENGTH
             covariance, x = self._with_priors()
         return len(self.fitted) < before
-
-
-def _misfit(result: Fit, noise: WrenchNoise) -> Array:
-    """(6,) factor on the variance: 1 within what chance allows, else mean square times correlation time of the residuals."""
-    count = result.whitened.shape[1]
-    freedom = max(count - 2, 1)
-    scale = np.ones(6)
-    for c, r in enumerate(result.whitened):
-        mean_square = float(r @ r) / freedom
-        # the excess that chance explains in about one run of a thousand, with the uncertainty of the measured noise on top
-        limit = 3.0 * np.sqrt(2.0 / count) + 0.03
-        spectrum = correlation_time(r)
-        if not noise.measured or mean_square > 1.0 + limit:
-            scale[c] = mean_square * spectrum
-        elif spectrum > 1.3:
-            scale[c] = spectrum
-    return scale
-
-
-def correlation_time(r: Array, longest: int = 200) -> float:
-    """1 + 2 sum of the autocorrelation up to its first value within noise; 1 for white residuals."""
-    n, total = len(r), 1.0
-    power = float(r @ r)
-    for lag in range(1, min(longest, n // 4)):
-        rho = float(r[lag:] @ r[:-lag]) / power
-        if rho < 2.0 / np.sqrt(n):
-            break
-        total += 2.0 * rho
-    return total

@@ -67,3 +67,35 @@ def _without_line(x: Array) -> Array:
 def unknown_noise() -> WrenchNoise:
     """A start where nothing is known; the residual of the fit decides, channel by channel."""
     return WrenchNoise(np.repeat([0.1, 0.01], 3), np.ones(6), False)
+
+
+def misfit(whitened: Array, noise: WrenchNoise) -> Array:
+    """(6,), factor on the variance that whitened residuals (6, K) ask for.
+
+    It is 1 within what chance allows, else their mean square times their correlation time.
+    """
+    count = whitened.shape[1]
+    freedom = max(count - 2, 1)
+    scale = np.ones(6)
+    for c, r in enumerate(whitened):
+        mean_square = float(r @ r) / freedom
+        # the excess that chance explains in about one run of a thousand, with the uncertainty of the measured noise on top
+        limit = 3.0 * np.sqrt(2.0 / count) + 0.03
+        spectrum = correlation_time(r)
+        if not noise.measured or mean_square > 1.0 + limit:
+            scale[c] = mean_square * spectrum
+        elif spectrum > 1.3:
+            scale[c] = spectrum
+    return scale
+
+
+def correlation_time(r: Array, longest: int = 200) -> float:
+    """1 + 2 sum of the autocorrelation up to its first value within noise; 1 for white residuals."""
+    n, total = len(r), 1.0
+    power = float(r @ r)
+    for lag in range(1, min(longest, n // 4)):
+        rho = float(r[lag:] @ r[:-lag]) / power
+        if rho < 2.0 / np.sqrt(n):
+            break
+        total += 2.0 * rho
+    return total

@@ -98,6 +98,15 @@ class Nuisances:
         """How many concern one channel each: gains and cross-talk."""
         return 36
 
+    @property
+    def mount(self) -> slice:
+        """Rows of the mounting."""
+        return next(group.rows for group in self.groups if group.name == "sensor_mount")
+
+    def mounting(self, b: Array) -> Array:
+        """(3, 3), how nuisances b (size,) turn the sensor: too far for a column alone where it is half a degree."""
+        return rotation_of(self.mount_std_rad * b[self.mount])
+
     def rows_of_channel(self, c: int) -> NDArray[np.intp]:
         """(6,), which of them turn the loads of the six channels into what channel c reads, in the order of the loads."""
         beside = 6 + 5 * c + np.arange(5)

@@ -64,15 +64,20 @@ def prediction(form: WeakForm, found: Fit) -> tuple[Array, Array]:
     """The wrench (K, 6) in the windows of other motions, and the variance (K, 6) that the fit's uncertainty gives it."""
     tilt, delay = found.x[TILT], float(found.x[DELAY])
     features, rate = form.features(delay)
+    if found.nuisances is not None:
+        mounting = found.nuisances.mounting(found.b)
+        features, rate = features.seen_turned(mounting), rate.seen_turned(mounting)
     V = features.regressor(tilt)
     late = rate.regressor(tilt) @ found.phi
     constant = np.broadcast_to(np.eye(6), (len(form), 6, 6))
-    beside = np.zeros((len(form), 6, 0))
+    beside, others = np.zeros((len(form), 6, 0)), found.b.copy()
     if found.nuisances is not None:
         beside = NuisanceColumns(form, found.nuisances).dense(features, found.phi, tilt, delay)
+        # the features are turned already
+        others[found.nuisances.mount] = 0.0
     J = np.concatenate((V, features.tilt_columns(found.phi, tilt), late[..., None], constant, beside), axis=2)
     drift = np.column_stack([np.interp(form.centres, found.centres, found.drift[:, c]) for c in range(6)])
-    return V @ found.phi + found.x[OFFSET] + drift + beside @ found.b, np.einsum("kci,ij,kcj->kc", J, found.covariance, J, optimize=True)
+    return V @ found.phi + found.x[OFFSET] + drift + beside @ others, np.einsum("kci,ij,kcj->kc", J, found.covariance, J, optimize=True)
 
 
 def estimate_window_variance(form: WeakForm, found: Fit) -> Array:

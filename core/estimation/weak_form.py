@@ -54,6 +54,10 @@ class Features:
         """Difference quotient of two: what the regressor is linear in may be subtracted."""
         return Features((self.a - other.a) / step, (self.base - other.base) / step, (self.B - other.B) / step, self.gravity)
 
+    def seen_turned(self, rotation: Array) -> Features:
+        """The same motion of a sensor that is turned by a rotation (3, 3) in its mounting."""
+        return Features(self.a @ rotation, rotation.T @ self.base, rotation.T @ self.B @ rotation, self.gravity)
+
     def regressor(self, tilt: Array) -> Array:
         """V (K, 6, 10) for gravity turned by the base tilt (2,), rad."""
         return regressor_of(self.a - self.base @ (rotation_of(tilt_axes(self.gravity) @ tilt) @ self.gravity), self.B)

@@ -9800,7 +9800,7 @@ export interface components {
              */
             type: "/problems/runs-no-result-because";
         });
-        /** @description runs-no-recording = run { $run }: has no recording, it is in { runs-state }; one is there once a robot that has moved stands again */
+        /** @description runs-no-recording = run { $run }: has no recording, it is in { runs-state }; there is one once the robot has moved and stopped */
         RunsNoRecordingProblem: {
             /**
              * @description Address of what describes the situation.

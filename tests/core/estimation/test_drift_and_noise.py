@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from core.estimation.drift import drift_basis, improve_variance, parts_of, steps_between
-from core.estimation.generalised_least_squares import correlation_time
-from core.estimation.noise import sensor_noise
+from core.estimation.noise import correlation_time, sensor_noise
 from core.estimation.segments import Segment
 
 

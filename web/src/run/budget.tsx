@@ -65,7 +65,7 @@ function Row({ name, quantity, repeats, parts }: RowProps) {
   return (
     <div class="budget-row">
       <h3>
-        {name} {half !== null && <small>{said.repeats(`${half} ${unit}`)}</small>}
+        {name} {half !== null && <small class="budget-repeats">{said.repeats(`${half} ${unit}`)}</small>}
       </h3>
       <div class="budget-bar" aria-hidden="true">
         {all.map(({ title, share }) => (
