@@ -14,6 +14,7 @@ BENCHES = (
     ("diagnosis",),
     ("procedure", "--seeds", "20"),
     ("coverage", "--count", "1000", "--seeds", "20"),
+    ("conditions", "--count", "200"),
     ("random_cells", "--count", "200", "--first", "1000"),
     ("real_robots", "--count", "300"),
     ("store", "--times", "20", "--at-once", "3"),

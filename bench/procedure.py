@@ -85,7 +85,7 @@ def run(job: Job) -> Errors:
     estimate, truth = outcome.identification.estimate, carried.parameters.phi
     if estimate is None:
         raise RuntimeError(f"{job}: {outcome.identification.verdict}")
-    covered = np.abs(estimate.phi - truth) <= 1.96 * estimate.std
+    covered = np.abs(estimate.phi - truth) <= 1.96 * estimate.repeatability.std
     return Errors(job, errors(estimate.phi, truth), errors(outcome.identification.paper.phi, truth), covered, plan.plan_s, outcome.robot_s)
 
 

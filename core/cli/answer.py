@@ -5,6 +5,7 @@ from pathlib import Path
 
 from core.cli.tables import (
     assumption_lines,
+    budget_table,
     parameters_table,
     reason_lines,
     verification_lines,
@@ -27,6 +28,8 @@ def print_answer(result: Result, json: str | None) -> None:
         answers.print(workpiece_table(result.workpiece))
         for line in workpiece_lines(result.workpiece):
             answers.print(line, highlight=False)
+    if result.estimate is not None and result.estimate.budget is not None and result.estimate.determined[0]:
+        answers.print(budget_table(result.estimate.budget, result))
     for line in reason_lines(result):
         answers.print(line, highlight=False)
     if result.accounted:

@@ -8,7 +8,8 @@ import numpy as np
 from rich.table import Table
 
 from core.cli.terminal import find_wording
-from core.estimation.budget import TITLES
+from core.estimation.budget import REPEATABILITY, TITLES
+from core.estimation.budget_part import BudgetPart
 from core.estimation.result import Result
 from core.gap.answer import SIDES, Also, Diagnosis, Experiment
 from core.gap.instruction import Instruction
@@ -24,6 +25,10 @@ from core.words.wording import Wording
 
 SHOWN_EFFECTS = 5
 SHOWN_PARAMETERS = 4
+INTERVAL = 1.96
+"""Standard uncertainties on either side of a 95 % interval."""
+NAMED_SHARE = 0.1
+"""Of a parameter's variance, from which a part of the budget is named."""
 
 PAIRS = {
     PairKind.ENVIRONMENT: Message.of("result-pairs-environment"),
@@ -59,40 +64,61 @@ def format_decimals(value: float | None, decimals: int) -> str:
 
 
 def parameters_table(result: Result) -> Table:
-    """All ten parameters: reference, paper, ours with its 95 % half-width, that of its repeatability, and what contributes most."""
+    """All ten parameters: reference, the paper's estimate, ours with its 95 % half-width, and the error against the reference."""
     words = find_wording()
     title = words.say("result-payload-title") if result.workpiece is None else words.say("result-whole-title")
-    estimate, reference = result.estimate, result.reference
-    budget = None if estimate is None else estimate.budget
-    caption = "result-payload-caption" if budget is None else "result-budget-caption"
-    table = Table(title=title, caption=words.say(caption))
-    table.add_column("")
-    headings = [words.say("result-reference")] if reference else []
-    headings += [words.say("result-papers-method"), "Heft", "±"]
-    headings += [words.say("result-repeats"), words.say("result-mostly")] if budget else []
-    headings += [words.say("result-error")] if reference else []
-    for heading in headings:
+    table = Table(title=title, caption=words.say("result-payload-caption"))
+    table.add_column("", no_wrap=True)
+    for heading in (words.say("result-reference"), words.say("result-papers-method"), "Heft", "±", words.say("result-error")):
         table.add_column(heading, justify="right", no_wrap=True)
     table.add_column(words.say("result-unit"), no_wrap=True)
+    estimate, reference = result.estimate, result.reference
     for k, (name, unit) in enumerate(zip(PHI_NAMES, PHI_UNITS, strict=True)):
-        table.add_row(name, *_parameter_cells(result, k), unit)
+        truth = reference.phi[k] if reference else None
+        value = estimate.phi[k] if estimate else None
+        half = _half_width(result, k)
+        known, places = half is not None, decimals_of(half)
+        table.add_row(
+            name,
+            number(truth),
+            format_decimals(result.paper.phi[k], places),
+            format_decimals(value, places) if known else words.say("result-not-determined"),
+            format_decimals(half, places),
+            format_error(value if known else None, truth),
+            unit,
+        )
     return table
 
 
-def _parameter_cells(result: Result, k: int) -> list[str]:
-    """One of the ten parameters, in the order of the table's columns."""
-    words, estimate, reference = find_wording(), result.estimate, result.reference
-    known = estimate is not None and estimate.determined[k]
-    value, std = (estimate.phi[k], estimate.std[k]) if known and estimate else (None, None)
-    half = None if std is None else 1.96 * std
-    places, truth = decimals_of(half), reference.phi[k] if reference else None
-    cells = [number(truth)] if reference else []
-    cells += [format_decimals(result.paper.phi[k], places)]
-    cells += [format_decimals(value, places) if known else words.say("result-not-determined"), format_decimals(half, places)]
-    if estimate is not None and estimate.budget is not None:
-        repeats, largest = estimate.budget.repeatability_std[k], estimate.budget.largest[k]
-        cells += ["" if repeats is None else number(1.96 * repeats, 2), "" if largest is None else words.quote(TITLES[largest])]
-    return [*cells, format_error(value, truth)] if reference else cells
+def _half_width(result: Result, k: int) -> float | None:
+    """Of the 95 % interval; None where the parameter is not determined."""
+    estimate = result.estimate
+    std = estimate.std[k] if estimate is not None and estimate.determined[k] else None
+    return None if std is None else INTERVAL * std
+
+
+def budget_table(budget: BudgetPart, result: Result) -> Table:
+    """Of each parameter that is determined: half-widths all in and by this recording alone, and the parts that contribute most."""
+    words = find_wording()
+    table = Table(title=words.say("result-budget-title"))
+    table.add_column("", no_wrap=True)
+    for heading in (words.say("result-all-in"), words.say("result-repeats")):
+        table.add_column(heading, justify="right", no_wrap=True)
+    table.add_column(words.say("result-mostly"))
+    table.add_column(words.say("result-unit"), no_wrap=True)
+    for k, (name, unit) in enumerate(zip(PHI_NAMES, PHI_UNITS, strict=True)):
+        half, alone = _half_width(result, k), budget.repeatability_std[k]
+        if half is not None and alone is not None:
+            table.add_row(name, number(half, 2), number(INTERVAL * alone, 2), _parts(budget, k, half / INTERVAL), unit)
+    return table
+
+
+def _parts(budget: BudgetPart, k: int, std: float) -> str:
+    """The parts that make up a tenth of a parameter's variance or more, the largest first."""
+    words = find_wording()
+    parts = [(TITLES[REPEATABILITY], budget.repeatability_std[k]), *((source.title, source.std[k]) for source in budget.sources)]
+    shares = sorted(((title, ((part or 0.0) / std) ** 2) for title, part in parts), key=lambda each: -each[1])
+    return ", ".join(words.say("result-part-of", source=title, share=share) for title, share in shares if share >= NAMED_SHARE)
 
 
 def assumption_lines(result: Result) -> list[str]:

@@ -1,9 +1,11 @@
 result-payload-title = Last im Sensorkoordinatensystem
 result-whole-title = Das Ganze im Sensorkoordinatensystem, Werkzeuge und Werkstück
 result-payload-caption = ± ist die halbe Breite des 95-%-Intervalls; Trägheit um den Ursprung des Sensors
-result-budget-caption = ± ist die halbe Breite des 95-%-Intervalls mit allem, „wiederholt ±“ die der Wiederholbarkeit allein; Trägheit um den Ursprung des Sensors
-result-repeats = wiederholt ±
-result-mostly = vor allem
+result-budget-title = Unsicherheit (halbe Breiten der 95-%-Intervalle)
+result-all-in = mit allem ±
+result-repeats = wiederholt sich auf ±
+result-mostly = vor allem durch
+result-part-of = { $source } { PERCENT($share) } %
 result-workpiece-title = Werkstück allein, im Sensorkoordinatensystem
 result-workpiece-caption = ohne { $tools }
 result-reference = Referenz

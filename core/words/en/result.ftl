@@ -2,9 +2,11 @@
 result-payload-title = Payload in the sensor frame
 result-whole-title = The whole in the sensor frame, tools and workpiece
 result-payload-caption = ± is the half-width of the 95 % interval; inertia about the sensor origin
-result-budget-caption = ± is the half-width of the 95 % interval, all in; "repeats ±" that of the repeatability alone; inertia about the sensor origin
-result-repeats = repeats ±
+result-budget-title = Uncertainty (half-widths of 95 % intervals)
+result-all-in = all in, ±
+result-repeats = repeats within ±
 result-mostly = mostly from
+result-part-of = { $source } { PERCENT($share) } %
 result-workpiece-title = Workpiece alone, in the sensor frame
 result-workpiece-caption = without { $tools }
 result-reference = reference

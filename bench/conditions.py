@@ -1,0 +1,110 @@
+"""Whether 95 % intervals hold the truth under each of the conditions that real recordings come with: `python -m bench.conditions --count 200`.
+
+The recordings come from a generator that shares no code with the engine (`tests.foreign_recordings`); what is wrong with each is drawn from
+the standard uncertainty that it states.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from core.array import Array
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from core.estimation.identification import identify_recording
+from core.payload.inertia import PHI_NAMES
+from tests.foreign_recordings import Condition, make
+
+INTERVAL = 1.96
+DEGREE = np.pi / 180.0
+CONDITIONS = {
+    "white, 1000 Hz": Condition(rate_hz=1000.0),
+    "white, 500 Hz": Condition(),
+    "white, 250 Hz": Condition(rate_hz=250.0),
+    "white, 100 Hz": Condition(rate_hz=100.0),
+    "AR(1) 0.9": Condition(noise="ar1"),
+    "pink": Condition(noise="pink"),
+    "random walk 0.04 N/sqrt(s)": Condition(walk_n=0.04),
+    "jitter 1 ms, 250 Hz": Condition(rate_hz=250.0, jitter_s=1e-3),
+    "5 % of the rows lost": Condition(lost=0.05),
+    "20 % of the rows lost": Condition(lost=0.2),
+    "quantised": Condition(quantised=True),
+    "zeros 0.05 deg": Condition(zero_std_rad=0.05 * DEGREE),
+    "zeros 0.1 deg": Condition(zero_std_rad=0.1 * DEGREE),
+    "tilt 0.5 deg, 4 ms, drift": Condition(tilt_rad=0.5 * DEGREE, delay_s=4e-3, drift_n=0.3),
+    "gain 0.2 %": Condition(gain_std=0.002),
+    "gain 1 %": Condition(gain_std=0.01),
+    "mounting 0.5 deg": Condition(mount_std_rad=0.5 * DEGREE),
+    "orientation only": Condition(poses=True),
+    "averaged static poses": Condition(averaged=True),
+    "turns about one axis": Condition(one_axis=True),
+    "plate": Condition(body="plate"),
+    "rod": Condition(body="rod"),
+    "payload 0.3 m away": Condition(body="far"),
+}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Of one recording: errors and standard uncertainties (10,), combined and by repeatability alone, NaN where not determined; warnings."""
+
+    error: Array
+    std: Array
+    repeatability: Array
+    warnings: tuple[str, ...]
+
+
+def outcome_of(job: tuple[str, int]) -> Outcome:
+    """Makes the recording of one condition and seed, and identifies it."""
+    name, seed = job
+    made = make(CONDITIONS[name], seed)
+    found = identify_recording(made.recording)
+    codes = tuple(warning.code for warning in found.warnings)
+    if found.estimate is None:
+        nothing = np.full(10, np.nan)
+        return Outcome(nothing, nothing, nothing, codes)
+    estimate = found.estimate
+    return Outcome(estimate.phi - made.phi, estimate.std, estimate.repeatability.std, codes)
+
+
+def coverage(outcomes: list[Outcome]) -> Array:
+    """(10,), share of the 95 % intervals that hold the truth, of those that are given."""
+    z = np.abs([each.error / each.std for each in outcomes])
+    given = np.isfinite(z).sum(axis=0)
+    return np.asarray(np.where(given > 0, (z <= INTERVAL).sum(axis=0) / np.maximum(given, 1), np.nan))
+
+
+def main() -> None:
+    """Prints a line for each condition, and the worst figure of all."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=200, help="recordings of each condition")
+    parser.add_argument("--processes", type=int, default=2)
+    parser.add_argument("--only", default="", help="conditions whose name contains this")
+    arguments = parser.parse_args()
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    print(f"{'':28}" + "".join(f"{name:>6}" for name in PHI_NAMES) + "   median half-width of m, all in (repeatability alone); warnings")
+    worst = ("", 1.0)
+    with ProcessPoolExecutor(arguments.processes) as pool:
+        for name in (name for name in CONDITIONS if arguments.only in name):
+            outcomes = list(pool.map(outcome_of, [(name, seed) for seed in range(arguments.count)], chunksize=4))
+            shares = coverage(outcomes)
+            said = Counter(code.removeprefix("estimation-") for each in outcomes for code in each.warnings)
+            half = INTERVAL * np.nanmedian([[each.std[0], each.repeatability[0]] for each in outcomes], axis=0)
+            cells = "".join(f"{'-' if np.isnan(share) else f'{100 * share:.0f}':>6}" for share in shares)
+            print(f"{name:28}{cells}   {half[0]:.5f} ({half[1]:.5f}) kg  {dict(said) or ''}", flush=True)
+            if not np.isnan(shares).all() and np.nanmin(shares) < worst[1]:
+                worst = (name, float(np.nanmin(shares)))
+    print(f"worst: {100 * worst[1]:.0f} % ({worst[0]})")
+
+
+if __name__ == "__main__":
+    main()
