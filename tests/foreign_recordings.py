@@ -192,7 +192,9 @@ class _Path:
 
     @classmethod
     def draw(cls, n: int, rng: np.random.Generator, *, one_axis: bool, seconds: float) -> _Path:
-        start, lasts, goal, now = [], [], [rng.uniform(-2.0, 2.0, n)], 1.2
+        start: list[float] = []
+        lasts: list[float] = []
+        goal, now = [rng.uniform(-2.0, 2.0, n)], 1.2
         while now < seconds - 4.0:
             last = goal[-1]
             if one_axis:

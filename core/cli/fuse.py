@@ -8,8 +8,9 @@ from typing import Annotated
 import typer
 
 from core.cli.options import JsonOption, check_new
-from core.cli.series_runs import read_prior, read_runs
+from core.cli.series_runs import read_runs
 from core.cli.series_table import fusion_tables, print_series
+from core.estimation.series import prior_of
 from core.payload.series import compare_series
 
 app = typer.Typer()
@@ -35,6 +36,6 @@ def fuse_command(
     """One answer from several runs of one payload, with the share that each of them and a prior has in it."""
     check_new(None, json)
     series = read_runs(runs)
-    prior, source = (None, None) if prior_percent is None else read_prior(series, prior_percent / 100.0)
+    prior, source = (None, None) if prior_percent is None else prior_of(series.results, prior_percent / 100.0)
     found = compare_series(series.names, series.measured, prior=prior, prior_source=source)
     print_series(found, fusion_tables(found), json)

@@ -6,15 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from core.cli.exports import read_result_file
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
-from core.estimation.determination import scales
 from core.estimation.result import Result, SecondsPart, result_of
+from core.estimation.series import measured_of
 from core.payload.random_effects import Measured
-from core.payload.uncertain_parameters import UncertainParameters
 from core.recording.manifest import FILE as MANIFEST
 
 ANSWER = "result.json"
@@ -72,26 +69,3 @@ def _short_names(paths: Sequence[Path]) -> tuple[str, ...]:
         if len(set(names)) == len(names):
             return tuple(names)
     return tuple(f"{'/'.join(each[-1:])} ({k + 1})" for k, each in enumerate(parts))
-
-
-def measured_of(result: Result) -> Measured:
-    """What a result says of the payload, and how certainly; nothing where nothing was identified."""
-    if result.estimate is None:
-        return Measured(UncertainParameters(np.full(10, np.nan), np.full((10, 10), np.nan)))
-    return Measured(UncertainParameters(np.array(result.estimate.phi, dtype=float), np.array(result.estimate.covariance, dtype=float)))
-
-
-def read_prior(runs: RunsOfSeries, share: float) -> tuple[UncertainParameters, str | None]:
-    """The reference that the runs name, known to a share of the size that each parameter is measured by, one standard deviation.
-
-    Raises:
-        BadInput: they name none, or different ones.
-    """
-    references = [result.reference for result in runs.results if result.reference is not None]
-    if not references:
-        raise BadInput("--prior", "cli-no-reference")
-    phi = np.array(references[0].phi, dtype=float)
-    for other in references[1:]:
-        if not np.allclose(np.array(other.phi, dtype=float), phi, rtol=1e-6, atol=1e-12):
-            raise BadInput("--prior", "cli-different-references")
-    return UncertainParameters(phi, np.diag((share * scales(phi)) ** 2)), references[0].source

@@ -22,6 +22,8 @@ Level = Literal["nothing", "act", "measure", "ask"]
 
 OPEN = 0.05
 """Probability from which an explanation that is not settled is named."""
+SETUP = "setup"
+"""File of the messages about slips in a recording's set-up: recording again would repeat them."""
 FIRST = ("reference", "reading", "joints")
 """What is seen elsewhere than in the wrench, in this order."""
 
@@ -130,6 +132,9 @@ def instruct(diagnosis: Diagnosis) -> Instruction:
             return _lead([_say_unknown(diagnosis), *beside], _begin_of_worst(diagnosis))
         case "not_enough":
             reason = diagnosis.lacking or diagnosis.summary
+            if reason.code.partition("-")[0] == SETUP:
+                corrected = Message.of("instruction-correct-recording-next", reason=reason)
+                return _lead([Said("ask", Message.of("instruction-correct-recording"), corrected)])
             following = Message.of("instruction-record-again-next", reason=reason)
             return _lead([Said("measure", Message.of("instruction-record-again"), following)])
         case _:

@@ -90,6 +90,7 @@ AUTHORITY: dict[str, frozenset[Role] | None] = {
     "GET /api/runs/{run}/result": SIGNED_IN,
     "POST /api/runs/{run}/acceptance": frozenset({operator}),
     "GET /api/runs/{run}/comparison/{other}": SIGNED_IN,
+    "GET /api/series": SIGNED_IN,
     "GET /api/runs/{run}/exports": SIGNED_IN,
     "GET /api/runs/{run}/exports/{target}": SIGNED_IN,
     "GET /api/runs/{run}/recording": SIGNED_IN,

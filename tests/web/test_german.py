@@ -29,7 +29,7 @@ SAID = {
     "ambiguous": "Nicht entschieden: Verzögertes Kraftsignal oder Tiefpass im Sensor",
     "unknown": "Kein bekannter Effekt erklärt die Abweichung",
     "no_gap": "Simulation und Aufzeichnung stimmen überein",
-    "not_enough": "Diese Aufzeichnung enthält zu wenig für eine Diagnose.",
+    "not_enough": "Mit dieser Aufzeichnung ist keine Diagnose möglich.",
 }
 """To the engineer."""
 

@@ -1054,6 +1054,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/series": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Read Series
+         * @description Whether several runs found the same payload, how they scatter, and what they say together.
+         */
+        get: operations["read_series"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{run}/exports": {
         parameters: {
             query?: never;
@@ -5087,6 +5107,35 @@ export interface components {
             };
         };
         /**
+         * PairOfRuns
+         * @description Two runs of a series.
+         */
+        PairOfRuns: {
+            /**
+             * First
+             * @description Name of the first run.
+             * @example monday-1
+             */
+            first: string;
+            /**
+             * Second
+             * @description Name of the second run.
+             * @example monday-2
+             */
+            second: string;
+            /**
+             * Chance
+             * @description Chance, 0 to 1, of a difference at least as large, were the payload the same; null without common parameters.
+             * @example 0.41
+             */
+            chance: number | null;
+            /**
+             * Differ
+             * @description Whether that is too small to believe, given how many pairs there are.
+             */
+            differ: boolean;
+        };
+        /**
          * PaperPart
          * @description Algorithms 1-5 with Eq. (8)-(10).
          */
@@ -7070,6 +7119,99 @@ export interface components {
             reference?: components["schemas"]["PayloadReference"] | null;
         };
         /**
+         * Scatter
+         * @description One parameter over a series; all in `unit`.
+         */
+        Scatter: {
+            /**
+             * Name
+             * @description Name of the parameter.
+             * @example m
+             */
+            name: string;
+            /**
+             * Unit
+             * @description Unit of all numbers but shares.
+             * @example kg
+             */
+            unit: string;
+            /**
+             * Values
+             * @description What each run found; null is what it does not determine.
+             * @example [
+             *       2.781,
+             *       2.784
+             *     ]
+             */
+            values: (number | null)[];
+            /**
+             * Stds
+             * @description Their standard uncertainties.
+             * @example [
+             *       0.0006,
+             *       0.0006
+             *     ]
+             */
+            stds: (number | null)[];
+            /**
+             * Mean
+             * @description What they say together, see `half_width`.
+             * @example 2.7829
+             */
+            mean: number | null;
+            /**
+             * Half Width
+             * @description Half of the 95 % interval of `mean`, Student's t.
+             * @example 0.0042
+             */
+            half_width: number | null;
+            /**
+             * Stated Std
+             * @description What the runs state of their own scatter, root mean square.
+             * @example 0.0006
+             */
+            stated_std: number | null;
+            /**
+             * Repeatability Std
+             * @description Repeatability standard deviation s_r (ISO 5725-2): scatter of runs under one condition; null without a repetition.
+             * @example 0.0011
+             */
+            repeatability_std: number | null;
+            /**
+             * Between Std
+             * @description Standard deviation s_L between conditions (ISO 5725-2); null where there is only one.
+             * @example 0.0009
+             */
+            between_std: number | null;
+            /**
+             * Reproducibility Std
+             * @description Reproducibility standard deviation s_R (ISO 5725-2): scatter of runs under different conditions.
+             * @example 0.0014
+             */
+            reproducibility_std: number | null;
+            /**
+             * Unstated Std
+             * @description Scatter between runs beyond what they state, by restricted maximum likelihood, the same for all of one group (mass; first moment; inertia); 0 where they scatter no more.
+             * @example 0.0008
+             */
+            unstated_std: number;
+            /**
+             * Weights
+             * @description Share of each run in `mean`.
+             * @example [
+             *       0.48,
+             *       0.52
+             *     ]
+             */
+            weights: number[];
+            /**
+             * Prior Weight
+             * @description Share of the prior in `mean`, 0 without one.
+             * @example 0
+             */
+            prior_weight: number;
+        };
+        /**
          * Seal
          * @description What was planted in a trial, as a hash that was published before the trial began.
          */
@@ -7268,6 +7410,94 @@ export interface components {
              * @example certificate 4711 of 2026-03-02
              */
             source?: string | null;
+        };
+        /**
+         * Series
+         * @description Several identifications side by side, in one frame.
+         */
+        Series: {
+            /**
+             * Runs
+             * @description Names of the runs, in the order of all lists.
+             * @example [
+             *       "monday-1",
+             *       "monday-2"
+             *     ]
+             */
+            runs: string[];
+            /**
+             * Conditions
+             * @description Under which each was made.
+             * @example [
+             *       "monday",
+             *       "monday"
+             *     ]
+             */
+            conditions: string[];
+            /**
+             * Parameters
+             * @description The ten parameters in the paper's order.
+             */
+            parameters: components["schemas"]["Scatter"][];
+            /**
+             * Covariance
+             * @description Of the ten means, SI.
+             * @example [
+             *       [
+             *         0.000001
+             *       ]
+             *     ]
+             */
+            covariance: (number | null)[][];
+            /**
+             * Pairs
+             * @description Every two runs.
+             */
+            pairs: components["schemas"]["PairOfRuns"][];
+            /**
+             * Chance
+             * @description Chance, 0 to 1, of differences at least as large, were the payload the same; null with one run.
+             * @example 0.22
+             */
+            chance: number | null;
+            /**
+             * Differ
+             * @description Whether that is too small to believe (below 0.01).
+             */
+            differ: boolean;
+            /**
+             * Prior Used
+             * @description Whether something that was known before has a share in the means.
+             * @default false
+             */
+            prior_used?: boolean;
+            /**
+             * Prior
+             * @description Where the prior is from; null where nobody has said.
+             * @example CAD
+             */
+            prior?: string | null;
+            /** @description The same in a sentence. */
+            verdict: components["schemas"]["Message"];
+            /**
+             * Remarks
+             * @description What should be known before the numbers are used.
+             */
+            remarks: components["schemas"]["Message"][];
+        };
+        /**
+         * SeriesPublic
+         * @description Several runs together; in the sensor's frame, or in the flange's where they were made in several cells.
+         */
+        SeriesPublic: {
+            /**
+             * Frame
+             * @description Frame of all numbers: the sensor's, or the flange's with several cells.
+             * @enum {string}
+             */
+            frame: "sensor" | "flange";
+            /** @description What the runs say, apart and together. */
+            series: components["schemas"]["Series"];
         };
         /**
          * SessionPublic
@@ -12914,6 +13144,7 @@ export type OverlayPublic = components['schemas']['OverlayPublic'];
 export type OwnSession = components['schemas']['OwnSession'];
 export type Package = components['schemas']['Package'];
 export type Pair = components['schemas']['Pair'];
+export type PairOfRuns = components['schemas']['PairOfRuns'];
 export type PaperPart = components['schemas']['PaperPart'];
 export type PasswordUpdate = components['schemas']['PasswordUpdate'];
 export type PatchPart = components['schemas']['PatchPart'];
@@ -12952,11 +13183,14 @@ export type RunPublic = components['schemas']['RunPublic'];
 export type SafetyPart = components['schemas']['SafetyPart'];
 export type SavedPayloadCreate = components['schemas']['SavedPayloadCreate'];
 export type SavedPayloadUpdate = components['schemas']['SavedPayloadUpdate'];
+export type Scatter = components['schemas']['Scatter'];
 export type Seal = components['schemas']['Seal'];
 export type SecondOpinion = components['schemas']['SecondOpinion'];
 export type SecondsPart = components['schemas']['SecondsPart'];
 export type Sensor = components['schemas']['Sensor'];
 export type SensorCalibration = components['schemas']['SensorCalibration'];
+export type Series = components['schemas']['Series'];
+export type SeriesPublic = components['schemas']['SeriesPublic'];
 export type SessionPublic = components['schemas']['SessionPublic'];
 export type Severity = components['schemas']['Severity'];
 export type Site = components['schemas']['Site'];
@@ -18633,6 +18867,96 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"] | components["schemas"]["RunsNoCommonFrameProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    read_series: {
+        parameters: {
+            query: {
+                /** @description Identifiers of the runs. */
+                run: string[];
+                /** @description Under which condition each run was made (day, plan, robot), in their order; one for all where absent. */
+                condition?: string[] | null;
+                /** @description How well the runs' reference (CAD) is known beforehand, percent (1 sigma); it has no share where absent. */
+                prior_percent?: number | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SeriesPublic"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestCellUnknownProblem"];
                 };
             };
             /** @description Conflict */

@@ -10,6 +10,8 @@ instruction-unknown-next = Verwenden Sie die Last mit Vorsicht, bis die Ursache 
 instruction-unknown-next-at = Das meiste liegt zwischen { $begin } und { $end } der Aufzeichnung: War da jemand oder etwas am Roboter? Verwenden Sie die Last mit Vorsicht, bis die Ursache bekannt ist.
 instruction-record-again = Neu aufzeichnen
 instruction-record-again-next = Diese Aufzeichnung kann nichts aussagen: { $reason }.
+instruction-correct-recording = Aufzeichnung berichtigen
+instruction-correct-recording-next = Etwas darin ist nicht, was es sein soll: { $reason }.
 instruction-other = Fachkraft fragen: { $effect }
 instruction-other-next = Der Befund steht unten.
 

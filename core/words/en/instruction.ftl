@@ -10,6 +10,8 @@ instruction-unknown-next = Until the cause is known, use the payload with care.
 instruction-unknown-next-at = Most of it lies between { $begin } and { $end } of the recording: was somebody or something at the robot then? Until the cause is known, use the payload with care.
 instruction-record-again = Record again
 instruction-record-again-next = This recording cannot say anything: { $reason }.
+instruction-correct-recording = Correct the recording
+instruction-correct-recording-next = Something in it is not what it is said to be: { $reason }.
 instruction-other = Ask an engineer: { $effect }
 instruction-other-next = What was found is described below.
 

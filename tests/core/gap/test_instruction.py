@@ -113,6 +113,12 @@ def test_an_unknown_cause_is_an_engineers_and_says_when_most_of_it_was() -> None
     assert "between" not in diagnosis("unknown", where=where.model_copy(update={"worst_s": None})).instruction.next.text
 
 
+def test_a_slip_in_the_set_up_is_corrected_and_not_recorded_again() -> None:
+    told = diagnosis("not_enough", lacking=Message.of("setup-wrench-zero")).instruction
+    assert (told.level, told.sentence.code) == ("ask", "instruction-correct-recording")
+    assert "the sensor was not connected" in told.next.text and "nicht angeschlossen" in told.next.say("de")
+
+
 def test_a_recording_that_is_not_enough_is_to_be_made_again_with_the_reason() -> None:
     told = diagnosis("not_enough", lacking=Message.of("gap-no-motion")).instruction
     assert (told.level, told.sentence.text) == ("measure", "Record again")

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from core.payload.random_effects import Measured, difference_covariance, pool
+from core.payload.series import half_width
 from core.payload.uncertain_parameters import UncertainParameters
 
 TRUTH = np.array([2.8, 0.0, -0.047, 0.1, 0.007, 0.0, 0.0, 0.0066, 0.0017, 0.0033])
@@ -65,8 +66,6 @@ def test_zeros_of_the_joints_that_plans_feel_differently_part_no_runs_that_state
 
 @pytest.mark.parametrize(("count", "between"), [(3, 0.0), (4, 3.0), (10, 3.0)])
 def test_intervals_of_the_mean_cover(count: int, between: float) -> None:
-    from core.payload.series import half_width
-
     rng, hits = np.random.default_rng(count), np.zeros(10)
     for _ in range(150):
         found = pool([draw(rng, between) for _ in range(count)])

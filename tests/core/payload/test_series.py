@@ -7,7 +7,7 @@ import pytest
 
 from core.errors import BadInput
 from core.payload.random_effects import Measured
-from core.payload.series import analyse_variance, compare_series
+from core.payload.series import analyse_variance, compare_series, student_factor
 from core.payload.uncertain_parameters import UncertainParameters
 
 TRUTH = np.array([2.8, 0.0, -0.047, 0.1, 0.007, 0.0, 0.0, 0.0066, 0.0017, 0.0033])
@@ -59,3 +59,10 @@ def test_a_single_run_is_its_own_answer() -> None:
     found = compare_series(["a"], runs(1, 0.0))
     assert found.verdict.code == "payload-series-of-one" and found.chance is None
     assert found.parameters[0].half_width == pytest.approx(1.96e-4)
+
+
+@pytest.mark.parametrize("freedom", [1, 2, 3, 4, 7, 12, 30, 61])
+def test_intervals_are_students(freedom: int) -> None:
+    from scipy.stats import t
+
+    assert student_factor(freedom) == pytest.approx(t.ppf(0.975, freedom), rel=1e-9)

@@ -108,6 +108,20 @@ def test_runs_of_two_cells_are_compared_at_the_flange(service: Service, viewer: 
     assert max(abs(each["value"]) for each in found["comparison"]["parameters"]) < 1e-9
 
 
+def test_a_series_of_runs_is_answered_with_its_scatter(service: Service, run: str, viewer: TestClient) -> None:
+    runs = [run, ended_run(service, heavier(0.0)), ended_run(service, heavier(0.2)), ended_run(service, heavier(0.2))]
+    found = viewer.get("/api/series", params={"run": runs, "condition": ["a", "a", "b", "b"]}).json()
+    series, mass = found["series"], found["series"]["parameters"][0]
+    assert (found["frame"], series["runs"], series["differ"]) == ("sensor", runs, True)
+    assert mass["repeatability_std"] == pytest.approx(0.0, abs=1e-9)
+    assert mass["reproducibility_std"] == pytest.approx(0.2 / np.sqrt(2.0))
+    assert mass["mean"] == pytest.approx(np.mean(mass["values"]), abs=1e-3)
+    assert viewer.get("/api/series", params={"run": [run, "none"]}).status_code == 404
+    refused = viewer.get("/api/series", params={"run": runs, "condition": ["a"]})
+    assert refused.status_code == 422 and "one for each of the 4 runs" in refused.text
+    assert viewer.get("/api/series", params={"run": runs, "prior_percent": 2.0}).status_code == 422
+
+
 def test_every_target_is_listed_with_what_it_loses_and_its_file_is_sent(run: str, service: Service, viewer: TestClient) -> None:
     listed = viewer.get(f"/api/runs/{run}/exports").json()
     assert listed["frame"]["code"] == "export-flange-frame"

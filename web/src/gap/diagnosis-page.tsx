@@ -134,11 +134,12 @@ function next(): string {
   const shown = diagnosis.value;
   if (shown === null || isUnderWay(shown)) return said.jobNext;
   if (shown.result === null) return said.failedNext;
-  const { verdict, also = [] } = shown.result;
+  const { verdict, also = [], lacking } = shown.result;
   if (isNamed(shown.result) && shown.cell === null) return said.noCell;
   if (verdict === 'explained' && addableOf(shown.result) === undefined) return said.adviceNext;
   if (verdict === 'ambiguous' && !shown.result.next_experiment?.planned) return said.unsettledNext;
   if (verdict === 'no_gap' && also.some(({ material }) => material)) return said.adviceNext;
+  if (lacking?.code.startsWith('setup-')) return said.adviceNext; // another recording would have the same slip
   return said.verdictNext[verdict];
 }
 

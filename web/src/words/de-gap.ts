@@ -48,7 +48,7 @@ export const deGap: GapWords = {
     ambiguous: (effects, stage) => `Nicht entschieden: ${effects} (Stufe: ${stage}).`,
     unknown: (stage) => `Kein bekannter Effekt erklärt die Abweichung (Stufe: ${stage}).`,
     no_gap: 'Simulation und Aufzeichnung stimmen überein: kein signifikanter Unterschied.',
-    not_enough: 'Diese Aufzeichnung enthält zu wenig für eine Diagnose.',
+    not_enough: 'Mit dieser Aufzeichnung ist keine Diagnose möglich.',
   },
   verdictNext: {
     explained: 'Folgen Sie dem Rat, oder nehmen Sie den Effekt in den Zwilling auf.',

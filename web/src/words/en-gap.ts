@@ -47,7 +47,7 @@ export const enGap = {
     ambiguous: (effects: string, stage: string) => `Not settled: ${effects} (stage: ${stage}).`,
     unknown: (stage: string) => `No known effect explains the gap (stage: ${stage}).`,
     no_gap: 'Simulation and recording agree: no significant difference.',
-    not_enough: 'This recording contains too little for a diagnosis.',
+    not_enough: 'Nothing can be diagnosed with this recording.',
   },
   verdictNext: {
     explained: 'Follow the advice, or add the effect to the twin.',
