@@ -1,4 +1,4 @@
-"""Whether 95 % intervals hold the truth under each of the conditions that real recordings come with: `python -m bench.conditions --count 200`.
+"""Whether 95 % intervals hold the truth under the conditions of real recordings: `python -m bench.conditions --count 200`.
 
 The recordings come from a generator that shares no code with the engine (`tests.foreign_recordings`); what is wrong with each is drawn from
 the standard uncertainty that it states.
@@ -55,7 +55,7 @@ CONDITIONS = {
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one recording: errors and standard uncertainties (10,), combined and by repeatability alone, NaN where not determined; warnings."""
+    """Of one recording: errors and standard uncertainties (10,), combined and by repeatability alone, NaN where not known; warnings."""
 
     error: Array
     std: Array
