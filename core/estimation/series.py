@@ -14,10 +14,18 @@ from core.payload.uncertain_parameters import UncertainParameters
 
 
 def measured_of(result: Result) -> Measured:
-    """What a result says of the payload, and how certainly; nothing where nothing was identified."""
+    """What a result says of the payload, and how certainly; nothing where nothing was identified.
+
+    What stays the same from run to run (type B) is shared by all runs that name it: gains of one sensor, zeros of one robot. A twin's part
+    is none of that, since its effects are fitted anew to each recording.
+    """
     if result.estimate is None:
         return Measured(UncertainParameters(np.full(10, np.nan), np.full((10, 10), np.nan)))
-    return Measured(UncertainParameters(np.array(result.estimate.phi, dtype=float), np.array(result.estimate.covariance, dtype=float)))
+    phi, budget = np.array(result.estimate.phi, dtype=float), result.estimate.budget
+    if budget is None:
+        return Measured(UncertainParameters(phi, np.array(result.estimate.covariance, dtype=float)))
+    shared = {source.name: np.array(source.directions, dtype=float).reshape(-1, 10).T for source in budget.sources if source.name != "twin"}
+    return Measured(UncertainParameters(phi, np.array(budget.repeatability, dtype=float)), shared)
 
 
 def prior_of(results: Sequence[Result], share: float) -> tuple[UncertainParameters, str | None]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from core.estimation.budget import Budget
 from core.estimation.estimate import DriftEstimate, Estimate
 from core.estimation.setup.payload_fit import COUNT, MASS_WEIGHT, MOMENT_WEIGHT, PayloadFit
 from core.estimation.setup.refutation import refute
@@ -21,7 +22,8 @@ def weighed(mass: float, misfit: float = 1.0) -> PayloadFit:
 def estimated(mass: float, lever_m: float = 0.1) -> Estimate:
     phi = np.array([mass, 0.0, 0.0, lever_m * mass, 0.02, 0.0, 0.0, 0.02, 0.0, 0.01])
     drift = DriftEstimate(np.zeros(0), np.zeros((0, 6)), NONE)
-    return Estimate(phi, 1e-8 * np.eye(10), np.ones(10, dtype=bool), {}, NONE, NONE, True, NONE, NONE, drift)
+    alone = Budget(1e-8 * np.eye(10), ())
+    return Estimate(phi, alone.repeatability, np.ones(10, dtype=bool), {}, NONE, NONE, True, NONE, NONE, drift, budget=alone)
 
 
 @pytest.mark.parametrize(("mass", "lever_m"), [(2.0, 0.1), (2.15, 0.1), (2.0, 0.12)])
