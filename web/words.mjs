@@ -14,6 +14,8 @@ import { build } from 'vite';
 
 const ROOT = fileURLToPath(new URL('.', import.meta.url));
 const LANGUAGES = ['en', 'de'];
+/** Files of messages that come with the pages that say them: `src/words/later-messages.ts`. */
+const LATER = ['drafts', 'library', 'newcell'];
 /** Where the sources name a code: compared with one, or given to a message. */
 const NAMED = /(?<!typeof [\w.]*)\bcode\s*(?:===|!==|:)\s*'([a-z][a-z0-9-]*)'/g;
 
@@ -27,6 +29,11 @@ async function readModule(file) {
     build: { ssr: `src/words/${file}`, write: false },
   });
   return import(`data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`);
+}
+
+function readLater(language) {
+  const read = (name) => readFileSync(join(ROOT, '..', 'core', 'words', language, `${name}.ftl`), 'utf8');
+  return Object.fromEntries(LATER.map((name) => [name, read(name)]));
 }
 
 /** What there is to say: each code, and each part of one. */
@@ -61,7 +68,9 @@ function flawsOf(catalogues) {
 
 const { readCatalogue, formatMessage, formatPart } = await readModule('catalogue.ts');
 const vocabularies = await Promise.all(LANGUAGES.map((language) => readModule(`all-${language}.ts`)));
-const catalogues = LANGUAGES.map((language, k) => readCatalogue(language, vocabularies[k].messages));
+const catalogues = LANGUAGES.map((language, k) =>
+  readCatalogue(language, { ...vocabularies[k].messages, ...readLater(language) }),
+);
 if (process.argv[2] === 'say') {
   const { questions, more } = JSON.parse(await text(process.stdin));
   for (const catalogue of catalogues) catalogue.addResource(new FluentResource(more));
