@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from core.cell.folder import load_cell
 from tests.core.new_cell.small_arm import arm, joint, link
-from tests.server.real_service import RealService
+from tests.server.real_service import RealService, wait_for
 from tests.web.judgement import check_looks
 from tests.web.looks import look
 from tests.web.screens import on_page
@@ -102,4 +102,4 @@ def test_a_new_cell_that_is_discarded_is_gone(at: Tablet, service: RealService, 
     page.get_by_role("button", name="Discard it").tap()
     expect(page.locator(".new-cell h2").first).to_have_text("Description")
     expect(page.get_by_role("radio")).to_have_count(0)
-    assert list((service.data / "cells").glob(".new-*")) == []
+    wait_for(lambda: not list((service.data / "cells").glob(".new-*")), "the draft to be gone")
