@@ -96,11 +96,14 @@ function usePlace(step: Step | undefined): DOMRect | null {
   useEffect(() => {
     if (step?.page) location.hash = step.page();
     let found: Element | null = null;
+    let size = '';
     const look = () => {
       const now = find(step?.shows ?? []);
-      if (now !== found) now?.scrollIntoView({ block: 'start' });
+      const turned = `${innerWidth} ${innerHeight}`;
+      if (now !== found || size !== turned) now?.scrollIntoView({ block: 'start' });
       found = now;
-      const seen = now?.getBoundingClientRect() ?? null;
+      size = turned;
+      const seen = now && seenOf(now);
       if (JSON.stringify(seen) !== JSON.stringify(place.value)) place.value = seen;
     };
     look();
@@ -113,6 +116,14 @@ function usePlace(step: Step | undefined): DOMRect | null {
 function find(selectors: string[]): Element | null {
   const all = selectors.flatMap((selector) => [...document.querySelectorAll(selector)]);
   return all.find((each) => each.checkVisibility()) ?? null;
+}
+
+/** What is to be seen of it: of what stands on the page, no more than the page shows. */
+function seenOf(each: Element): DOMRect | null {
+  const { left, top, right, bottom } = each.getBoundingClientRect();
+  const page = each.closest('main')?.getBoundingClientRect() ?? new DOMRect(0, 0, innerWidth, innerHeight);
+  const [high, low] = [Math.max(top, page.top), Math.min(bottom, page.bottom)];
+  return low > high ? new DOMRect(left, high, right - left, low - high) : null;
 }
 
 const barTop = () => document.querySelector('.command-bar')?.getBoundingClientRect().top ?? innerHeight;
