@@ -32,7 +32,7 @@ def scales(phi: Array) -> Array:
 
 
 def find_determined(phi: Array, std: Array) -> Bools:
-    """(10,): the standard uncertainty is below a tenth of the scale. Without a mass nothing is determined."""
+    """(10,): the standard deviation by the recording alone is below a tenth of the scale. Without a mass nothing is determined."""
     enough = std < LARGEST_RELATIVE_STD * scales(phi)
     mass_known = bool(enough[0]) and phi[0] > 0
     return np.asarray(enough & mass_known)

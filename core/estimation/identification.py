@@ -113,7 +113,7 @@ def _find_labelled_still(recording: Recording, segments: tuple[Segment, ...]) ->
 def _estimate(corrected: Corrected, motion: Motion, *, static: bool, turned: str | None) -> Estimate:
     found, covariance, budget = corrected.found, corrected.covariance, corrected.budget
     phi, S = found.phi.copy(), budget.covariance
-    std = np.sqrt(np.diag(S))
+    std = np.sqrt(np.diag(budget.repeatability))  # what the recording shows; what no recording can show is in the budget
     known = find_determined(phi, std)
     body = nearest_consistent(phi, S) if known[0] else phi
     constrained = bool(known[0]) and distance_from_bodies(phi, body, S) > NO_SUCH_BODY
