@@ -20,7 +20,7 @@ def folders_in_the_tree() -> set[str]:
     tree = (ROOT / "CONTRIBUTING.md").read_text().split("```")[1]
     found, above = set(), {0: ""}
     for line in tree.splitlines():
-        match = re.match(r"( *)([\w/]+)/(?= |$)", line)
+        match = re.match(r"( *)([\w/-]+)/(?= |$)", line)
         if match:
             depth, name = len(match.group(1)), match.group(2)
             above[depth] = f"{above[depth - 2]}/{name}".lstrip("/") if depth else name

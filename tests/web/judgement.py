@@ -63,7 +63,8 @@ def check_colours_of_the_abnormal(looks: Sequence[Look]) -> None:
 
 def check_nothing_is_cut_off(looks: Sequence[Look]) -> None:
     """Every text has its place, inside the screen."""
-    assert {each.name: each.cut for each in looks if each.cut} == {}
+    found = {each.name: each.cut for each in looks if each.cut}
+    assert found == {}, found
 
 
 def hls(colour: str) -> tuple[float, float, float]:

@@ -96,7 +96,7 @@ def test_an_alarm_is_acknowledged_once_and_only_while_it_is_open(book, clock):
     book.update([ABORTED], clock())
     alarm = book.open[0].id
     book.acknowledge(alarm, "account:anna", clock())
-    with pytest.raises(Conflict, match="account:anna"):
+    with pytest.raises(Conflict, match="by anna"):
         book.acknowledge(alarm, "account:ben", clock())
     book.update([], clock())
     with pytest.raises(NotFound):
