@@ -40,6 +40,12 @@ SCREENS = (
 )  # fmt: skip
 """Each size once and each theme twice: contrast does not depend on the size, nor what is cut off on the theme."""
 
+DRAWN = "() => new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn)))"
+"""Charts are made anew in a new size, a frame after it has come."""
+
+PUSHED = ", .navigation a, .scrolls *, .scrolls"
+"""On a phone: the links of the navigation and tables of many columns."""
+
 NOT_ASKED: dict[str, Any] = {"violations": []}
 
 TARGETS = """() => [...document.querySelectorAll('button, a[href], input, select, summary, .option')]
@@ -64,10 +70,10 @@ COLOURS = """abnormal => [...document.querySelectorAll('body, body *')].filter(e
         .filter(kind => kind !== 'outlineColor' || style.outlineStyle !== 'none')
         .map(kind => ({of: each.className || each.tagName, kind, colour: style[kind], abnormal: each.closest(abnormal) !== null})) })"""
 
-CUT = """least => {
+CUT = """([least, pushed]) => {
     const own = each => [...each.childNodes].some(node => node.nodeType === 3 && node.data.trim());
     const said = [...document.querySelectorAll('header *, nav *, main *, footer *, dialog *')]
-        .filter(each => each.checkVisibility() && !each.closest('.out-of-sight, option, svg'));
+        .filter(each => each.checkVisibility() && !each.closest(`.out-of-sight, option, svg${pushed}`));
     const out = said.filter(each => each.clientWidth && each.scrollWidth > each.clientWidth + 1
         && (own(each) || getComputedStyle(each).overflowX !== 'visible'));
     const beside = said.filter(each => { const {left, right} = each.getBoundingClientRect(); return left < -1 || right > innerWidth + 1 });
@@ -81,7 +87,7 @@ CUT = """least => {
     const named = each => `${each.className || each.tagName}: ${each.textContent.trim().slice(0, 40)}`;
     return [...new Set([...out, ...beside, ...over])].map(named).concat(frame) }"""
 """Texts and boxes wider than their place, beside the screen or over each other, and what is wrong with page and bar; a page has a height of
-`least` px."""
+`least` px, and what a finger pushes into sight may be wider than the screen."""
 
 
 @dataclass(frozen=True)
@@ -123,10 +129,11 @@ def turned(page: Page) -> Iterator[Screen]:
     for screen in SCREENS:
         page.set_viewport_size(screen.size)
         page.emulate_media(color_scheme=screen.theme)
+        page.evaluate(DRAWN)
         yield screen
 
 
 def glance(page: Page, name: str, screen: Screen, axe: dict[str, Any]) -> Look:
-    """A page as it stands; the links of a phone's navigation are pushed into it by a finger."""
-    cut = [each for each in page.evaluate(CUT, screen.least_page_px) if not (screen.size == PHONE and each.startswith("A: "))]
+    """A page as it stands."""
+    cut = page.evaluate(CUT, [screen.least_page_px, PUSHED if screen.size == PHONE else ""])
     return Look(name, screen.name, axe["violations"], page.evaluate(TARGETS), page.evaluate(COLOURS, ABNORMAL), cut)

@@ -21,11 +21,13 @@ export function ParameterTable({ answer }: { answer: Body }) {
         {payloadRows(answer).map((row) => (
           <tr key={row.key}>
             <th scope="row">{`${said[row.part]} ${row.axis}`.trim()}</th>
-            <td>
+            <td class="measured-value">
               <Measured quantity={row.quantity} value={row.value} std={row.std} reason={row.reason} />
             </td>
             {referenced && (
-              <td>{row.reference == null ? '–' : shown(row.quantity, row.reference, row.std).value}</td>
+              <td data-column={said.reference}>
+                {row.reference == null ? '–' : shown(row.quantity, row.reference, row.std).value}
+              </td>
             )}
             {referenced && <td>{significance(row)}</td>}
           </tr>
