@@ -19,14 +19,27 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealService]:
         yield running
 
 
+@pytest.fixture(autouse=True)
+def nothing_left(request: pytest.FixtureRequest) -> Iterator[None]:
+    """The next test finds a robot that stands still and no alarm, also after a test that failed half way."""
+    service: RealService | None = request.getfixturevalue("service") if "service" in request.fixturenames else None
+    yield
+    if service is not None:
+        last = Console(service)
+        for run in last.http.get("/api/runs", params={"limit": 5}).json():
+            if "stop" in run["commands"]:
+                last.http.post(f"/api/runs/{run['run']}/commands", json={"command": "stop"})
+        for alarm in last.http.get("/api/alarms/open").json():
+            last.http.post(f"/api/alarms/{alarm['id']}/acknowledgement")
+        last.http.delete("/api/session")
+        last.leave()
+
+
 @pytest.fixture
 def person(service: RealService) -> Iterator[Console]:
     """Somebody at another screen, who leaves no run behind."""
     console = Console(service)
     yield console
-    for run in console.http.get("/api/runs", params={"limit": 5}).json():
-        if "stop" in run["commands"]:
-            console.http.post(f"/api/runs/{run['run']}/commands", json={"command": "stop"})
     console.leave()
 
 

@@ -35,7 +35,7 @@ class Screen:
 
 
 SCREENS = (
-    Screen("desktop", DESKTOP, "dark"), Screen("phone", PHONE, "light", 400),
+    Screen("desktop", DESKTOP, "dark"), Screen("phone", PHONE, "light", 330),
     Screen("tablet, portrait", PORTRAIT, "dark"), Screen("tablet, landscape", LANDSCAPE, "light"),
 )  # fmt: skip
 """Each size once and each theme twice: contrast does not depend on the size, nor what is cut off on the theme."""
@@ -79,14 +79,16 @@ CUT = """([least, pushed]) => {
     const beside = said.filter(each => { const {left, right} = each.getBoundingClientRect(); return left < -1 || right > innerWidth + 1 });
     const [main, bar] = ['main', 'footer'].map(part => document.querySelector(part).getBoundingClientRect());
     const tiles = [...document.querySelectorAll('main .tile, main .viewer')].filter(each => each.checkVisibility());
+    const stays = each => getComputedStyle(each.closest('.view, .zone-pictures') ?? each).position === 'sticky';
     const over = tiles.filter(one => tiles.some(other => { const [a, b] = [one, other].map(each => each.getBoundingClientRect());
-        return one !== other && !one.contains(other) && !other.contains(one) && a.width && b.width
+        return one !== other && stays(one) === stays(other) && !one.contains(other) && !other.contains(one) && a.width && b.width
             && Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1 }));
     const frame = [['bar below the screen', bar.bottom > innerHeight + 1], ['bar over the page', main.bottom > bar.top + 1],
         ['no room for the page', main.height < least]].filter(([_, wrong]) => wrong).map(([what]) => what);
     const named = each => `${each.className || each.tagName}: ${each.textContent.trim().slice(0, 40)}`;
     return [...new Set([...out, ...beside, ...over])].map(named).concat(frame) }"""
-"""Texts and boxes wider than their place, beside the screen or over each other, and what is wrong with page and bar; a page has a height of
+"""Texts and boxes wider than their place, beside the screen or over each other (what stays while the page is scrolled
+lies over the page), and what is wrong with page and bar; a page has a height of
 `least` px, and what a finger pushes into sight may be wider than the screen."""
 
 

@@ -19,8 +19,8 @@ SCREENS = {"sign in", "cell and tool", "plan", "about to start", "on hold", "wat
 
 
 def test_every_screen_was_looked_at_in_both_orientations_and_themes(way: Way):
-    assert {each.screen for each in way.looks} >= SCREENS
-    assert len(way.looks) == 4 * len({each.screen for each in way.looks})
+    assert {each.page for each in way.looks} >= SCREENS
+    assert len(way.looks) == 4 * len({each.page for each in way.looks})
 
 
 def test_axe_finds_nothing_at_a_contrast_of_seven_to_one(way: Way):
