@@ -52,36 +52,39 @@ function ChannelBars({ gap }: { gap: Gap }) {
   const most = Math.max(1, ...rows.flatMap(({ before, after }) => [before, after]));
   const width = (value: number) => ({ width: `${(100 * value) / most}%` });
   return (
-    <table class="channel-bars">
-      <caption>{said.channels}</caption>
-      <thead>
-        <tr>
-          <th scope="col">{said.channel}</th>
-          <th scope="col">
-            <i class="was" aria-hidden="true" /> {said.before}
-          </th>
-          <th scope="col">
-            <i class="is" aria-hidden="true" /> {said.after}
-          </th>
-          <th scope="col">
-            <i class="floor" aria-hidden="true" /> {said.floor}
-          </th>
-        </tr>
-      </thead>
-      <tbody>
-        {rows.map(({ channel, before, after }) => (
-          <tr key={channel}>
-            <th scope="row">{channel}</th>
-            <td>{times(before)}</td>
-            <td>{times(after)}</td>
-            <td class="two-bars" aria-hidden="true">
-              <i class="was" style={width(before)} />
-              <i class="is" style={width(after)} />
-              <i class="floor" style={{ left: `${100 / most}%` }} />
-            </td>
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls has to be reached with keys
+    <div class="scrolls" tabIndex={0}>
+      <table class="channel-bars">
+        <caption>{said.channels}</caption>
+        <thead>
+          <tr>
+            <th scope="col">{said.channel}</th>
+            <th scope="col">
+              <i class="was" aria-hidden="true" /> {said.before}
+            </th>
+            <th scope="col">
+              <i class="is" aria-hidden="true" /> {said.after}
+            </th>
+            <th scope="col">
+              <i class="floor" aria-hidden="true" /> {said.floor}
+            </th>
           </tr>
-        ))}
-      </tbody>
-    </table>
+        </thead>
+        <tbody>
+          {rows.map(({ channel, before, after }) => (
+            <tr key={channel}>
+              <th scope="row">{channel}</th>
+              <td>{times(before)}</td>
+              <td>{times(after)}</td>
+              <td class="two-bars" aria-hidden="true">
+                <i class="was" style={width(before)} />
+                <i class="is" style={width(after)} />
+                <i class="floor" style={{ left: `${100 / most}%` }} />
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
   );
 }
