@@ -13,6 +13,7 @@ from core.certificate.certificate import Certificate, CertifiedSensor, Recording
 from core.certificate.conformity import Conformity
 from core.certificate.page import SIGNATURE_MM, format_value, render_certificate
 from core.certificate.sheet import HEIGHT_MM, MARGIN_MM, POINT_MM, WIDTH_MM, break_lines, measure_mm
+from core.estimation.result import ToolPart, TwinSharePart, WorkpiecePart
 from core.recording.order_reference import OrderReference
 from core.words.message import Message
 from tests.core.certificate.made_up_certificates import PLAN, RECORDING, certificate, values
@@ -75,6 +76,29 @@ def test_what_is_not_determined_is_in_its_row_with_the_reason() -> None:
     assert len(re.findall(r"not determined kg m²", said)) == 6
     assert "Ixx, Ixy, Ixz, Iyy, Iyz, Izz not determined: " + WHY.text in said
     assert "No statement." in said and "Not judged" in said
+
+
+@pytest.mark.parametrize("known", [True, False])
+def test_the_workpiece_alone_stands_beside_the_whole_with_what_has_to_be_known_of_it(known: bool) -> None:
+    numbers = [1.8624, *[0.001] * 9] if known else [None] * 10
+    std = [0.0061, *[0.0005] * 9] if known else [None] * 10
+    workpiece = WorkpiecePart(
+        phi=numbers, std=std, covariance=[], com_m=[0.01234, -0.0252, None], com_std_m=[0.0003, 0.0003, None],
+        inertia_com_kg_m2=[None] * 6, inertia_com_std_kg_m2=[None] * 6, consistent=True, reference=None,
+        tools=[ToolPart(name="gripper", title="Gripper GR-2", phi=[0.9, *[0.0] * 9], std=[None] * 10)],
+        remarks=[Message.of("workpiece-tool-without-std", tool="gripper", keys=["mass_std_kg"])],
+    )  # fmt: skip
+    said = text_of(certificate(workpiece=workpiece, twin=[share()]))
+    if known:
+        assert "Without Gripper GR-2: m = 1.862 ± 0.012 kg; c = (0.01234 ± 0.00059; −0.02520 ± 0.00059; not determined) m;" in said
+    else:
+        assert "Without Gripper GR-2: not determined." in said
+    assert "mass_std_kg" in said
+    assert "as the cell's twin has them: delayed wrench." in said
+
+
+def share() -> TwinSharePart:
+    return TwinSharePart(effect="time_delay", title=Message.of("text", text="delayed wrench"), recording="sha256:5f1d", change=[])
 
 
 @pytest.mark.parametrize(
