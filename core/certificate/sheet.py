@@ -6,6 +6,7 @@ What is written is kept and drawn at the end, so that a sheet that came out too 
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -128,9 +129,9 @@ class Sheet:
 
 
 def break_lines(text: str, size_pt: float, face: Face, width_mm: float) -> list[str]:
-    """Lines no wider than that; a word that is wider is broken anywhere. One empty line where there is no text."""
+    """Lines no wider than that, kept together at no-break spaces; a word that is wider is broken anywhere. One empty line without text."""
     lines = [""]
-    for word in spell_out(text, face).split():
+    for word in re.split(r"[ \t\r\n]+", spell_out(text, face).strip()):
         longer = f"{lines[-1]} {word}".lstrip()
         if measure_mm(longer, size_pt, face) <= width_mm:
             lines[-1] = longer

@@ -20,7 +20,7 @@ certificate-mostly = Größte Beiträge (Anteil an der Varianz)
 certificate-contribution = { $source } { PERCENT($share) } %
 certificate-not-determined = nicht bestimmt
 certificate-reason = { $names } nicht bestimmt: { $reason }
-certificate-frame = Für alles, was der Sensor trägt, im Sensorkoordinatensystem '{ $frame }': Masse m, Schwerpunkt c, Trägheit I um den Schwerpunkt. U = { FIXED($factor, digits: 2) } u ist die erweiterte Messunsicherheit für eine Überdeckungswahrscheinlichkeit von 95 %, alle Beiträge zusammen (Typ A und B, JCGM 100:2008); daneben die der Wiederholbarkeit allein (Typ A).
+certificate-frame = Für alles, was der Sensor trägt, im Sensorkoordinatensystem '{ $frame }': Masse m, Schwerpunkt c, Trägheit I um den Schwerpunkt. U = { FIXED($factor, digits: 2) } u ist die erweiterte Messunsicherheit für eine Überdeckungswahrscheinlichkeit von 95 %, alle Beiträge zusammen (Typ A und B, JCGM 100:2008); daneben die der Wiederholbarkeit allein (Typ A).
 certificate-workpiece = Ohne { $tools }: m = { $mass }; c = { $com }; I = { $inertia }.
 certificate-workpiece-unknown = Ohne { $tools }: nicht bestimmt.
 certificate-twin = Berücksichtigte Effekte aus dem Zwilling der Zelle: { $effects }.
@@ -35,7 +35,7 @@ certificate-conforms-to-assumed = Konform mit einer angenommenen Schwelle.
 certificate-not-shown = Konformität nicht nachgewiesen.
 certificate-not-judged-at-all = Keine Aussage.
 certificate-margin = Reserve: Faktor { SIGNIFICANT($margin, digits: 2) } auf jede Unsicherheit.
-certificate-rule = Entscheidungsregel (JCGM 106:2012, ISO/IEC Guide 98-4): Konformität wird festgestellt, wenn der Fehler der Werte mit einer Wahrscheinlichkeit von mindestens { PERCENT($probability) } % zu jeder Zeit der Bewegung unter jeder Schwelle der Zelle bleibt (Risiko einer falschen Annahme höchstens { PERCENT($risk) } %). Berechnet mit { $draws } Ziehungen aus der Kovarianz, alle Beiträge zusammen, über { FIXED($motion_s, digits: 0) } s Bewegung, so zügig wie die Grenzen der Zelle zulassen.
+certificate-rule = Entscheidungsregel (JCGM 106:2012, ISO/IEC Guide 98-4): Konformität wird festgestellt, wenn der Fehler der Werte mit einer Wahrscheinlichkeit von mindestens { PERCENT($probability) } % zu jeder Zeit der Bewegung unter jeder Schwelle der Zelle bleibt (Risiko einer falschen Annahme höchstens { PERCENT($risk) } %). Berechnet mit { $draws } Ziehungen aus der Kovarianz, alle Beiträge zusammen, über { FIXED($motion_s, digits: 0) } s Bewegung, so zügig wie die Grenzen der Zelle zulassen.
 certificate-no-cell = Die Zelle liegt nicht vor, ihre Schwellen sind daher nicht bekannt.
 certificate-nothing-identified = Es wurde nichts bestimmt.
 certificate-not-judged = Die Zelle ist nicht verwendbar: { $reason }

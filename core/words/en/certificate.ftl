@@ -20,7 +20,7 @@ certificate-mostly = Largest contributions (share of the variance)
 certificate-contribution = { $source } { PERCENT($share) } %
 certificate-not-determined = not determined
 certificate-reason = { $names } not determined: { $reason }
-certificate-frame = Of all that the sensor carries, in the sensor frame '{ $frame }': mass m, centre of mass c, inertia I about the centre of mass. U = { FIXED($factor, digits: 2) } u is the expanded uncertainty of a coverage interval of 95 %, all sources together (types A and B, JCGM 100:2008); beside it that of the repeatability alone (type A).
+certificate-frame = Of all that the sensor carries, in the sensor frame '{ $frame }': mass m, centre of mass c, inertia I about the centre of mass. U = { FIXED($factor, digits: 2) } u is the expanded uncertainty of a coverage interval of 95 %, all sources together (types A and B, JCGM 100:2008); beside it that of the repeatability alone (type A).
 certificate-workpiece = Without { $tools }: m = { $mass }; c = { $com }; I = { $inertia }.
 certificate-workpiece-unknown = Without { $tools }: not determined.
 certificate-twin = Effects taken into account, as the cell's twin has them: { $effects }.
@@ -35,7 +35,7 @@ certificate-conforms-to-assumed = Conforms to an assumed threshold.
 certificate-not-shown = Conformity is not shown.
 certificate-not-judged-at-all = No statement.
 certificate-margin = Margin: a factor of { SIGNIFICANT($margin, digits: 2) } on every uncertainty.
-certificate-rule = Decision rule (JCGM 106:2012, ISO/IEC Guide 98-4): conformity is stated where the error of the values stays below every threshold of the cell, at every time of the motion, with a probability of at least { PERCENT($probability) } % (risk of wrong acceptance at most { PERCENT($risk) } %). Computed with { $draws } draws from the covariance, all sources together, along { FIXED($motion_s, digits: 0) } s of motion as brisk as the cell's limits allow.
+certificate-rule = Decision rule (JCGM 106:2012, ISO/IEC Guide 98-4): conformity is stated where the error of the values stays below every threshold of the cell, at every time of the motion, with a probability of at least { PERCENT($probability) } % (risk of wrong acceptance at most { PERCENT($risk) } %). Computed with { $draws } draws from the covariance, all sources together, along { FIXED($motion_s, digits: 0) } s of motion as brisk as the cell's limits allow.
 certificate-no-cell = The cell is not at hand, so its thresholds are not known.
 certificate-nothing-identified = Nothing was identified.
 certificate-not-judged = The cell cannot be used: { $reason }

@@ -169,6 +169,10 @@ def test_lines_are_no_wider_than_they_may_be_and_lose_nothing(text: str) -> None
     assert "".join(lines).replace(" ", "") == text.replace(" ", "")
 
 
+def test_what_a_no_break_space_joins_stands_on_one_line() -> None:
+    assert break_lines("about U\u00a0=\u00a02\u00a0u", 8.0, "plain", 18.0) == ["about", "U\u00a0=\u00a02\u00a0u"]
+
+
 @pytest.mark.parametrize(("value", "half", "text"), [(-0.0000004, 0.00012, "0.00000"), (-0.0168, 0.0004, "−0.01680"), (2.0, 0.1, "2.00")])
 def test_a_value_has_the_digits_that_its_uncertainty_leaves_and_zero_no_sign(value: float, half: float, text: str) -> None:
     assert format_value(value, half) == text
