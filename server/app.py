@@ -31,6 +31,7 @@ from server.people import account_routes, audit_routes, key_routes, own_session_
 from server.people.authority import AUTHORITY
 from server.people.door import let_in
 from server.runs import (
+    certificate_routes,
     command_routes,
     export_routes,
     file_routes,
@@ -84,6 +85,7 @@ ROUTES = (
     command_routes,
     result_routes,
     series_routes,
+    certificate_routes,
     export_routes,
     file_routes,
     live_routes,

@@ -44,6 +44,7 @@ COMMANDS = {
         "core.cli.exports",
         "Write the payload as a robot's controller or a simulator takes it, on standard output; say what that cannot hold.",
     ),
+    "certificate": Command("core.cli.certificate", "Write the certificate of a finished run: one page for the record, as PDF and as JSON."),
     "requirement": Command(
         "core.cli.requirement", "Say how exactly the controller has to know its payload, and whether an answer is good enough for it."
     ),

@@ -90,7 +90,8 @@ def run(
         twin=twin,
     )
     outcome = watch(steps, messages)
-    result = outcome.result(folder)
+    at = datetime.now(UTC)
+    result = outcome.result(folder, at=at)
     write_json(result.model_dump_json(indent=2), str(folder / "result.json"))
     print_answer(result, json)
     page = folder / "report.html"
@@ -99,7 +100,7 @@ def run(
         recording=outcome.recording,
         identification=outcome.identification,
         run=outcome.summary,
-        at=datetime.now(UTC),
+        at=at,
         language=language,
     )
     if json != "-":

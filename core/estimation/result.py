@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -204,6 +205,10 @@ class Result(ResultPart):
     """That it was found out for; None where nobody named one."""
     version: str | None = None
     """Of the code that made it, see `core.version`; None in results from before it was kept."""
+    plan_sha256: str | None = None
+    """Of the plan that was carried out, hexadecimal; None of a recording from elsewhere, and in results of earlier versions."""
+    ended_at: datetime | None = None
+    """When the robot had done its part; None likewise."""
 
 
 def result_of(
@@ -213,6 +218,8 @@ def result_of(
     seconds: SecondsPart,
     safety: SafetyPart | None = None,
     folder: Path | None = None,
+    plan_sha256: str | None = None,
+    at: datetime | None = None,
 ) -> Result:
     """Everything that an identification says, ready for JSON."""
     estimate, reference = identification.estimate, recording.reference_of_whole
@@ -236,6 +243,8 @@ def result_of(
         workpiece=None if estimate is None or not recording.tools else _workpiece_part(estimate, recording),
         order=recording.order or None,
         version=code_version(),
+        plan_sha256=plan_sha256,
+        ended_at=at,
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 
 import numpy as np
@@ -42,8 +43,8 @@ class Outcome:
     estimate_s: float
     seed: int
 
-    def result(self, folder: Path | None = None) -> Result:
-        """The answer as it leaves the engine."""
+    def result(self, folder: Path | None = None, *, at: datetime | None = None) -> Result:
+        """The answer as it leaves the engine; `at` is when the robot had done its part."""
         nearest = self._nearest
         safety = SafetyPart(
             min_distance_m=None if nearest is None else nearest.distance_m,
@@ -53,7 +54,15 @@ class Outcome:
             min_distance_beyond_first_joint_m=self._beyond_first_m,
         )
         seconds = SecondsPart(plan=self.plan_s, robot=self.robot_s, estimate=self.estimate_s)
-        return result_of(self.identification, self.recording, seconds=seconds, safety=safety, folder=folder)
+        return result_of(
+            self.identification,
+            self.recording,
+            seconds=seconds,
+            safety=safety,
+            folder=folder,
+            plan_sha256=plan_digest(self.plan),
+            at=at,
+        )
 
     @property
     def _nearest(self) -> Nearest | None:

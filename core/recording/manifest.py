@@ -66,6 +66,7 @@ class RobotPart(ManifestPart):
 class SensorPart(ManifestPart):
     """The wrist sensor; sign -1 where it states what the payload exerts on it."""
 
+    name: Annotated[str, Field(max_length=200)] | None = None
     sign: Literal[1, -1] = 1
     noise_std: SixPositive | None = None
     range: SixPositive | None = None
@@ -78,7 +79,7 @@ class SensorPart(ManifestPart):
         """The same as arrays."""
         given = {key: getattr(self, key) for key in ("noise_std", "range", "resolution")}
         arrays = {key: np.array(value) for key, value in given.items() if value is not None}
-        return SensorDescription(**arrays, calibration=self.calibration or NOT_STATED, mount_std_rad=self.mount_std_rad)
+        return SensorDescription(**arrays, calibration=self.calibration or NOT_STATED, mount_std_rad=self.mount_std_rad, name=self.name)
 
 
 class PayloadReferencePart(ManifestPart):
@@ -194,7 +195,11 @@ def manifest_of(recording: Recording) -> Manifest:
             key: None if getattr(sensor, key) is None else tuple(getattr(sensor, key).tolist())
             for key in ("noise_std", "range", "resolution")
         }
-        | {"calibration": None if sensor.calibration == NOT_STATED else sensor.calibration, "mount_std_rad": sensor.mount_std_rad},
+        | {
+            "calibration": None if sensor.calibration == NOT_STATED else sensor.calibration,
+            "mount_std_rad": sensor.mount_std_rad,
+            "name": sensor.name,
+        },
         "payload_reference": reference
         and {
             "mass": reference.mass,

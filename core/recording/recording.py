@@ -41,6 +41,7 @@ class SensorDescription:
 
     Args:
         calibration: what its certificate states.
+        name: make and model; None where nobody has said.
         mount_std_rad: standard uncertainty of its orientation on the flange about each axis; None where nobody has said.
     """
 
@@ -49,6 +50,7 @@ class SensorDescription:
     resolution: Array | None = None
     calibration: SensorCalibration = NOT_STATED
     mount_std_rad: float | None = None
+    name: str | None = None
 
 
 @dataclass(frozen=True)

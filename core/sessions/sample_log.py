@@ -95,6 +95,7 @@ class SampleLog:
                 np.array(sensor.resolution),
                 calibration=sensor.calibration,
                 mount_std_rad=sensor.mount_std_rad,
+                name=sensor.name,
             ),
             zero_std_rad=self.cell.robot.zero_std_rad,
             site=self.cell.site,

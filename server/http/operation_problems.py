@@ -101,6 +101,8 @@ REFUSALS: dict[str, tuple[str, ...]] = {
     "GET /api/series": (*RESULT, *CELL, "runs-no-common-frame"),
     "GET /api/runs/{run}/exports": (*RESULT, *CELL),
     "GET /api/runs/{run}/exports/{target}": (*RESULT, *CELL),
+    "GET /api/runs/{run}/certificate": (*RESULT, "jobs-work-lost"),
+    "GET /api/runs/{run}/certificate.pdf": (*RESULT, "jobs-work-lost"),
     "GET /api/runs/{run}/recording": (*RUN, "runs-no-recording"),
     "GET /api/runs/{run}/report": (*RUN, "runs-no-report"),
     "GET /api/runs/{run}/events": RUN,
@@ -155,6 +157,8 @@ ENGINE_REFUSALS: dict[str, tuple[str, ...]] = {
     "GET /api/series": (*UNUSABLE, "bad-payload", "bad-input"),
     "GET /api/runs/{run}/exports": (*UNUSABLE, "bad-payload"),
     "GET /api/runs/{run}/exports/{target}": (*UNUSABLE, "bad-payload", "bad-input"),
+    "GET /api/runs/{run}/certificate": ("bad-recording",),
+    "GET /api/runs/{run}/certificate.pdf": ("bad-recording",),
     "POST /api/diagnoses/uploads": (*UNUSABLE, "bad-recording"),
     "POST /api/diagnoses/{diagnosis}/motion": (*UNUSABLE, "bad-recording"),
 }

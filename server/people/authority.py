@@ -93,6 +93,8 @@ AUTHORITY: dict[str, frozenset[Role] | None] = {
     "GET /api/series": SIGNED_IN,
     "GET /api/runs/{run}/exports": SIGNED_IN,
     "GET /api/runs/{run}/exports/{target}": SIGNED_IN,
+    "GET /api/runs/{run}/certificate": SIGNED_IN,
+    "GET /api/runs/{run}/certificate.pdf": SIGNED_IN,
     "GET /api/runs/{run}/recording": SIGNED_IN,
     "GET /api/runs/{run}/report": SIGNED_IN,
     "GET /api/runs/{run}/events": SIGNED_IN,

@@ -111,10 +111,10 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
         finally:
             if isinstance(pace, RealTime):
                 speaker.tell(Paced(pace.ticks, pace.late, pace.latest_s, pace.median_s))
-    result = outcome.result(order.folder / RECORDING)
+    at = datetime.now(UTC)
+    result = outcome.result(order.folder / RECORDING, at=at)
     write_whole(order.folder / RESULT, result.model_dump_json(indent=2) + "\n")
     recording, identification = outcome.recording, outcome.identification
-    at = datetime.now(UTC)
     for language in LANGUAGES:
         page = order.folder / name_report(language)
         write_report(page, recording=recording, identification=identification, run=outcome.summary, at=at, language=language)

@@ -1074,6 +1074,48 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/runs/{run}/certificate": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Certificate
+         * @description Who, what, when, with which sensor, values with their budget, statement of conformity; the page names the SHA-256 of these bytes.
+         *
+         *     Before somebody has accepted the result it says that nobody has. It takes some seconds.
+         */
+        get: operations["download_certificate"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/runs/{run}/certificate.pdf": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Download Certificate Page
+         * @description The certificate as a page of A4 to sign and to file; it names the SHA-256 of its data. It takes some seconds.
+         */
+        get: operations["download_certificate_page"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/runs/{run}/exports": {
         parameters: {
             query?: never;
@@ -2478,6 +2520,235 @@ export interface components {
             sha256: string | null;
         };
         /**
+         * Certificate
+         * @description Null is what nobody has stated; times are UTC.
+         */
+        Certificate: {
+            /**
+             * Format
+             * @description Version of this format.
+             * @default certificate/1
+             * @example certificate/1
+             * @constant
+             */
+            format?: "certificate/1";
+            /**
+             * Run
+             * @description Identifier of the run; null of what no service has carried.
+             * @example 019ab1c2d3e44f1c2a9be7
+             */
+            run: string | null;
+            /**
+             * Cell
+             * @description Name of the cell.
+             * @example lwr4_bench
+             */
+            cell: string | null;
+            /**
+             * Payload
+             * @description Name of the payload.
+             * @example steel_block
+             */
+            payload: string | null;
+            /** @description The order that it was found out for, as the plant names it. */
+            order: components["schemas"]["OrderReference"];
+            /**
+             * Ended At
+             * @description When the robot had done its part.
+             * @example 2026-03-01T08:00:24Z
+             */
+            ended_at: string | null;
+            /**
+             * Released By
+             * @description Who let the robot move.
+             * @example account:anna
+             */
+            released_by: string | null;
+            /**
+             * Accepted By
+             * @description Who took the result for good; null before that.
+             * @example account:berta
+             */
+            accepted_by: string | null;
+            /**
+             * Accepted At
+             * @description When; null before that.
+             * @example 2026-03-01T08:03:00Z
+             */
+            accepted_at: string | null;
+            /**
+             * Software
+             * @description Release and digest of the code that made the result.
+             * @example 0.1.0+3f9c2ab17d
+             */
+            software: string;
+            /**
+             * Plan Sha256
+             * @description Of the plan that was carried out, hexadecimal.
+             * @example 9f869f869f869f869f869f869f869f869f869f869f869f869f869f869f869f86
+             */
+            plan_sha256: string | null;
+            /** @description The recording that the values are from. */
+            recording: components["schemas"]["RecordingFacts"];
+            /** @description The result in a sentence. */
+            verdict: components["schemas"]["Message"];
+            /**
+             * Coverage Factor
+             * @description Standard uncertainties in an expanded one: an interval of 95 %.
+             * @default 1.96
+             * @example 1.96
+             */
+            coverage_factor?: number;
+            /**
+             * Values
+             * @description Mass, centre of mass, inertia about it: ten values, of all that the sensor carries.
+             */
+            values: components["schemas"]["CertifiedValue"][];
+            /**
+             * Phi
+             * @description Mass (kg), first moment (kg m), inertia about the sensor's origin (kg m2); null is what is not determined.
+             * @example [
+             *       2.783,
+             *       0,
+             *       -0.0468,
+             *       0.1015,
+             *       0.0069,
+             *       0,
+             *       0,
+             *       0.0066,
+             *       0.0017,
+             *       0.0033
+             *     ]
+             */
+            phi: (number | null)[];
+            /**
+             * Covariance
+             * @description Covariance of `phi`, ten rows of ten, products of their units.
+             * @example [
+             *       [
+             *         0.000004,
+             *         0
+             *       ],
+             *       [
+             *         0,
+             *         9e-8
+             *       ]
+             *     ]
+             */
+            covariance: (number | null)[][];
+            /** @description Without the tools that are known; null where there are none. */
+            workpiece: components["schemas"]["WorkpiecePart"] | null;
+            /**
+             * Twin
+             * @description Effects of the cell's twin that were taken into account.
+             */
+            twin: components["schemas"]["TwinSharePart"][];
+            /**
+             * Assumptions
+             * @description What nobody has stated, was assumed and matters.
+             */
+            assumptions: components["schemas"]["Message"][];
+            /**
+             * Warnings
+             * @description What has to be known before the numbers are used.
+             */
+            warnings: components["schemas"]["Message"][];
+            /** @description Whether the values are good enough for the cell's controller. */
+            conformity: components["schemas"]["Conformity"];
+            /**
+             * Safety Rated
+             * @description Always false: it is not a safety function.
+             * @default false
+             * @constant
+             */
+            safety_rated?: false;
+        };
+        /**
+         * CertifiedSensor
+         * @description The sensor as the recording states it.
+         */
+        CertifiedSensor: {
+            /**
+             * Name
+             * @description Make and model; null where nobody has said.
+             * @example ATI Mini45
+             */
+            name?: string | null;
+            /**
+             * Frame
+             * @description Name of its frame, in which the values are.
+             * @example ft_sensor
+             */
+            frame?: string | null;
+            /**
+             * Range
+             * @description Measuring range, force (N), then torque (N m).
+             * @example [
+             *       145,
+             *       145,
+             *       290,
+             *       5,
+             *       5,
+             *       5
+             *     ]
+             */
+            range?: number[] | null;
+            /**
+             * @description What its certificate states; null is what nobody has said.
+             * @default {}
+             */
+            calibration?: components["schemas"]["SensorCalibration"];
+        };
+        /**
+         * CertifiedValue
+         * @description One of the ten; null is what is not determined, and `reason` says why.
+         */
+        CertifiedValue: {
+            /**
+             * Name
+             * @description Mass, centre of mass, or inertia about the centre of mass.
+             * @example c_x
+             */
+            name: string;
+            /**
+             * Unit
+             * @description Of everything here.
+             * @example m
+             */
+            unit: string;
+            /**
+             * Value
+             * @description Sensor frame, in `unit`.
+             * @example 0.0365
+             */
+            value: number | null;
+            /**
+             * Standard Uncertainty
+             * @description All sources together (type A and B), in `unit`.
+             * @example 0.0001
+             */
+            standard_uncertainty: number | null;
+            /**
+             * Expanded Uncertainty
+             * @description `coverage_factor` times as much, in `unit`.
+             * @example 0.000196
+             */
+            expanded_uncertainty: number | null;
+            /**
+             * Repeatability
+             * @description Standard uncertainty by the recording alone (type A), in `unit`; null in results of earlier versions too.
+             * @example 0.00001
+             */
+            repeatability: number | null;
+            /**
+             * Contributions
+             * @description Where the uncertainty comes from, the largest first.
+             */
+            contributions: components["schemas"]["Contribution"][];
+            /** @description Why it is not determined; null where it is. */
+            reason?: components["schemas"]["Message"] | null;
+        };
+        /**
          * Change
          * @description Before and after.
          */
@@ -2668,6 +2939,75 @@ export interface components {
             frame: "sensor" | "flange";
             /** @description What differs. */
             comparison: components["schemas"]["Comparison"];
+        };
+        /**
+         * Conformity
+         * @description The statement, or why there is none.
+         */
+        Conformity: {
+            /**
+             * Conforms
+             * @description Whether the error of the values stays below every threshold with a probability of at least 95 %; false where that cannot be said, null where it is not judged.
+             * @example true
+             */
+            conforms: boolean | null;
+            /** @description The same in words; where it is not judged, why. */
+            statement: components["schemas"]["Message"];
+            /** @description The decision rule; null where it is not judged. */
+            rule?: components["schemas"]["Message"] | null;
+            /**
+             * Used
+             * @description Share of the deciding threshold that the error stays below with 95 % probability.
+             * @example 0.12
+             */
+            used?: number | null;
+            /**
+             * Margin
+             * @description By how much every standard uncertainty might grow.
+             * @example 8.3
+             */
+            margin?: number | null;
+            /** @description What decides, with its threshold. */
+            criterion?: components["schemas"]["Message"] | null;
+            /**
+             * Decides
+             * @description Whose uncertainty uses most of it.
+             * @example inertia
+             */
+            decides?: ("mass" | "centre_of_mass" | "inertia") | null;
+            /**
+             * Assumed
+             * @description Whether the cell states no threshold, and a usual one is taken.
+             * @default false
+             * @example false
+             */
+            assumed?: boolean;
+            /**
+             * Motion S
+             * @description How long the motion is that it holds for, s.
+             * @example 94
+             */
+            motion_s?: number | null;
+        };
+        /**
+         * Contribution
+         * @description One part of a value's budget.
+         */
+        Contribution: {
+            /**
+             * Source
+             * @description `repeatability`, or the name of a source of type B.
+             * @example sensor_gain
+             */
+            source: string;
+            /** @description The same in words. */
+            title: components["schemas"]["Message"];
+            /**
+             * Share
+             * @description Of the value's variance, 0 to 1.
+             * @example 0.83
+             */
+            share: number;
         };
         /**
          * Control
@@ -5898,6 +6238,25 @@ export interface components {
              *     ]
              */
             parameters: string[];
+        };
+        /**
+         * RecordingFacts
+         * @description What a certificate takes from the recording itself; null where there is none any more.
+         */
+        RecordingFacts: {
+            /**
+             * Sha256
+             * @description Of manifest, samples and URDF, hexadecimal.
+             * @example 5f1d5f1d5f1d5f1d5f1d5f1d5f1d5f1d5f1d5f1d5f1d5f1d5f1d5f1d5f1d5f1d
+             */
+            sha256?: string | null;
+            /**
+             * @description The sensor, as the recording states it.
+             * @default {
+             *       "calibration": {}
+             *     }
+             */
+            sensor?: components["schemas"]["CertifiedSensor"];
         };
         /**
          * RecordingWritten
@@ -13070,12 +13429,17 @@ export type CellPublic = components['schemas']['CellPublic'];
 export type CellSummary = components['schemas']['CellSummary'];
 export type CellValues = components['schemas']['CellValues'];
 export type CellVersion = components['schemas']['CellVersion'];
+export type Certificate = components['schemas']['Certificate'];
+export type CertifiedSensor = components['schemas']['CertifiedSensor'];
+export type CertifiedValue = components['schemas']['CertifiedValue'];
 export type Change = components['schemas']['Change'];
 export type ChannelOverlay = components['schemas']['ChannelOverlay'];
 export type ClosestPair = components['schemas']['ClosestPair'];
 export type CommandCreate = components['schemas']['CommandCreate'];
 export type Comparison = components['schemas']['Comparison'];
 export type ComparisonPublic = components['schemas']['ComparisonPublic'];
+export type Conformity = components['schemas']['Conformity'];
+export type Contribution = components['schemas']['Contribution'];
 export type Control = components['schemas']['Control'];
 export type ControlCreate = components['schemas']['ControlCreate'];
 export type ControlPublic = components['schemas']['ControlPublic'];
@@ -13163,6 +13527,7 @@ export type Planned = components['schemas']['Planned'];
 export type PlannedPose = components['schemas']['PlannedPose'];
 export type Pose = components['schemas']['Pose'];
 export type ProblemDescription = components['schemas']['ProblemDescription'];
+export type RecordingFacts = components['schemas']['RecordingFacts'];
 export type RecordingWritten = components['schemas']['RecordingWritten'];
 export type ReferencePart = components['schemas']['ReferencePart'];
 export type ReleaseCreate = components['schemas']['ReleaseCreate'];
@@ -18975,6 +19340,181 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["UploadsCellMisnamedProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    download_certificate: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the run. */
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Certificate"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["StoreUnavailableProblem"];
+                };
+            };
+            /** @description A problem (RFC 9457): what, where, the value against the limit, the next step. */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    download_certificate_page: {
+        parameters: {
+            query?: {
+                /** @description Language of the answer, by its code; in English where Heft has no words in it. */
+                language?: string;
+            };
+            header?: never;
+            path: {
+                /** @description Identifier of the run. */
+                run: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/pdf": string;
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleNotSignedInProblem"] | components["schemas"]["PeopleKeyRefusedProblem"] | components["schemas"]["PeopleSessionOverProblem"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["PeopleWithoutRoleProblem"] | components["schemas"]["PeopleRoleLackingProblem"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsUnknownProblem"] | components["schemas"]["RequestAddressUnknownProblem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["RunsNoResultProblem"] | components["schemas"]["RunsNoResultBecauseProblem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["JobsWorkLostProblem"] | components["schemas"]["RequestUnfitProblem"] | components["schemas"]["EngineProblem"];
                 };
             };
             /** @description Service Unavailable */

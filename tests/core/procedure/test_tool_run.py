@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -96,13 +97,20 @@ def test_the_whole_is_tools_and_workpiece_and_so_is_its_reference(ran: tuple[Cel
 
 
 def test_a_recording_knows_its_tools_and_is_answered_alike(ran: tuple[Cell, Outcome, Path]) -> None:
-    _, outcome, folder = ran
+    cell, outcome, folder = ran
     read = read_recording(folder / "recording")
     assert [tool.name for tool in read.tools] == ["gripper"]
     np.testing.assert_array_equal(read.tools[0].parameters.phi, outcome.recording.tools[0].parameters.phi)
     np.testing.assert_array_equal(read.tools[0].std, outcome.recording.tools[0].std)
     again = result_of(outcome.identification, read, seconds=outcome.result().seconds)
     assert again.workpiece == outcome.result().workpiece
+    assert (read.sensor.name, again.plan_sha256) == (cell.sensor.name, None)
+
+
+def test_the_answer_names_its_plan_as_the_report_does_and_when_the_robot_was_done(ran: tuple[Cell, Outcome, Path]) -> None:
+    _, outcome, _ = ran
+    at = datetime(2026, 3, 1, tzinfo=UTC)
+    assert (outcome.result(at=at).plan_sha256, outcome.result(at=at).ended_at) == (outcome.summary.plan_digest, at)
 
 
 def test_the_diagnosis_takes_the_tools_for_no_other_payload(ran: tuple[Cell, Outcome, Path]) -> None:

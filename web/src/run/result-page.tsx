@@ -16,6 +16,7 @@ import type { Screen } from '../ui/screen';
 import { clock, moment, number, spelt } from '../ui/units';
 import { words } from '../words';
 import { Uncertainty } from './budget';
+import { CertificateLinks } from './certificate-links';
 import { Exports } from './exports';
 import { ParameterTable } from './parameter-table';
 import { ProposedBy } from './proposed-by';
@@ -71,6 +72,7 @@ function Result() {
           </a>
           <Press act={() => window.print()}>{said.print}</Press>
         </p>
+        <CertificateLinks run={answer.run} accepted={(run.value?.accepted_by ?? null) !== null} />
         <Exports run={answer.run} />
         <RunRecord />
       </aside>
