@@ -99,6 +99,7 @@ def run(
         recording=outcome.recording,
         identification=outcome.identification,
         run=outcome.summary,
+        requirement=outcome.requirement,
         at=datetime.now(UTC),
         language=language,
     )

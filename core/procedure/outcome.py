@@ -15,6 +15,7 @@ from core.estimation.result import Result, SafetyPart, SecondsPart, result_of
 from core.planning.plan import Plan, plan_digest
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
+from core.requirement.answer import RequirementPart
 from core.robot.pair_group import Nearest
 
 
@@ -24,6 +25,7 @@ class Outcome:
 
     Args:
         plan: the last one, where the guard made it plan anew.
+        requirement: whether the identification is good enough for the cell.
         distances: (K, 2), time (s) and smallest distance to obstacles and zones (m).
         restarts: how often the guard stopped the robot.
         plan_s, robot_s, estimate_s: where the time went.
@@ -34,6 +36,7 @@ class Outcome:
     plan: Plan
     recording: Recording
     identification: Identification
+    requirement: RequirementPart
     safety: SafetyRecord
     distances: Array
     restarts: int
@@ -53,7 +56,7 @@ class Outcome:
             min_distance_beyond_first_joint_m=self._beyond_first_m,
         )
         seconds = SecondsPart(plan=self.plan_s, robot=self.robot_s, estimate=self.estimate_s)
-        return result_of(self.identification, self.recording, seconds=seconds, safety=safety, folder=folder)
+        return result_of(self.identification, self.recording, seconds=seconds, requirement=self.requirement, safety=safety, folder=folder)
 
     @property
     def _nearest(self) -> Nearest | None:

@@ -1757,6 +1757,52 @@ export interface components {
             disabled?: boolean | null;
         };
         /**
+         * AdequacyPart
+         * @description Whether an answer is good enough.
+         */
+        AdequacyPart: {
+            /**
+             * Good Enough
+             * @description Whether its error stays below every threshold with 95 % probability.
+             * @example true
+             */
+            good_enough: boolean;
+            /**
+             * Used
+             * @description Share of the deciding threshold that its error stays below with 95 % probability.
+             * @example 0.12
+             */
+            used: number;
+            /**
+             * Margin
+             * @description By how much the uncertainty might grow; null where it has none.
+             * @example 8.3
+             */
+            margin: number | null;
+            /** @description Of which most is used. */
+            criterion: components["schemas"]["CriterionPart"];
+            /**
+             * Decides
+             * @description Whose uncertainty uses most of it.
+             * @example inertia
+             * @enum {string}
+             */
+            decides: "mass" | "centre_of_mass" | "inertia";
+            /** @description Which parameter of that group uses most. */
+            parameter: components["schemas"]["DecidingPart"];
+            /**
+             * Shares
+             * @description Of the variance there, by group.
+             * @example {
+             *       "inertia": 0.9,
+             *       "mass": 0.1
+             *     }
+             */
+            shares: {
+                [key: string]: number;
+            };
+        };
+        /**
          * AlarmPublic
          * @description An alarm: open while what it tells of lasts and, where it stays, until somebody has acknowledged it.
          */
@@ -1825,6 +1871,39 @@ export interface components {
              * @example 2026-11-23T08:16:00Z
              */
             acknowledged_at: string | null;
+        };
+        /**
+         * AllowedPart
+         * @description How far one group may be off, the others right.
+         */
+        AllowedPart: {
+            /**
+             * Group
+             * @description What is typed into a controller.
+             * @example centre_of_mass
+             * @enum {string}
+             */
+            group: "mass" | "centre_of_mass" | "inertia";
+            /**
+             * Error
+             * @description In `unit`, in whichever direction; null where nothing limits it.
+             * @example 0.021
+             */
+            error: number | null;
+            /**
+             * Unit
+             * @description Of `error`; of an inertia it is the Frobenius norm about the centre of mass.
+             * @example m
+             */
+            unit: string;
+            /** @description What decides; null where nothing limits it. */
+            criterion: components["schemas"]["CriterionPart"] | null;
+            /**
+             * Time S
+             * @description When along the motion it decides, s.
+             * @example 3.2
+             */
+            time_s: number;
         };
         /**
          * Also
@@ -2872,6 +2951,33 @@ export interface components {
             password: string;
         };
         /**
+         * CriterionPart
+         * @description What decides.
+         */
+        CriterionPart: {
+            /**
+             * Kind
+             * @description What is compared with the threshold.
+             * @example joint_torque
+             * @enum {string}
+             */
+            kind: "joint_torque" | "tcp_force" | "guiding_force" | "mass" | "centre_of_mass";
+            /**
+             * Joint
+             * @description Which joint, counted from 1; null where it is about none.
+             * @example 2
+             */
+            joint: number | null;
+            /**
+             * Threshold
+             * @description N m for a torque, N for a force, kg, or m.
+             * @example 20
+             */
+            threshold: number;
+            /** @description It in words. */
+            message: components["schemas"]["Message"];
+        };
+        /**
          * Cylinder
          * @description A cylinder along the z axis of `pose`, with its centre there.
          */
@@ -2909,6 +3015,39 @@ export interface components {
              *     }
              */
             pose?: components["schemas"]["Pose"];
+        };
+        /**
+         * DecidingPart
+         * @description The parameter that decides.
+         */
+        DecidingPart: {
+            /**
+             * Name
+             * @description Mass, centre of mass or an entry of the inertia about the centre of mass, sensor frame.
+             * @example Izz
+             * @enum {string}
+             */
+            name: "m" | "c_x" | "c_y" | "c_z" | "Ixx" | "Ixy" | "Ixz" | "Iyy" | "Iyz" | "Izz";
+            /**
+             * Error
+             * @description How far it may be off, all others right, in `unit`; null where nothing limits it.
+             * @example 0.02
+             */
+            error: number | null;
+            /**
+             * Half Width
+             * @description Half-width of its 95 % interval, in `unit`.
+             * @example 0.005
+             */
+            half_width: number;
+            /**
+             * Unit
+             * @description Of both.
+             * @example kg m2
+             */
+            unit: string;
+            /** @description What it is called. */
+            message: components["schemas"]["Message"];
         };
         /**
          * DeliveryPublic
@@ -5978,6 +6117,56 @@ export interface components {
          */
         RequestOutcome: "accepted" | "unanswered" | "vacant" | "own" | "declined" | "withdrawn" | "silent" | "overtaken";
         /**
+         * RequirementPart
+         * @description What a controller needs to know of a payload, and whether an answer says it well enough.
+         */
+        RequirementPart: {
+            /**
+             * Assumed
+             * @description Whether the cell states no threshold, and a usual one is taken.
+             * @example false
+             */
+            assumed: boolean;
+            /**
+             * Thresholds
+             * @description All that was judged against; empty where nothing was.
+             */
+            thresholds: components["schemas"]["CriterionPart"][];
+            /**
+             * Source
+             * @description Where the cell has its thresholds from.
+             * @example safety configuration of line 3
+             */
+            source: string | null;
+            /**
+             * Motion
+             * @description The motion that it holds for: brisk moves, each as fast as the cell's limits allow, or those of a program.
+             * @example brisk
+             * @enum {string}
+             */
+            motion: "brisk" | "program";
+            /**
+             * Motion S
+             * @description How long the motion is that it holds for, s.
+             * @example 94
+             */
+            motion_s: number;
+            /**
+             * Allowed
+             * @description One for each group; empty where the payload is not known well enough to say.
+             */
+            allowed: components["schemas"]["AllowedPart"][];
+            /** @description Of the answer; null where there is none, or it cannot be judged. */
+            adequacy: components["schemas"]["AdequacyPart"] | null;
+            /** @description The verdict in words. */
+            message: components["schemas"]["Message"];
+            /**
+             * Details
+             * @description What stands behind the verdict, in words: what decides, what is allowed, what is assumed.
+             */
+            details: components["schemas"]["Message"][];
+        };
+        /**
          * ResidualPart
          * @description Measured minus reconstructed wrench, force then torque.
          */
@@ -6042,6 +6231,8 @@ export interface components {
             version: string | null;
             /** @description The result in a sentence. */
             verdict: components["schemas"]["Message"];
+            /** @description Whether it is good enough for the cell's controller, with margin and what decides; null in results of earlier versions. */
+            requirement?: components["schemas"]["RequirementPart"] | null;
             /**
              * Warnings
              * @description What has to be known before the numbers are used.
@@ -6209,6 +6400,12 @@ export interface components {
         ResultSummary: {
             /** @description The result in a sentence. */
             verdict: components["schemas"]["Message"];
+            /**
+             * Good Enough
+             * @description Whether it is good enough for the cell's controller; null where that cannot be judged, and in results of earlier versions.
+             * @example true
+             */
+            good_enough?: boolean | null;
             /**
              * Determined
              * @description How many of the ten parameters are determined.
@@ -13053,7 +13250,9 @@ export type AcceptedPublic = components['schemas']['AcceptedPublic'];
 export type AccountCreate = components['schemas']['AccountCreate'];
 export type AccountPublic = components['schemas']['AccountPublic'];
 export type AccountUpdate = components['schemas']['AccountUpdate'];
+export type AdequacyPart = components['schemas']['AdequacyPart'];
 export type AlarmPublic = components['schemas']['AlarmPublic'];
+export type AllowedPart = components['schemas']['AllowedPart'];
 export type Also = components['schemas']['Also'];
 export type ArgumentPublic = components['schemas']['ArgumentPublic'];
 export type AuditEntryPublic = components['schemas']['AuditEntryPublic'];
@@ -13083,7 +13282,9 @@ export type ControlRequestCreate = components['schemas']['ControlRequestCreate']
 export type ControlRequestPublic = components['schemas']['ControlRequestPublic'];
 export type ControlRequestUpdate = components['schemas']['ControlRequestUpdate'];
 export type Credentials = components['schemas']['Credentials'];
+export type CriterionPart = components['schemas']['CriterionPart'];
 export type Cylinder = components['schemas']['Cylinder'];
+export type DecidingPart = components['schemas']['DecidingPart'];
 export type DeliveryPublic = components['schemas']['DeliveryPublic'];
 export type DescriptionPublic = components['schemas']['DescriptionPublic'];
 export type Diagnosis = components['schemas']['Diagnosis'];
@@ -13167,6 +13368,7 @@ export type RecordingWritten = components['schemas']['RecordingWritten'];
 export type ReferencePart = components['schemas']['ReferencePart'];
 export type ReleaseCreate = components['schemas']['ReleaseCreate'];
 export type RequestOutcome = components['schemas']['RequestOutcome'];
+export type RequirementPart = components['schemas']['RequirementPart'];
 export type ResidualPart = components['schemas']['ResidualPart'];
 export type ResultPublic = components['schemas']['ResultPublic'];
 export type ResultSummary = components['schemas']['ResultSummary'];

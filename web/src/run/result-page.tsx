@@ -17,6 +17,7 @@ import { clock, moment, number, spelt } from '../ui/units';
 import { words } from '../words';
 import { Uncertainty } from './budget';
 import { Exports } from './exports';
+import { GoodEnough } from './good-enough';
 import { ParameterTable } from './parameter-table';
 import { ProposedBy } from './proposed-by';
 import { resultSentence } from './result-sentence';
@@ -36,6 +37,7 @@ function Result() {
         <p class="hint">{whichRun()}</p>
         <ProposedBy />
         <p class="verdict-words">{resultSentence(answer)}</p>
+        <GoodEnough requirement={answer.requirement} />
         <ParameterTable answer={answer} />
         <p class="hint">
           {words.value.interval}, {said.frame}. {answer.reference?.source}
