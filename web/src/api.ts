@@ -3908,6 +3908,109 @@ export interface components {
              * @description What it cannot hold.
              */
             lost: components["schemas"]["ExportLoss"][];
+            /**
+             * Holds Uncertainty
+             * @description Whether the file says how exactly the payload is known, as remarks or as a field; else only `uncertainty` does.
+             * @example true
+             */
+            holds_uncertainty: boolean;
+        };
+        /**
+         * ExportUncertainty
+         * @description Half-widths of 95 % intervals, SI; null is what is not determined.
+         */
+        ExportUncertainty: {
+            /**
+             * Frame
+             * @description Along whose axes centre of mass and inertia are given.
+             * @example flange
+             * @enum {string}
+             */
+            frame: "flange" | "sensor";
+            /**
+             * Mass Half Width Kg
+             * @description Of the mass, all in, kg.
+             * @example 0.031
+             */
+            mass_half_width_kg: number | null;
+            /**
+             * Com Half Width M
+             * @description Of the centre of mass, all in, m.
+             * @example [
+             *       0.0002,
+             *       0.0002,
+             *       0.0004
+             *     ]
+             */
+            com_half_width_m: (number | null)[];
+            /**
+             * Inertia Com Half Width Kg M2
+             * @description Of Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass, all in, kg m2.
+             * @example [
+             *       0.00006,
+             *       0.00002,
+             *       0.00002,
+             *       0.00006,
+             *       0.00002,
+             *       0.00004
+             *     ]
+             */
+            inertia_com_half_width_kg_m2: (number | null)[];
+            /**
+             * Mass Repeatability Kg
+             * @description The mass repeats within this, kg.
+             * @example 0.0002
+             */
+            mass_repeatability_kg: number | null;
+            /**
+             * Com Repeatability M
+             * @description The centre of mass repeats within this, m.
+             * @example [
+             *       0.00002,
+             *       0.00002,
+             *       0.00002
+             *     ]
+             */
+            com_repeatability_m: (number | null)[];
+            /**
+             * Inertia Com Repeatability Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass repeat within this, kg m2.
+             * @example [
+             *       0.00001,
+             *       0.00001,
+             *       0.00001,
+             *       0.00001,
+             *       0.00001,
+             *       0.00001
+             *     ]
+             */
+            inertia_com_repeatability_kg_m2: (number | null)[];
+            /**
+             * Largest
+             * @description What contributes most to each; without what is not determined.
+             * @example {
+             *       "centre_of_mass": "sensor_crosstalk",
+             *       "inertia": "repeatability",
+             *       "mass": "sensor_gain"
+             *     }
+             */
+            largest: {
+                [key: string]: "repeatability" | "sensor_gain" | "sensor_crosstalk" | "joint_zeros" | "sensor_mount" | "gravity" | "twin";
+            };
+            /**
+             * Assumed
+             * @description What nobody has stated, was assumed and matters.
+             * @example [
+             *       "sensor_gain"
+             *     ]
+             */
+            assumed: ("repeatability" | "sensor_gain" | "sensor_crosstalk" | "joint_zeros" | "sensor_mount" | "gravity" | "twin")[];
+            /**
+             * Repeatability Only
+             * @description Whether it is the repeatability alone, as in results of earlier versions.
+             * @example false
+             */
+            repeatability_only: boolean;
         };
         /**
          * ExportsPublic
@@ -3916,6 +4019,8 @@ export interface components {
         ExportsPublic: {
             /** @description In which frame the targets get the payload. */
             frame: components["schemas"]["Message"];
+            /** @description How exactly what is written is known. */
+            uncertainty: components["schemas"]["ExportUncertainty"];
             /**
              * Targets
              * @description All ways to write the result.
@@ -6231,7 +6336,7 @@ export interface components {
             version: string | null;
             /** @description The result in a sentence. */
             verdict: components["schemas"]["Message"];
-            /** @description Whether it is good enough for the cell's controller, with margin and what decides; null in results of earlier versions. */
+            /** @description Whether it is good enough for the cell's controller, with margin and what decides; null in older results. */
             requirement?: components["schemas"]["RequirementPart"] | null;
             /**
              * Warnings
@@ -13307,6 +13412,7 @@ export type Experiment = components['schemas']['Experiment'];
 export type Explanation = components['schemas']['Explanation'];
 export type ExportLoss = components['schemas']['ExportLoss'];
 export type ExportPublic = components['schemas']['ExportPublic'];
+export type ExportUncertainty = components['schemas']['ExportUncertainty'];
 export type ExportsPublic = components['schemas']['ExportsPublic'];
 export type FastestCorner = components['schemas']['FastestCorner'];
 export type FencingToken = components['schemas']['FencingToken'];

@@ -131,6 +131,8 @@ def test_every_target_is_listed_with_what_it_loses_and_its_file_is_sent(run: str
     lost = {each["target"]: [lack["name"] for lack in each["lost"]] for each in listed["targets"]}
     assert lost["kuka_sunrise"] == ["Ixy", "Ixz", "Iyz"]
     assert lost["mujoco"] == []
+    assert [each["target"] for each in listed["targets"] if not each["holds_uncertainty"]] == ["kuka_sunrise"]
+    assert listed["uncertainty"]["mass_half_width_kg"] > 0.0
     sent = viewer.get(f"/api/runs/{run}/exports/mujoco")
     assert re.search(rf'filename="run-{run}-\w+-\d{{4}}-\d\d-\d\d-inertial.xml"', sent.headers["content-disposition"])
     mount = load_cell(service.cells.folder / CELL).sensor.mount
