@@ -14,6 +14,7 @@ from core.cli.terminal import answers, find_wording
 from core.cli.workpiece_table import workpiece_lines, workpiece_table
 from core.estimation.result import Result
 from core.files.whole_file import write_whole
+from core.report.requirement_words import verdict_sign
 
 
 def print_answer(result: Result, json: str | None) -> None:
@@ -41,6 +42,10 @@ def print_answer(result: Result, json: str | None) -> None:
     for warning in result.warnings:
         answers.print(words.say("result-warning", warning=words.quote(warning)), highlight=False)
     answers.print(words.quote(result.verdict), highlight=False)
+    if result.requirement is not None:
+        answers.print(f"{verdict_sign(result.requirement)} {words.quote(result.requirement.message)}", highlight=False, markup=False)
+        if result.requirement.assumed and result.requirement.adequacy is not None:
+            answers.print(words.say("requirement-assumed"), highlight=False, markup=False)
 
 
 def write_json(text: str, target: str) -> None:

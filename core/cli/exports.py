@@ -14,6 +14,7 @@ from core.errors import BadInput, together
 from core.estimation.result import Result
 from core.export.exports import TARGETS, frame_of, payload_of, target_of
 from core.export.target import Lack, Target
+from core.export.uncertainty import state_uncertainty, uncertainty_of
 from core.files.schema_flaw import schema_flaw
 from core.payload.uncertain_parameters import UncertainParameters
 
@@ -38,10 +39,15 @@ def export(
             answers.print(f"{each.name:<13} {told}", highlight=False, soft_wrap=True)
         return
     chosen = target_of(target)
-    answers.print(chosen.render_file(payload), end="", markup=False, highlight=False, soft_wrap=True)
+    uncertainty = uncertainty_of(found, made_in)
+    answers.print(chosen.render_file(payload, uncertainty), end="", markup=False, highlight=False, soft_wrap=True)
     messages.print(words.say("cli-export-frame", frame=frame_of(made_in), says=chosen.says), highlight=False, soft_wrap=True)
     for sentence in lack_sentences(chosen, payload):
         messages.print(sentence, highlight=False, soft_wrap=True)
+    if not chosen.holds_uncertainty:
+        messages.print(words.say("export-not-held", target=chosen.title), highlight=False, soft_wrap=True)
+        for line in state_uncertainty(uncertainty):
+            messages.print(words.quote(line), highlight=False, markup=False, soft_wrap=True)
 
 
 def read_result_file(file: Path) -> Result:

@@ -15,6 +15,8 @@ from core.estimation.identification import identify_recording
 from core.estimation.result import SecondsPart, result_of
 from core.recording.folder import read_recording
 from core.report.page import write_report
+from core.requirement.verdict import judge_estimate
+from core.robot.model import RobotModel
 from core.twin.file import read_twin
 from core.twin.twin import NOMINAL
 
@@ -26,18 +28,22 @@ def identify_command(
     recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
     json: JsonOption = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="Also write the HTML report.")] = None,
-    cell: Annotated[str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin is accounted for.")] = None,
+    cell: Annotated[
+        str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin counts, its thresholds judge.")
+    ] = None,
     *,
     language: LanguageOption,
 ) -> None:
     """Identify the payload from a recording, of this program or from elsewhere. The recording is only read."""
     check_new(report, json)
-    twin = NOMINAL if cell is None else read_twin(load_cell(find_cell(cell)))
+    made_in = None if cell is None else load_cell(find_cell(cell))
+    twin = NOMINAL if made_in is None else read_twin(made_in)
     loaded = read_recording(recording)
     began = time.perf_counter()
     with messages.status(find_wording().say("cli-estimating")) if messages.is_terminal else nullcontext():
         identification = identify_recording(loaded, twin)
     seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
+    enough = None if made_in is None else judge_estimate(made_in, RobotModel.of_cell(made_in), identification.estimate)
     if report is not None:
-        write_report(report, recording=loaded, identification=identification, language=language)
-    print_answer(result_of(identification, loaded, seconds=seconds, folder=recording), json)
+        write_report(report, recording=loaded, identification=identification, requirement=enough, language=language)
+    print_answer(result_of(identification, loaded, seconds=seconds, requirement=enough, folder=recording), json)

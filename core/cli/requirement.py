@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.table import Table
 
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
@@ -16,9 +15,9 @@ from core.cli.terminal import answers, find_wording
 from core.errors import BadInput
 from core.estimation.result import Result
 from core.payload.inertia import InertialParameters
-from core.requirement.answer import GROUP_NAMES, AllowedPart, RequirementPart, requirement_part
+from core.requirement.answer import RequirementPart, requirement_part
 from core.requirement.motions import make_brisk_motion, read_program
-from core.requirement.requirement import Group, require
+from core.requirement.requirement import require
 from core.robot.model import RobotModel
 
 app = typer.Typer()
@@ -62,21 +61,5 @@ def _payload_of(answer: Result, file: Path) -> InertialParameters:
 
 def _print(found: RequirementPart) -> None:
     words = find_wording()
-    table = Table()
-    for heading in (words.say("requirement-typed"), words.say("requirement-error"), words.say("requirement-because")):
-        table.add_column(heading)
-    for each in found.allowed:
-        because = words.say("requirement-nothing") if each.criterion is None else words.quote(each.criterion.message)
-        table.add_row(words.quote(GROUP_NAMES[Group(each.group)]), words.mark(_error(each)), because)
-    answers.print(table)
-    answers.print(words.say("requirement-motion", motion_s=found.motion_s), highlight=False)
-    if found.assumed:
-        answers.print(words.say("requirement-assumed"), highlight=False, markup=False)
-    answers.print(words.quote(found.message), highlight=False)
-
-
-def _error(allowed: AllowedPart) -> str:
-    if allowed.error is None:
-        return "–"
-    scale, unit = {"m": (1e3, "mm"), "kg": (1.0, "kg")}.get(allowed.unit, (1.0, allowed.unit))
-    return f"{scale * allowed.error:.3g} {unit}"
+    for line in (*found.details, found.message):
+        answers.print(words.quote(line), highlight=False, markup=False)

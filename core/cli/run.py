@@ -100,6 +100,7 @@ def run(
         recording=outcome.recording,
         identification=outcome.identification,
         run=outcome.summary,
+        requirement=outcome.requirement,
         at=at,
         language=language,
     )

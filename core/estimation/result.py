@@ -14,6 +14,7 @@ from core.estimation.result_part import Numbers, ResultPart, to_json_numbers
 from core.recording.order_reference import OrderReference
 from core.recording.recording import Recording
 from core.recording.workpiece import workpiece_alone
+from core.requirement.answer import RequirementPart
 from core.version import code_version
 from core.words.message import Message
 
@@ -199,6 +200,8 @@ class Result(ResultPart):
     twin: list[TwinSharePart] = Field(default_factory=list)
     """What each of these changed; nothing in results of earlier versions."""
     verification: list[VerificationPart] = Field(default_factory=list)
+    requirement: RequirementPart | None = None
+    """Whether it is good enough for the cell; None where no cell was named, and in results of earlier versions."""
     workpiece: WorkpiecePart | None = None
     """None where there are no tools: then the whole is the workpiece."""
     order: OrderReference | None = None
@@ -216,6 +219,7 @@ def result_of(
     recording: Recording,
     *,
     seconds: SecondsPart,
+    requirement: RequirementPart | None = None,
     safety: SafetyPart | None = None,
     folder: Path | None = None,
     plan_sha256: str | None = None,
@@ -240,6 +244,7 @@ def result_of(
         accounted=list(identification.accounted),
         twin=[_twin_share_part(share, estimate) for share in identification.shares],
         verification=[_verification_part(each) for each in identification.verification],
+        requirement=requirement,
         workpiece=None if estimate is None or not recording.tools else _workpiece_part(estimate, recording),
         order=recording.order or None,
         version=code_version(),

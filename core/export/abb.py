@@ -15,6 +15,7 @@ class Abb(Target):
     title = "ABB (RAPID loaddata)"
     file = "loaddata.mod"
     says = Message.of("export-abb")
+    remark = "! {}"
 
     def text(self, payload: UncertainParameters) -> str:
         """A RAPID `loaddata`: mass (kg), centre of mass (mm), quaternion of the principal axes and their moments (kg m2), flange frame."""

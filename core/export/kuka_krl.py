@@ -15,6 +15,7 @@ class KukaKrl(Target):
     title = "KUKA KRC (KRL load data)"
     file = "load_data.dat"
     says = Message.of("export-kuka-krl")
+    remark = "; {}"
 
     def text(self, payload: UncertainParameters) -> str:
         """A KRL `LOAD_DATA`: mass (kg), centre of mass (mm) with A B C of the principal axes (deg), moments (kg m2), flange frame."""

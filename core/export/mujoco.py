@@ -17,6 +17,7 @@ class MuJoCo(Target):
     title = "MuJoCo (MJCF)"
     file = "inertial.xml"
     says = Message.of("export-mujoco")
+    remark = "<!-- {} -->"
 
     def text(self, payload: UncertainParameters) -> str:
         """An `inertial` element of MJCF: centre of mass (m), mass (kg), inertia about the centre of mass (kg m2, `ORDER`), body frame."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
+from core.export.json_target import JsonTarget
 from core.export.principal_axes import principal_axes, zyx_degrees
-from core.export.target import MM, Target
+from core.export.target import MM
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
@@ -14,7 +14,7 @@ UNITS = {"kg": "KGM", "mm": "MMT", "deg": "DD", "kg m2": "B32"}
 """UNECE common codes."""
 
 
-class OpcUa(Target):
+class OpcUa(JsonTarget):
     """JSON with the browse names of the type."""
 
     name = "opc_ua"
@@ -22,10 +22,10 @@ class OpcUa(Target):
     file = "load_type.json"
     says = Message.of("export-opc-ua")
 
-    def text(self, payload: UncertainParameters) -> str:
-        """JSON of mass (kg), centre of mass (mm), A B C (deg), principal moments about the mounting point (kg m2), each with its unit."""
+    def content(self, payload: UncertainParameters) -> dict[str, Any]:
+        """Mass (kg), centre of mass (mm), A B C (deg), principal moments about the mounting point (kg m2), each with its unit."""
         axes = principal_axes(payload.phi[4:])
-        load = {
+        return {
             "Mass": {"Value": float(payload.phi[0]), "EngineeringUnits": unit("kg")},
             "CenterOfMass": {
                 "CartesianCoordinates": {**label_values("XYZ", (MM * payload.com_m).tolist()), "LengthUnit": unit("mm")},
@@ -33,7 +33,6 @@ class OpcUa(Target):
             },
             "Inertia": {**label_values("XYZ", axes.moments.tolist()), "EngineeringUnits": unit("kg m2")},
         }
-        return json.dumps(load, indent=2) + "\n"
 
 
 def label_values(names: str, values: list[float]) -> dict[str, Any]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from core.array import Array
 from core.errors import BadPayload
+from core.export.uncertainty import ExportUncertainty, state_uncertainty
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
@@ -49,6 +50,7 @@ class Target(ABC):
         file: name of the file that is written.
         says: frame, units and order of what is in it.
         needs: rows of phi without which nothing can be written.
+        remark: how a line that nobody executes is written, `{}` in its place; empty where there are none.
     """
 
     name: ClassVar[str]
@@ -56,18 +58,28 @@ class Target(ABC):
     file: ClassVar[str]
     says: ClassVar[Message]
     needs: ClassVar[slice] = slice(0, 10)
+    remark: ClassVar[str] = ""
 
     @abstractmethod
     def text(self, payload: UncertainParameters) -> str:
         """The file's content; every parameter of `needs` is known."""
+
+    @property
+    def holds_uncertainty(self) -> bool:
+        """Whether the file says how exactly the payload is known."""
+        return bool(self.remark)
+
+    def add_uncertainty(self, text: str, uncertainty: ExportUncertainty) -> str:
+        """The file's content with remarks on how exactly it is known; as it was where there is no place for them."""
+        return write_remarks(self.remark, uncertainty) + text
 
     def lacks(self, payload: UncertainParameters) -> Iterator[Lack]:
         """What has no place in it."""
         del payload
         yield from ()
 
-    def render_file(self, payload: UncertainParameters) -> str:
-        """The file's content.
+    def render_file(self, payload: UncertainParameters, uncertainty: ExportUncertainty | None = None) -> str:
+        """The file's content, with the uncertainty where that has a place in it.
 
         Raises:
             BadPayload: it needs a parameter that is not determined, or that is beyond what it takes.
@@ -75,7 +87,13 @@ class Target(ABC):
         for name, value, unit in list(zip(PHI_NAMES, payload.phi, PHI_UNITS, strict=True))[self.needs]:
             if not np.isfinite(value):
                 raise BadPayload(name, "export-not-determined", unit=unit, target=self.title)
-        return self.text(payload)
+        text = self.text(payload)
+        return text if uncertainty is None else self.add_uncertainty(text, uncertainty)
+
+
+def write_remarks(remark: str, uncertainty: ExportUncertainty) -> str:
+    """Lines in English, as controllers read no other letters; nothing where there are no remarks."""
+    return "".join(f"{remark.format(line.text)}\n" for line in state_uncertainty(uncertainty) if remark)
 
 
 def inertia_lacks(payload: UncertainParameters, names: tuple[str, ...]) -> Iterator[Lack]:

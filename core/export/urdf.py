@@ -14,6 +14,7 @@ class Urdf(Target):
     title = "URDF"
     file = "inertial.urdf.xml"
     says = Message.of("export-urdf")
+    remark = "<!-- {} -->"
 
     def text(self, payload: UncertainParameters) -> str:
         """An `inertial` element of URDF: centre of mass (m), mass (kg), inertia about the centre of mass (kg m2), link frame."""

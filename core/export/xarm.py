@@ -16,6 +16,7 @@ class XArm(Target):
     title = "UFACTORY xArm (set_tcp_load)"
     file = "set_tcp_load.py"
     says = Message.of("export-xarm")
+    remark = "# {}"
     needs = slice(0, 4)
 
     def text(self, payload: UncertainParameters) -> str:

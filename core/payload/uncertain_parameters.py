@@ -29,7 +29,7 @@ class UncertainParameters:
     @cached_property
     def std(self) -> Array:
         """(10,), standard uncertainty; NaN where not determined."""
-        return np.sqrt(np.diag(self.covariance))
+        return roots_of_variances(self.covariance)
 
     @cached_property
     def com_m(self) -> Array:
@@ -51,7 +51,7 @@ class UncertainParameters:
     @property
     def com_std(self) -> Array:
         """(3,), m."""
-        return np.sqrt(np.diag(self.com_covariance))
+        return roots_of_variances(self.com_covariance)
 
     @cached_property
     def inertia_com(self) -> Array:
@@ -72,7 +72,7 @@ class UncertainParameters:
     @cached_property
     def inertia_com_std(self) -> Array:
         """(6,), kg m2, by first-order propagation."""
-        return np.sqrt(np.diag(propagate(self.inertia_com_jacobian, self.covariance)))
+        return roots_of_variances(propagate(self.inertia_com_jacobian, self.covariance))
 
     def in_frame(self, rotation: ArrayLike, translation: ArrayLike) -> UncertainParameters:
         """The same body in another frame, arguments as of `core.payload.inertia.frame_change`; what mixes with unknowns is unknown."""
@@ -82,6 +82,11 @@ class UncertainParameters:
         phi = A[:, known] @ self.phi[known]
         phi[(A[:, ~known] != 0.0).any(axis=1)] = np.nan
         return UncertainParameters(phi, propagate(A, self.covariance))
+
+
+def roots_of_variances(covariance: Array) -> Array:
+    """(n,), standard uncertainties of (n, n); what cancels exactly may be below zero by rounding, and is zero."""
+    return np.asarray(np.sqrt(np.maximum(np.diag(covariance), 0.0)))
 
 
 def _steiner(moments: Array) -> Array:

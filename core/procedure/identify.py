@@ -26,6 +26,7 @@ from core.procedure.recorder import Recorder, build_estimator
 from core.procedure.run import Planning, Run
 from core.recording.folder import write_recording
 from core.recording.recording import Recording, check_same_robot
+from core.requirement.verdict import judge_estimate
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotSession
@@ -130,6 +131,7 @@ def move_and_estimate(run: Run, plan: Plan, twin: Twin, out: Path | None) -> Gen
     began = time.perf_counter()
     identification = identify_recording(recording, twin)
     estimate_s = time.perf_counter() - began
+    requirement = judge_estimate(run.cell, run.robot, identification.estimate)
     yield Finished(verdict=identification.verdict)
     return Outcome(
         cell=run.cell,
@@ -137,6 +139,7 @@ def move_and_estimate(run: Run, plan: Plan, twin: Twin, out: Path | None) -> Gen
         plan=plan,
         recording=recording,
         identification=identification,
+        requirement=requirement,
         safety=run.guard.record,
         distances=np.array(run.guard.distances).reshape(-1, 2),
         restarts=run.restarts,

@@ -16,6 +16,7 @@ from core.estimation.result import Result, SafetyPart, SecondsPart, result_of
 from core.planning.plan import Plan, plan_digest
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
+from core.requirement.answer import RequirementPart
 from core.robot.pair_group import Nearest
 
 
@@ -25,6 +26,7 @@ class Outcome:
 
     Args:
         plan: the last one, where the guard made it plan anew.
+        requirement: whether the identification is good enough for the cell.
         distances: (K, 2), time (s) and smallest distance to obstacles and zones (m).
         restarts: how often the guard stopped the robot.
         plan_s, robot_s, estimate_s: where the time went.
@@ -35,6 +37,7 @@ class Outcome:
     plan: Plan
     recording: Recording
     identification: Identification
+    requirement: RequirementPart
     safety: SafetyRecord
     distances: Array
     restarts: int
@@ -58,6 +61,7 @@ class Outcome:
             self.identification,
             self.recording,
             seconds=seconds,
+            requirement=self.requirement,
             safety=safety,
             folder=folder,
             plan_sha256=plan_digest(self.plan),

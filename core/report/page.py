@@ -17,9 +17,11 @@ from core.report.faces import arm_parts
 from core.report.html_file import write_html
 from core.report.opinion_rows import opinion_table
 from core.report.record import Record, render_record
+from core.report.requirement_words import requirement_block
 from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
 from core.report.scene import scene
 from core.report.workpiece_rows import workpiece_block
+from core.requirement.answer import RequirementPart
 from core.robot.model import RobotModel
 from core.version import code_version
 from core.words.catalogue import Language
@@ -32,6 +34,7 @@ def write_report(
     recording: Recording,
     identification: Identification,
     run: RunSummary | None = None,
+    requirement: RequirementPart | None = None,
     at: datetime | None = None,
     language: Language = "en",
 ) -> None:
@@ -41,11 +44,14 @@ def write_report(
         recording: what was identified.
         identification: the answer.
         run: what the guard and the plan saw; None for a recording from elsewhere.
+        requirement: whether it is good enough for the cell; None where no cell is known.
         at: when it was found; None where nobody says.
         language: of the page.
     """
     words = Wording(language)
-    write_html(file, "template.html", _content(recording, identification, run, at, words), words)
+    content = _content(recording, identification, run, at, words)
+    content["requirement"] = requirement_block(requirement, words)
+    write_html(file, "template.html", content, words)
 
 
 def _content(

@@ -9,23 +9,31 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.stats import qmc
 
 from core.array import Array
 from core.cell.cell import Cell
 from core.cell.thresholds import ASSUMED_FORCE_N, Thresholds
-from core.payload.inertia import InertialParameters, symmetric
+from core.payload.inertia import PHI_NAMES, InertialParameters, symmetric
 from core.requirement.motions import JointMotion
 from core.requirement.response import Response, respond
-from core.robot.model import RobotModel
+
+if TYPE_CHECKING:  # who only reads requirements waits for no robot
+    from core.robot.model import RobotModel
 
 DRAWS = 4096
 """Of the covariance; the 95 % quantile of so many is known to 1 % of itself."""
 COVERED = 0.95
 NEAR = 0.3
 """Rows whose standard deviation is below so much of the largest decide nothing."""
+STRIDE = 8
+"""Each so many rows tell which draws come near the quantile."""
+CLOSE = 0.85
+"""Quantile from which draws are looked at again in every row."""
+CHUNK = 16
+"""Rows at once: what comes of them and all draws stays in the cache."""
 
 
 class CriterionKind(StrEnum):
@@ -47,6 +55,8 @@ class Group(StrEnum):
 
 
 GROUPS = {Group.MASS: slice(0, 1), Group.COM: slice(1, 4), Group.INERTIA: slice(4, 10)}
+TYPED_NAMES = ("m", "c_x", "c_y", "c_z", *PHI_NAMES[4:])
+"""Of what is typed, in its order; the inertia is about the centre of mass."""
 
 
 @dataclass(frozen=True)
@@ -91,12 +101,14 @@ class Requirement:
         payload: the one about which errors are counted.
         assumed: whether the cell states no threshold of contact, and `ASSUMED_FORCE_N` is taken.
         allowed: one of each group.
+        source: where the cell has its thresholds from; None where it does not say.
     """
 
     payload: InertialParameters
     criteria: tuple[Criterion, ...]
     allowed: tuple[Allowed, ...]
     assumed: bool
+    source: str | None = None
 
 
 @dataclass(frozen=True)
@@ -108,12 +120,18 @@ class Adequacy:
         criterion: the one of which most is used.
         decides: whose uncertainty uses most of it.
         shares: of the variance there, by group; they sum to 1 but for correlations between groups.
+        parameter: the one of that group whose uncertainty uses most, as `TYPED_NAMES` counts them.
+        error: how far it may be off, the others right, kg, m or kg m2; infinite where nothing limits it alone.
+        std: its standard uncertainty, in the same unit.
     """
 
     used: float
     criterion: Criterion
     decides: Group
     shares: dict[Group, float]
+    parameter: int
+    error: float
+    std: float
 
     @property
     def good_enough(self) -> bool:
@@ -136,7 +154,7 @@ def require(cell: Cell, robot: RobotModel, payload: InertialParameters, motion: 
     thresholds = stated.model_copy(update={"tcp_force_n": ASSUMED_FORCE_N}) if assumed else stated
     response = respond(cell, robot, motion, thresholds.observer_rate_per_s)
     criteria = tuple(_criteria(thresholds, response, typed_jacobian(payload)))
-    return Requirement(payload, criteria, tuple(_allow(group, criteria) for group in Group), assumed)
+    return Requirement(payload, criteria, tuple(_allow(group, criteria) for group in Group), assumed, stated.source)
 
 
 def typed_jacobian(payload: InertialParameters) -> Array:
@@ -177,46 +195,72 @@ def _allow(group: Group, criteria: tuple[Criterion, ...]) -> Allowed:
     for criterion in criteria:
         # Frobenius norm: what stands off the diagonal stands there twice.
         columns = criterion.rows[..., GROUPS[group]] / (np.sqrt([1, 2, 2, 1, 2, 1]) if group is Group.INERTIA else 1.0)
-        gains = np.linalg.norm(columns, ord=2, axis=(1, 2))
+        gains = _largest_gains(columns)
         k = int(gains.argmax()) if len(gains) else 0
         if len(gains) and gains[k] > 0.0 and criterion.threshold / gains[k] < best.error:
             best = Allowed(group, criterion.threshold / float(gains[k]), criterion, criterion.period_s * k)
     return best
 
 
+def _largest_gains(columns: Array) -> Array:
+    """(N,), the largest singular value of each of (N, d, k)."""
+    gram = columns @ columns.transpose(0, 2, 1)  # 3 x 3 at most
+    return np.asarray(np.sqrt(np.maximum(np.linalg.eigvalsh(gram)[:, -1], 0.0)))
+
+
 def judge(requirement: Requirement, covariance: Array) -> Adequacy:
     """Whether an answer with this covariance (10, 10) of Phi, finite, is good enough."""
+    from scipy.stats import qmc  # noqa: PLC0415  the service knows what a requirement is, and starts without SciPy
+
     typed = np.linalg.inv(typed_jacobian(requirement.payload))
     spread = typed @ covariance @ typed.T
     values, vectors = np.linalg.eigh(spread)
     root = vectors * np.sqrt(np.maximum(values, 0.0))
-    normal = qmc.MultivariateNormalQMC(mean=np.zeros(10), rng=np.random.default_rng(0)).random(DRAWS)
-    largest = np.array([_largest(criterion, root, normal) for criterion in requirement.criteria])
-    worst = requirement.criteria[int(np.quantile(largest, COVERED, axis=1).argmax())]
-    decides, shares = _shares(worst, spread)
-    return Adequacy(float(np.quantile(largest.max(axis=0), COVERED)), worst, decides, shares)
+    normal = qmc.MultivariateNormalQMC(mean=np.zeros(10), rng=np.random.default_rng(0)).random(DRAWS).T
+    rows = [criterion.rows @ root / criterion.threshold for criterion in requirement.criteria]
+    coarse = np.array([_largest(each[::STRIDE], normal) for each in rows])
+    worst = int(np.quantile(coarse, COVERED, axis=1).argmax())
+    used = _used(rows, coarse.max(axis=0), normal)
+    decides, parameter, shares = _decide(requirement.criteria[worst], spread)
+    error = min(_allowed_alone(criterion, parameter) for criterion in requirement.criteria)
+    std = float(np.sqrt(max(spread[parameter, parameter], 0.0)))
+    return Adequacy(used, requirement.criteria[worst], decides, shares, parameter, error, std)
 
 
-def _near(criterion: Criterion, root: Array) -> Array:
-    """(M, d, 10), the rows that can decide, in standard deviations over the threshold."""
-    rows = criterion.rows @ root / criterion.threshold
+def _largest(rows: Array, normal: Array) -> Array:
+    """(K,), the largest share of the threshold that each draw (10, K) uses in rows (N, d, 10), which are per standard deviation."""
+    squares = np.zeros(normal.shape[1])
     size = np.linalg.norm(rows, axis=(1, 2))
-    return np.asarray(rows[size >= NEAR * size.max(initial=0.0)])
+    near = rows[size >= NEAR * size.max(initial=0.0)]
+    for k in range(0, len(near), CHUNK):
+        chunk = near[k : k + CHUNK]
+        seen = np.square(chunk.reshape(-1, 10) @ normal).reshape(*chunk.shape[:2], -1)
+        np.maximum(squares, seen.sum(axis=1).max(axis=0), out=squares)
+    return np.sqrt(squares)
 
 
-def _largest(criterion: Criterion, root: Array, normal: Array) -> Array:
-    """(DRAWS,), the largest share of the threshold that each draw uses."""
-    most = np.zeros(len(normal))
-    for row in _near(criterion, root):
-        np.maximum(most, np.linalg.norm(normal @ row.T, axis=1), out=most)
-    return most
+def _used(rows: list[Array], coarse: Array, normal: Array) -> float:
+    """The quantile over all draws, those that come near it looked at in every row."""
+    close = coarse >= np.quantile(coarse, CLOSE)
+    found = coarse.copy()
+    found[close] = np.max([_largest(each, normal[:, close]) for each in rows], axis=0)
+    return float(np.quantile(found, COVERED))
 
 
-def _shares(criterion: Criterion, spread: Array) -> tuple[Group, dict[Group, float]]:
-    """Whose variance it is where the response is largest."""
-    variances = np.einsum("kdi,ij,kdj->k", criterion.rows, spread, criterion.rows)
+def _decide(criterion: Criterion, spread: Array) -> tuple[Group, int, dict[Group, float]]:
+    """Whose variance it is where the response is largest: of which group, of which of its parameters, and the shares of all groups."""
+    variances = np.einsum("kdi,kdi->k", criterion.rows @ spread, criterion.rows)
     row = criterion.rows[int(variances.argmax())]
     parts = {group: float(np.einsum("di,ij,dj->", row[:, k], spread[k, k], row[:, k])) for group, k in GROUPS.items()}
     total = sum(parts.values()) or 1.0
     shares = {group: part / total for group, part in parts.items()}
-    return max(shares, key=lambda group: shares[group]), shares
+    decides = max(shares, key=lambda group: shares[group])
+    alone = (row**2).sum(axis=0) * np.diag(spread)
+    k = GROUPS[decides]
+    return decides, k.start + int(alone[k].argmax()), shares
+
+
+def _allowed_alone(criterion: Criterion, parameter: int) -> float:
+    """How far one of what is typed may be off for this criterion, the others right."""
+    gain = float(np.linalg.norm(criterion.rows[:, :, parameter], axis=1).max(initial=0.0))
+    return criterion.threshold / gain if gain > 0.0 else np.inf

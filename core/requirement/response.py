@@ -7,15 +7,17 @@ payload would need, through a low-pass of first order with the observer's gain. 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.signal import lfilter
 
 from core.array import Array
 from core.cell.cell import Cell
 from core.payload.inertia import Motion, regressor
 from core.requirement.motions import JointMotion
-from core.robot.model import RobotModel
+
+if TYPE_CHECKING:  # who only reads requirements waits for no robot
+    from core.robot.model import RobotModel
 
 SINGULAR = 0.02
 """m/rad: where the flange moves less per radian in some direction, forces in that direction are not told from joint torques."""
@@ -40,14 +42,48 @@ class Response:
 
 def respond(cell: Cell, robot: RobotModel, motion: JointMotion, observer_rate_per_s: float) -> Response:
     """The observer's answer to errors of the payload along a motion that begins at rest."""
-    twists = [robot.sensor_twist(*row) for row in zip(motion.q, motion.dq, motion.ddq, strict=True)]
-    velocity, acceleration = (np.array(each) for each in zip(*twists, strict=True))
+    J = robot.sensor_jacobians(motion.q)
     g = np.einsum("kji,j->ki", robot.sensor_poses(motion.q).rotation, cell.gravity)
-    V = regressor(Motion(g, acceleration[:, :3], velocity[:, 3:], acceleration[:, 3:]))
-    J = np.stack([robot.sensor_jacobian(row) for row in motion.q])
-    needed = J.transpose(0, 2, 1) @ V
-    kept = float(np.exp(-observer_rate_per_s * motion.period_s))
-    seen = lfilter([1.0 - kept], [1.0, -kept], needed, axis=0, zi=kept * needed[:1])[0]
-    clear = np.linalg.svd(J, compute_uv=False)[:, -1] > SINGULAR
-    wrench = np.linalg.pinv(J[clear].transpose(0, 2, 1)) @ seen[clear]
-    return Response(seen, wrench[:, :3], regressor(Motion.still(g))[:, :3], motion.period_s)
+    V = regressor(_felt_motion(J, motion, g))
+    seen = _low_pass(J.transpose(0, 2, 1) @ V, observer_rate_per_s * motion.period_s)
+    return Response(seen, _force(J, seen), regressor(Motion.still(g))[:, :3], motion.period_s)
+
+
+def _felt_motion(J: Array, motion: JointMotion, g: Array) -> Motion:
+    """What the sensor frame does, of its Jacobians (N, 6, n) in sensor axes.
+
+    A column of J is the screw of a joint, fixed in the link before it: in sensor axes it turns as that link moves against the sensor,
+    `dS_j/dt = (V_j - V) x S_j` (Featherstone 2008, section 2.9 with 2.10).
+    """
+    parts = J * motion.dq[:, None, :]
+    twist = parts.sum(axis=2)
+    against = np.cumsum(parts, axis=2) - twist[:, :, None]
+    v, w, v_of, w_of = against[:, :3], against[:, 3:], J[:, :3], J[:, 3:]
+    rate = np.concatenate([np.cross(w, v_of, axis=1) + np.cross(v, w_of, axis=1), np.cross(w, w_of, axis=1)], axis=1)
+    acceleration = (J @ motion.ddq[:, :, None] + rate @ motion.dq[:, :, None])[:, :, 0]
+    linear = acceleration[:, :3] + np.cross(twist[:, 3:], twist[:, :3])  # of the point at the sensor's origin, not of the field
+    return Motion(g, linear, twist[:, 3:], acceleration[:, 3:])
+
+
+def _low_pass(needed: Array, periods: float) -> Array:
+    """First order, at rest before, exact for what is straight between the rows.
+
+    Args:
+        needed: (N, ...).
+        periods: of the rows, in time constants.
+    """
+    from scipy.signal import lfilter  # noqa: PLC0415  the service knows what a requirement is, and starts without SciPy
+
+    kept = float(np.exp(-periods))
+    mean = (1.0 - kept) / periods
+    return np.asarray(lfilter([1.0 - mean, mean - kept], [1.0, -kept], needed, axis=0, zi=mean * needed[:1])[0])
+
+
+def _force(J: Array, seen: Array) -> Array:
+    """(M, 3, 10), the force of least norm with its torque that makes these torques (N, n, 10), where the arm is not singular."""
+    wide = J.shape[2] >= J.shape[1]
+    gram = J @ J.transpose(0, 2, 1) if wide else J.transpose(0, 2, 1) @ J
+    clear = np.linalg.eigvalsh(gram)[:, 0] > SINGULAR**2
+    J, gram, seen = J[clear], gram[clear], seen[clear]
+    wrench = np.linalg.solve(gram, J @ seen) if wide else J @ np.linalg.solve(gram, seen)
+    return np.asarray(wrench[:, :3])

@@ -106,6 +106,14 @@ def _jacobian(placements: Array, axes: Array, q: Array) -> Array:
     return J
 
 
+@njit(cache=True)
+def _jacobian_many(placements: Array, axes: Array, q: Array) -> Array:
+    J = np.empty((len(q), 6, len(axes)))
+    for k in range(len(q)):
+        J[k] = _jacobian(placements, axes, q[k])
+    return J
+
+
 def forward(chain: Chain, q: Array) -> Array:
     """(4, 4) sensor frame in the world at q (n,)."""
     return np.asarray(_forward(chain.placements, chain.axes, q))
@@ -119,3 +127,8 @@ def forward_many(chain: Chain, q: Array) -> Array:
 def jacobian(chain: Chain, q: Array) -> Array:
     """(6, n) Jacobian of the sensor origin in sensor axes, linear over angular, at q (n,)."""
     return np.asarray(_jacobian(chain.placements, chain.axes, q))
+
+
+def jacobian_many(chain: Chain, q: Array) -> Array:
+    """(N, 6, n) Jacobians as of `jacobian` at q (N, n)."""
+    return np.asarray(_jacobian_many(chain.placements, chain.axes, q))

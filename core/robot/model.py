@@ -18,7 +18,7 @@ from core.cell.urdf import check_urdf
 from core.cell.urdf_tree import UrdfTree, without_inertia
 from core.errors import BadRobot
 from core.recording.recording import RobotDescription
-from core.robot.chain import Chain, forward, forward_many, jacobian
+from core.robot.chain import Chain, forward, forward_many, jacobian, jacobian_many
 
 
 @dataclass(frozen=True)
@@ -149,6 +149,10 @@ class RobotModel:
     def sensor_jacobian(self, q: Array) -> Array:
         """(6, n), linear then angular velocity of the sensor origin, in sensor axes, per joint velocity."""
         return jacobian(self.chain, np.ascontiguousarray(q, dtype=float))
+
+    def sensor_jacobians(self, q: Array) -> Array:
+        """(N, 6, n), as `sensor_jacobian`, at every row of q (N, n)."""
+        return jacobian_many(self.chain, np.ascontiguousarray(q, dtype=float))
 
 
 @lru_cache(maxsize=8)

@@ -117,7 +117,15 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
     recording, identification = outcome.recording, outcome.identification
     for language in LANGUAGES:
         page = order.folder / name_report(language)
-        write_report(page, recording=recording, identification=identification, run=outcome.summary, at=at, language=language)
+        write_report(
+            page,
+            recording=recording,
+            identification=identification,
+            run=outcome.summary,
+            requirement=outcome.requirement,
+            at=at,
+            language=language,
+        )
     speaker.tell(Done(result))
 
 

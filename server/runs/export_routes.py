@@ -9,8 +9,10 @@ from pydantic import Field
 
 from core.cell.cell import Cell
 from core.errors import BadPayload
+from core.estimation.result import Result
 from core.export.exports import TARGETS, frame_of, payload_of, target_of
 from core.export.target import Target
+from core.export.uncertainty import ExportUncertainty, uncertainty_of
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 from server.cells.folder import CellFolder, CellsDep
@@ -49,34 +51,43 @@ class ExportPublic(Answer):
     says: Message = Field(description="Units, frame and order of what is in it.")
     refused: Message | None = Field(description="Why it cannot be written; null where it can.")
     lost: list[ExportLoss] = Field(description="What it cannot hold.")
+    holds_uncertainty: bool = Field(
+        description="Whether the file says how exactly the payload is known, as remarks or as a field; else only `uncertainty` does.",
+        examples=[True],
+    )
 
 
 class ExportsPublic(Answer):
     """All targets; `frame` says in which frame they get the payload."""
 
     frame: Message = Field(description="In which frame the targets get the payload.")
+    uncertainty: ExportUncertainty = Field(description="How exactly what is written is known.")
     targets: list[ExportPublic] = Field(description="All ways to write the result.")
 
 
 @router.get("")
 def list_exports(run: RunPath, cells: CellsDep, conductor: ConductorDep) -> ExportsPublic:
     """How the result can be written, and what each way cannot hold."""
-    payload, cell = _payload(cells, conductor, run)
-    return ExportsPublic(frame=frame_of(cell), targets=[_describe(target, payload) for target in TARGETS])
+    result, cell = _read(cells, conductor, run)
+    payload = payload_of(result, cell)
+    return ExportsPublic(
+        frame=frame_of(cell), uncertainty=uncertainty_of(result, cell), targets=[_describe(target, payload) for target in TARGETS]
+    )
 
 
 @router.get("/{target}", response_class=Response, responses=downloads.TEXT)
 def download_export(run: RunPath, target: TargetPath, cells: CellsDep, conductor: ConductorDep) -> Response:
     """The result as a file that a controller or a simulator takes."""
     chosen = target_of(target)
-    payload, _ = _payload(cells, conductor, run)
-    return downloads.text(chosen.render_file(payload), f"{name_after(conductor.row_of(run))}-{chosen.file}")
+    result, cell = _read(cells, conductor, run)
+    text = chosen.render_file(payload_of(result, cell), uncertainty_of(result, cell))
+    return downloads.text(text, f"{name_after(conductor.row_of(run))}-{chosen.file}")
 
 
-def _payload(cells: CellFolder, conductor: Conductor, run: str) -> tuple[UncertainParameters, Cell]:
+def _read(cells: CellFolder, conductor: Conductor, run: str) -> tuple[Result, Cell]:
     row = conductor.row_of(run)
     cell = cells.read(row.cell).cell
-    return payload_of(run_ledger.load_result(row), cell), cell
+    return run_ledger.load_result(row), cell
 
 
 def _describe(target: Target, payload: UncertainParameters) -> ExportPublic:
@@ -86,4 +97,12 @@ def _describe(target: Target, payload: UncertainParameters) -> ExportPublic:
     except BadPayload as error:
         refused = error.message
     lost = [] if refused else [ExportLoss.model_validate(lack) for lack in target.lacks(payload)]
-    return ExportPublic(target=target.name, title=target.title, file=target.file, says=target.says, refused=refused, lost=lost)
+    return ExportPublic(
+        target=target.name,
+        title=target.title,
+        file=target.file,
+        says=target.says,
+        refused=refused,
+        lost=lost,
+        holds_uncertainty=target.holds_uncertainty,
+    )

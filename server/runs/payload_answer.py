@@ -20,6 +20,7 @@ from core.estimation.result import (
 )
 from core.estimation.result_part import Numbers
 from core.recording.order_reference import OrderReference
+from core.requirement.answer import RequirementPart
 from core.words.message import Message
 from server.http.schemas import Answer
 
@@ -37,6 +38,10 @@ class ResultPublic(Answer):
         description="Release and digest of the code that made it; null in results from before it was kept.", examples=["0.1.0+3f9c2ab17d"]
     )
     verdict: Message = Field(description="The result in a sentence.")
+    requirement: RequirementPart | None = Field(
+        default=None,
+        description="Whether it is good enough for the cell's controller, with margin and what decides; null in older results.",
+    )
     warnings: list[Message] = Field(description="What has to be known before the numbers are used.")
     mass_kg: float | None = Field(description="Mass, kg; null where it is not determined.", examples=[2.783])
     mass_std_kg: float | None = Field(description="Its combined standard uncertainty, kg.", examples=[0.002])
@@ -93,6 +98,7 @@ def payload_answer(run: str, result: Result) -> ResultPublic:
         order=result.order,
         version=result.version,
         verdict=result.verdict,
+        requirement=result.requirement,
         warnings=result.warnings,
         mass_kg=phi[0],
         mass_std_kg=std[0],

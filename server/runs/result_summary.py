@@ -14,6 +14,12 @@ class ResultSummary(Answer):
     """What a run found; null is what is not determined."""
 
     verdict: Message = Field(description="The result in a sentence.")
+    good_enough: bool | None = Field(
+        default=None,
+        description="Whether it is good enough for the cell's controller; null where that cannot be judged, and in results of earlier "
+        "versions.",
+        examples=[True],
+    )
     determined: int = Field(description="How many of the ten parameters are determined.", examples=[10])
     mass_kg: float | None = Field(description="Mass, kg; null where it is not determined.", examples=[2.783])
     mass_std_kg: float | None = Field(description="Its standard uncertainty, kg.", examples=[0.002])
@@ -28,8 +34,10 @@ class ResultSummary(Answer):
 def summary_of(result: Result) -> ResultSummary:
     """The few numbers of a result."""
     found = result.estimate
+    adequacy = None if result.requirement is None else result.requirement.adequacy
     return ResultSummary(
         verdict=result.verdict,
+        good_enough=None if adequacy is None else adequacy.good_enough,
         determined=0 if found is None else sum(found.determined),
         mass_kg=None if found is None else found.phi[0],
         mass_std_kg=None if found is None else found.std[0],

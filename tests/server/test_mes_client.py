@@ -65,7 +65,8 @@ def test_it_queues_waits_and_saves_the_payload_and_the_order_is_named_in_all_tha
     said, complaints = client.communicate(timeout=200)
     assert client.returncode == 0, complaints
     assert re.search(r"^2\.7\d\d kg$", said, re.MULTILINE), said
-    assert (tmp_path / "JO-4711.script").read_text().splitlines()[-1].startswith("set_target_payload(2.7")
+    assert (tmp_path / "JO-4711.script").read_text().splitlines()[1].startswith("set_target_payload(2.7")
+    assert console.http.get(f"/api/runs/{run}").json()["result"]["good_enough"] is True
 
     assert console.http.post(f"/api/runs/{run}/acceptance").status_code == 200
     told = console.run(run)

@@ -23,6 +23,7 @@ def test_the_result_stands_on_the_screen_with_its_interval_and_who_accepted_it(w
     told = way.told["accepted"]
     assert "±" in told
     assert "2.78" in told
+    assert "✓ Good enough for this cell" in told
     assert "Accepted by operator" in told
 
 

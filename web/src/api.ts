@@ -1799,6 +1799,52 @@ export interface components {
             disabled?: boolean | null;
         };
         /**
+         * AdequacyPart
+         * @description Whether an answer is good enough.
+         */
+        AdequacyPart: {
+            /**
+             * Good Enough
+             * @description Whether its error stays below every threshold with 95 % probability.
+             * @example true
+             */
+            good_enough: boolean;
+            /**
+             * Used
+             * @description Share of the deciding threshold that its error stays below with 95 % probability.
+             * @example 0.12
+             */
+            used: number;
+            /**
+             * Margin
+             * @description By how much the uncertainty might grow; null where it has none.
+             * @example 8.3
+             */
+            margin: number | null;
+            /** @description Of which most is used. */
+            criterion: components["schemas"]["CriterionPart"];
+            /**
+             * Decides
+             * @description Whose uncertainty uses most of it.
+             * @example inertia
+             * @enum {string}
+             */
+            decides: "mass" | "centre_of_mass" | "inertia";
+            /** @description Which parameter of that group uses most. */
+            parameter: components["schemas"]["DecidingPart"];
+            /**
+             * Shares
+             * @description Of the variance there, by group.
+             * @example {
+             *       "inertia": 0.9,
+             *       "mass": 0.1
+             *     }
+             */
+            shares: {
+                [key: string]: number;
+            };
+        };
+        /**
          * AlarmPublic
          * @description An alarm: open while what it tells of lasts and, where it stays, until somebody has acknowledged it.
          */
@@ -1867,6 +1913,39 @@ export interface components {
              * @example 2026-11-23T08:16:00Z
              */
             acknowledged_at: string | null;
+        };
+        /**
+         * AllowedPart
+         * @description How far one group may be off, the others right.
+         */
+        AllowedPart: {
+            /**
+             * Group
+             * @description What is typed into a controller.
+             * @example centre_of_mass
+             * @enum {string}
+             */
+            group: "mass" | "centre_of_mass" | "inertia";
+            /**
+             * Error
+             * @description In `unit`, in whichever direction; null where nothing limits it.
+             * @example 0.021
+             */
+            error: number | null;
+            /**
+             * Unit
+             * @description Of `error`; of an inertia it is the Frobenius norm about the centre of mass.
+             * @example m
+             */
+            unit: string;
+            /** @description What decides; null where nothing limits it. */
+            criterion: components["schemas"]["CriterionPart"] | null;
+            /**
+             * Time S
+             * @description When along the motion it decides, s.
+             * @example 3.2
+             */
+            time_s: number;
         };
         /**
          * Also
@@ -3212,6 +3291,33 @@ export interface components {
             password: string;
         };
         /**
+         * CriterionPart
+         * @description What decides.
+         */
+        CriterionPart: {
+            /**
+             * Kind
+             * @description What is compared with the threshold.
+             * @example joint_torque
+             * @enum {string}
+             */
+            kind: "joint_torque" | "tcp_force" | "guiding_force" | "mass" | "centre_of_mass";
+            /**
+             * Joint
+             * @description Which joint, counted from 1; null where it is about none.
+             * @example 2
+             */
+            joint: number | null;
+            /**
+             * Threshold
+             * @description N m for a torque, N for a force, kg, or m.
+             * @example 20
+             */
+            threshold: number;
+            /** @description It in words. */
+            message: components["schemas"]["Message"];
+        };
+        /**
          * Cylinder
          * @description A cylinder along the z axis of `pose`, with its centre there.
          */
@@ -3249,6 +3355,39 @@ export interface components {
              *     }
              */
             pose?: components["schemas"]["Pose"];
+        };
+        /**
+         * DecidingPart
+         * @description The parameter that decides.
+         */
+        DecidingPart: {
+            /**
+             * Name
+             * @description Mass, centre of mass or an entry of the inertia about the centre of mass, sensor frame.
+             * @example Izz
+             * @enum {string}
+             */
+            name: "m" | "c_x" | "c_y" | "c_z" | "Ixx" | "Ixy" | "Ixz" | "Iyy" | "Iyz" | "Izz";
+            /**
+             * Error
+             * @description How far it may be off, all others right, in `unit`; null where nothing limits it.
+             * @example 0.02
+             */
+            error: number | null;
+            /**
+             * Half Width
+             * @description Half-width of its 95 % interval, in `unit`.
+             * @example 0.005
+             */
+            half_width: number;
+            /**
+             * Unit
+             * @description Of both.
+             * @example kg m2
+             */
+            unit: string;
+            /** @description What it is called. */
+            message: components["schemas"]["Message"];
         };
         /**
          * DeliveryPublic
@@ -4109,6 +4248,109 @@ export interface components {
              * @description What it cannot hold.
              */
             lost: components["schemas"]["ExportLoss"][];
+            /**
+             * Holds Uncertainty
+             * @description Whether the file says how exactly the payload is known, as remarks or as a field; else only `uncertainty` does.
+             * @example true
+             */
+            holds_uncertainty: boolean;
+        };
+        /**
+         * ExportUncertainty
+         * @description Half-widths of 95 % intervals, SI; null is what is not determined.
+         */
+        ExportUncertainty: {
+            /**
+             * Frame
+             * @description Along whose axes centre of mass and inertia are given.
+             * @example flange
+             * @enum {string}
+             */
+            frame: "flange" | "sensor";
+            /**
+             * Mass Half Width Kg
+             * @description Of the mass, all in, kg.
+             * @example 0.031
+             */
+            mass_half_width_kg: number | null;
+            /**
+             * Com Half Width M
+             * @description Of the centre of mass, all in, m.
+             * @example [
+             *       0.0002,
+             *       0.0002,
+             *       0.0004
+             *     ]
+             */
+            com_half_width_m: (number | null)[];
+            /**
+             * Inertia Com Half Width Kg M2
+             * @description Of Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass, all in, kg m2.
+             * @example [
+             *       0.00006,
+             *       0.00002,
+             *       0.00002,
+             *       0.00006,
+             *       0.00002,
+             *       0.00004
+             *     ]
+             */
+            inertia_com_half_width_kg_m2: (number | null)[];
+            /**
+             * Mass Repeatability Kg
+             * @description The mass repeats within this, kg.
+             * @example 0.0002
+             */
+            mass_repeatability_kg: number | null;
+            /**
+             * Com Repeatability M
+             * @description The centre of mass repeats within this, m.
+             * @example [
+             *       0.00002,
+             *       0.00002,
+             *       0.00002
+             *     ]
+             */
+            com_repeatability_m: (number | null)[];
+            /**
+             * Inertia Com Repeatability Kg M2
+             * @description Ixx Ixy Ixz Iyy Iyz Izz about the centre of mass repeat within this, kg m2.
+             * @example [
+             *       0.00001,
+             *       0.00001,
+             *       0.00001,
+             *       0.00001,
+             *       0.00001,
+             *       0.00001
+             *     ]
+             */
+            inertia_com_repeatability_kg_m2: (number | null)[];
+            /**
+             * Largest
+             * @description What contributes most to each; without what is not determined.
+             * @example {
+             *       "centre_of_mass": "sensor_crosstalk",
+             *       "inertia": "repeatability",
+             *       "mass": "sensor_gain"
+             *     }
+             */
+            largest: {
+                [key: string]: "repeatability" | "sensor_gain" | "sensor_crosstalk" | "joint_zeros" | "sensor_mount" | "gravity" | "twin";
+            };
+            /**
+             * Assumed
+             * @description What nobody has stated, was assumed and matters.
+             * @example [
+             *       "sensor_gain"
+             *     ]
+             */
+            assumed: ("repeatability" | "sensor_gain" | "sensor_crosstalk" | "joint_zeros" | "sensor_mount" | "gravity" | "twin")[];
+            /**
+             * Repeatability Only
+             * @description Whether it is the repeatability alone, as in results of earlier versions.
+             * @example false
+             */
+            repeatability_only: boolean;
         };
         /**
          * ExportsPublic
@@ -4117,6 +4359,8 @@ export interface components {
         ExportsPublic: {
             /** @description In which frame the targets get the payload. */
             frame: components["schemas"]["Message"];
+            /** @description How exactly what is written is known. */
+            uncertainty: components["schemas"]["ExportUncertainty"];
             /**
              * Targets
              * @description All ways to write the result.
@@ -6337,6 +6581,56 @@ export interface components {
          */
         RequestOutcome: "accepted" | "unanswered" | "vacant" | "own" | "declined" | "withdrawn" | "silent" | "overtaken";
         /**
+         * RequirementPart
+         * @description What a controller needs to know of a payload, and whether an answer says it well enough.
+         */
+        RequirementPart: {
+            /**
+             * Assumed
+             * @description Whether the cell states no threshold, and a usual one is taken.
+             * @example false
+             */
+            assumed: boolean;
+            /**
+             * Thresholds
+             * @description All that was judged against; empty where nothing was.
+             */
+            thresholds: components["schemas"]["CriterionPart"][];
+            /**
+             * Source
+             * @description Where the cell has its thresholds from.
+             * @example safety configuration of line 3
+             */
+            source: string | null;
+            /**
+             * Motion
+             * @description The motion that it holds for: brisk moves, each as fast as the cell's limits allow, or those of a program.
+             * @example brisk
+             * @enum {string}
+             */
+            motion: "brisk" | "program";
+            /**
+             * Motion S
+             * @description How long the motion is that it holds for, s.
+             * @example 94
+             */
+            motion_s: number;
+            /**
+             * Allowed
+             * @description One for each group; empty where the payload is not known well enough to say.
+             */
+            allowed: components["schemas"]["AllowedPart"][];
+            /** @description Of the answer; null where there is none, or it cannot be judged. */
+            adequacy: components["schemas"]["AdequacyPart"] | null;
+            /** @description The verdict in words. */
+            message: components["schemas"]["Message"];
+            /**
+             * Details
+             * @description What stands behind the verdict, in words: what decides, what is allowed, what is assumed.
+             */
+            details: components["schemas"]["Message"][];
+        };
+        /**
          * ResidualPart
          * @description Measured minus reconstructed wrench, force then torque.
          */
@@ -6401,6 +6695,8 @@ export interface components {
             version: string | null;
             /** @description The result in a sentence. */
             verdict: components["schemas"]["Message"];
+            /** @description Whether it is good enough for the cell's controller, with margin and what decides; null in older results. */
+            requirement?: components["schemas"]["RequirementPart"] | null;
             /**
              * Warnings
              * @description What has to be known before the numbers are used.
@@ -6568,6 +6864,12 @@ export interface components {
         ResultSummary: {
             /** @description The result in a sentence. */
             verdict: components["schemas"]["Message"];
+            /**
+             * Good Enough
+             * @description Whether it is good enough for the cell's controller; null where that cannot be judged, and in results of earlier versions.
+             * @example true
+             */
+            good_enough?: boolean | null;
             /**
              * Determined
              * @description How many of the ten parameters are determined.
@@ -13412,7 +13714,9 @@ export type AcceptedPublic = components['schemas']['AcceptedPublic'];
 export type AccountCreate = components['schemas']['AccountCreate'];
 export type AccountPublic = components['schemas']['AccountPublic'];
 export type AccountUpdate = components['schemas']['AccountUpdate'];
+export type AdequacyPart = components['schemas']['AdequacyPart'];
 export type AlarmPublic = components['schemas']['AlarmPublic'];
+export type AllowedPart = components['schemas']['AllowedPart'];
 export type Also = components['schemas']['Also'];
 export type ArgumentPublic = components['schemas']['ArgumentPublic'];
 export type AuditEntryPublic = components['schemas']['AuditEntryPublic'];
@@ -13447,7 +13751,9 @@ export type ControlRequestCreate = components['schemas']['ControlRequestCreate']
 export type ControlRequestPublic = components['schemas']['ControlRequestPublic'];
 export type ControlRequestUpdate = components['schemas']['ControlRequestUpdate'];
 export type Credentials = components['schemas']['Credentials'];
+export type CriterionPart = components['schemas']['CriterionPart'];
 export type Cylinder = components['schemas']['Cylinder'];
+export type DecidingPart = components['schemas']['DecidingPart'];
 export type DeliveryPublic = components['schemas']['DeliveryPublic'];
 export type DescriptionPublic = components['schemas']['DescriptionPublic'];
 export type Diagnosis = components['schemas']['Diagnosis'];
@@ -13470,6 +13776,7 @@ export type Experiment = components['schemas']['Experiment'];
 export type Explanation = components['schemas']['Explanation'];
 export type ExportLoss = components['schemas']['ExportLoss'];
 export type ExportPublic = components['schemas']['ExportPublic'];
+export type ExportUncertainty = components['schemas']['ExportUncertainty'];
 export type ExportsPublic = components['schemas']['ExportsPublic'];
 export type FastestCorner = components['schemas']['FastestCorner'];
 export type FencingToken = components['schemas']['FencingToken'];
@@ -13532,6 +13839,7 @@ export type RecordingWritten = components['schemas']['RecordingWritten'];
 export type ReferencePart = components['schemas']['ReferencePart'];
 export type ReleaseCreate = components['schemas']['ReleaseCreate'];
 export type RequestOutcome = components['schemas']['RequestOutcome'];
+export type RequirementPart = components['schemas']['RequirementPart'];
 export type ResidualPart = components['schemas']['ResidualPart'];
 export type ResultPublic = components['schemas']['ResultPublic'];
 export type ResultSummary = components['schemas']['ResultSummary'];

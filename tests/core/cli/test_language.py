@@ -75,7 +75,7 @@ def test_an_export_says_what_it_lacks_in_german(tmp_path: Path, monkeypatch: pyt
     file = tmp_path / "result.json"
     file.write_text(answer(cloud(0), None).model_dump_json())
     said = CliRunner().invoke(app, ["export", str(file), "--target", "kuka_sunrise"])
-    assert said.stderr.count("hat keinen Platz für") == 3
+    assert said.stderr.count("hat keinen Platz für I") == 3
 
 
 def test_tables_and_lines_are_in_german_with_its_decimal_mark(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -34,3 +34,9 @@ def test_sentences_of_an_earlier_version_are_read_as_they_are() -> None:
     found = result(verdict="The payload has 2 kg.", warnings=[old])
     assert found.verdict == Message.of("text", text="The payload has 2 kg.")
     assert [each.text for each in found.warnings] == ["the sensor's offset drifted"]
+
+
+def test_a_result_of_an_earlier_version_knows_no_requirement() -> None:
+    written = json.loads(result().model_dump_json())
+    del written["requirement"]
+    assert Result.model_validate(written).requirement is None

@@ -75,3 +75,10 @@ def test_the_cells_say_how_their_sensor_is_mounted(name):
     mount = load_cell(find_cell(name)).sensor.mount
     assert mount is not None
     assert 0.0 < mount.translation[2] < 0.05
+
+
+def test_what_scales_everything_alike_leaves_the_centre_of_mass_without_a_deviation() -> None:
+    """Its variance is zero but for rounding, on either side of zero."""
+    for seed in range(20):
+        phi = np.abs(np.random.default_rng(seed).normal(1.0, 0.3, 10))
+        assert UncertainParameters(phi, np.outer(0.01 * phi, 0.01 * phi)).com_std == pytest.approx(np.zeros(3), abs=1e-8)

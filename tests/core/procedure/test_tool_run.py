@@ -81,6 +81,9 @@ def test_the_workpiece_is_right_within_its_interval_which_needs_the_tools_share(
     np.testing.assert_allclose(std[0] ** 2, whole_std[0] ** 2 + (stated.mass_std_kg or 0.0) ** 2)
     np.testing.assert_allclose(result.workpiece.covariance[0][1], result.estimate.covariance[0][1])
     assert result.workpiece.remarks == []
+    assert result.requirement is not None  # by the whole, which hangs on the flange
+    assert result.requirement.adequacy is not None
+    assert result.requirement.message.code == "requirement-good-enough"
     assert result.workpiece.consistent
     assert result.workpiece.reference is not None
     np.testing.assert_allclose(np.array(result.workpiece.reference.phi, dtype=float), truth)

@@ -12,6 +12,8 @@ from fastapi.testclient import TestClient
 from core.cell.folder import load_cell
 from core.estimation.result import Result
 from core.export.exports import TARGETS
+from core.requirement.verdict import judge_estimate
+from core.robot.model import RobotModel
 from server.people.roles import Role
 from server.runs import ledger as run_ledger
 from server.runs.packml import Command
@@ -129,6 +131,8 @@ def test_every_target_is_listed_with_what_it_loses_and_its_file_is_sent(run: str
     lost = {each["target"]: [lack["name"] for lack in each["lost"]] for each in listed["targets"]}
     assert lost["kuka_sunrise"] == ["Ixy", "Ixz", "Iyz"]
     assert lost["mujoco"] == []
+    assert [each["target"] for each in listed["targets"] if not each["holds_uncertainty"]] == ["kuka_sunrise"]
+    assert listed["uncertainty"]["mass_half_width_kg"] > 0.0
     sent = viewer.get(f"/api/runs/{run}/exports/mujoco")
     assert re.search(rf'filename="run-{run}-\w+-\d{{4}}-\d\d-\d\d-inertial.xml"', sent.headers["content-disposition"])
     mount = load_cell(service.cells.folder / CELL).sensor.mount
@@ -168,3 +172,17 @@ def test_runs_of_a_cell_and_tool_are_listed_page_by_page_with_what_they_found(se
     assert {each["payload"] for each in page} == {"gripper"}
     assert page[-1]["result"]["mass_kg"] == pytest.approx(cloud(0).masses.sum())
     assert len(page[-1]["result"]["offset"]) == 6
+
+
+def test_whether_a_result_is_good_enough_stands_in_it_and_in_the_list(service: Service, run: str, viewer: TestClient) -> None:
+    found = answer(cloud(0), CELL)
+    cell = load_cell(service.cells.folder / CELL)
+    judged = found.model_copy(update={"requirement": judge_estimate(cell, RobotModel.of_cell(cell), found.estimate)})
+    made = ended_run(service, judged)
+    requirement = viewer.get(f"/api/runs/{made}/result").json()["requirement"]
+    assert requirement["adequacy"]["good_enough"]
+    assert requirement["adequacy"]["parameter"]["unit"] in ("kg", "m", "kg m2")
+    assert requirement["message"]["text"].startswith("Good enough for this cell: ")
+    assert viewer.get(f"/api/runs/{made}").json()["result"]["good_enough"] is True
+    assert viewer.get(f"/api/runs/{run}/result").json()["requirement"] is None
+    assert viewer.get(f"/api/runs/{run}").json()["result"]["good_enough"] is None

@@ -20,7 +20,7 @@ export function Exports({ run }: { run: string }) {
     <details class="exports">
       <summary>{said.exports}</summary>
       <ul>
-        {targets.value.map(({ target, title, says, refused, lost }) => (
+        {targets.value.map(({ target, title, says, refused, lost, holds_uncertainty }) => (
           <li key={target}>
             {refused === null ? (
               <a
@@ -36,7 +36,7 @@ export function Exports({ run }: { run: string }) {
             {refused === null ? (
               <p>
                 <MessageText message={says} />
-                {lost.length > 0 && ` · ${said.lost}: ${lost.map((each) => each.name).join(', ')}`}
+                {lacks(lost, holds_uncertainty)}
               </p>
             ) : (
               <Told message={refused} />
@@ -46,4 +46,11 @@ export function Exports({ run }: { run: string }) {
       </ul>
     </details>
   );
+}
+
+/** What the file cannot say: numbers, and how exactly they are known. */
+function lacks(lost: ExportPublic['lost'], holdsUncertainty: boolean): string {
+  const said = words.value.result;
+  const names = [...lost.map((each) => each.name), ...(holdsUncertainty ? [] : [said.budget])];
+  return names.length === 0 ? '' : ` · ${said.lost}: ${names.join(', ')}`;
 }

@@ -18,6 +18,7 @@ import { words } from '../words';
 import { Uncertainty } from './budget';
 import { CertificateLinks } from './certificate-links';
 import { Exports } from './exports';
+import { GoodEnough } from './good-enough';
 import { ParameterTable } from './parameter-table';
 import { ProposedBy } from './proposed-by';
 import { resultSentence } from './result-sentence';
@@ -37,6 +38,7 @@ function Result() {
         <p class="hint">{whichRun()}</p>
         <ProposedBy />
         <p class="verdict-words">{resultSentence(answer)}</p>
+        <GoodEnough requirement={answer.requirement} />
         <ParameterTable answer={answer} />
         <p class="hint">
           {words.value.interval}, {said.frame}. {answer.reference?.source}

@@ -264,6 +264,7 @@ export const de: Words = {
     frame: 'im Sensorkoordinatensystem; Trägheit um den Schwerpunkt',
     workpiece: 'Werkstück allein',
     withoutTools: (tools) => `Die Werte oben gelten für alles, was der Sensor trägt. Hier ohne: ${tools}`,
+    goodEnough: 'Warum, und woran gemessen',
     budget: 'Unsicherheit',
     budgetHint: 'Anteile an der Varianz. Was nicht Wiederholbarkeit ist, bleibt von Lauf zu Lauf gleich.',
     repeatability: 'Wiederholbarkeit',

@@ -260,6 +260,7 @@ export const en = {
     workpiece: 'Workpiece alone',
     withoutTools: (tools: string) =>
       `The values above are of everything that the sensor carries. Here without: ${tools}`,
+    goodEnough: 'Why, and against what',
     budget: 'Uncertainty',
     budgetHint: 'Shares of the variance. What is not repeatability stays the same from run to run.',
     repeatability: 'repeatability',
