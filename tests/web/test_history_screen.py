@@ -167,7 +167,9 @@ def significance(difference: dict[str, Any]) -> str:
 
 def in_per_cent(chance: float) -> str:
     """As fine as anybody needs it."""
-    return "< 0.1 %" if chance < 1e-3 else f"{100 * chance:.{0 if chance >= 0.1 else 1}f} %"
+    if not 1e-3 <= chance <= 0.999:
+        return "< 0.1 %" if chance < 0.5 else "> 99.9 %"
+    return f"{100 * chance:.{0 if chance >= 0.1 else 1}f} %"
 
 
 def mass_in_words(result: dict[str, Any]) -> str:

@@ -45,19 +45,18 @@ export function Tour() {
   const heading = useRef<HTMLHeadingElement>(null);
   // biome-ignore lint/correctness/useExhaustiveDependencies: each step is read to who cannot see it
   useEffect(() => heading.current?.focus(), [number]);
+  useEffect(() => {
+    const leave = ({ key }: KeyboardEvent) => key === 'Escape' && endTour();
+    document.addEventListener('keydown', leave);
+    return () => document.removeEventListener('keydown', leave);
+  }, []);
   if (step === undefined) return null;
   const last = number === STEPS.length - 1;
   const isLow = place !== null && place.top + place.height / 2 > innerHeight / 2 && place.bottom < barTop();
   return (
     <>
       {place && <Frame place={place} />}
-      <section
-        class={isLow ? 'tour-card tour-card-high' : 'tour-card'}
-        aria-label={said.title}
-        onKeyDown={({ key }) => {
-          if (key === 'Escape') endTour();
-        }}
-      >
+      <section class={isLow ? 'tour-card tour-card-high' : 'tour-card'} aria-label={said.title}>
         <h2 tabIndex={-1} ref={heading} aria-describedby="tour-said">
           {said.count(number + 1, STEPS.length)}
         </h2>
