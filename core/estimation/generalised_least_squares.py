@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
+from core.estimation.banded import factorise, invert, whiten
 from core.estimation.budget import Budget, Source
 from core.estimation.determination import SIZE_M, find_determined
 from core.estimation.drift import STEP_STD, drift_basis, improve_variance, parts_of, steps_between
@@ -34,12 +35,14 @@ from core.estimation.nuisances import (
     find_evidence,
     improve_strength,
 )
-from core.estimation.weak_form import WeakForm, whiten
+from core.estimation.weak_form import WeakForm
 from core.payload.inertia import InertialParameters, spatial_inertia
 
 TILT = slice(10, 12)
 DELAY = 12
 OFFSET = slice(13, 19)
+LEAST_SENSOR_SHARE = 5e-7
+"""Of the sensor's noise in a window, beside that of the poses."""
 SHARED = 13
 """phi, tilt and delay; then come offsets, drift and nuisances."""
 
@@ -159,7 +162,6 @@ class _Problem:
         self.noise = noise
         self.y = form.average(wrench)
         self.wrench_gram, self.pose_gram = form.gram
-        self.spectrum = form.spectrum
         t = form.poses.t
         parts = [] if form.static else parts_of(t)
         walk, steps = drift_basis(form.centres, parts), steps_between(form.centres, parts)
@@ -228,21 +230,21 @@ class _Problem:
         """One linearisation at x: covariance, new x, whitened residuals."""
         seen = self._linearise(x)
         M = spatial_inertia(seen.likely)
-        kinematic = np.diag(M @ self.form.poses.noise @ M.T)
         normal, right, bias = np.zeros((self.size, self.size)), np.zeros(self.size), np.zeros((self.size, self.size))
         white = []
         for c in range(6):
             # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
-            sensor = max(self.noise.variance[c] * scale[c], 1e-7 * kinematic[c] * float(self.spectrum.max()))
-            bands = sensor * self.wrench_gram + kinematic[c] * self.pose_gram
+            kinematic = self.pose_gram.seen_through(M[c])
+            sensor = max(self.noise.variance[c] * scale[c], LEAST_SENSOR_SHARE * float((kinematic[0] / self.wrench_gram[0]).max()))
+            factor = factorise(sensor * self.wrench_gram + kinematic)
             own = [seen.shared[:, c], np.ones((len(self.y), 1)), self.ramps]
             if self.nuisances is not None:
                 own += [seen.beside[:, c], self.nuisances.of_channel(c, seen.load)]
-            w, rows = whiten(bands, np.column_stack((*own, seen.target[:, c]))), self._rows_of_channel(c)
+            w, rows = whiten(factor, np.column_stack((*own, seen.target[:, c]))), self._rows_of_channel(c)
             white.append((w, rows))
             normal[np.ix_(rows, rows)] += w[:, :-1].T @ w[:, :-1]
             right[rows] += w[:, :-1].T @ w[:, -1]
-            self._add_bias(bias, c, seen.likely, sensor, kinematic[c])
+            self._add_bias(bias, c, seen.likely, self.pose_gram.weighed(invert(factor)))
         self.system = normal, right, bias
         covariance, x = self._with_priors()
         self.std = np.sqrt(np.diag(covariance)[:10])
@@ -276,16 +278,14 @@ class _Problem:
         usual = InertialParameters.from_com(m, c, m * SIZE_M**2 * np.eye(3)).phi
         return np.where(find_determined(phi, self.std), phi, usual) if m > 0.0 else phi
 
-    def _add_bias(self, bias: Array, c: int, phi: Array, sensor: float, kinematic: float) -> None:
-        """Adds the information in one channel that is noise of the poses, for these variances of the two kinds of noise."""
+    def _add_bias(self, bias: Array, c: int, phi: Array, passed: Array) -> None:
+        """Adds the information in one channel that is noise of the poses, of which the weighted windows let (6, 6) through."""
         noisy, rows = _UNIT_REGRESSORS[:, c], np.arange(10)
         if self.nuisances is not None:
             held = self.nuisances.nuisances
             noisy = np.hstack((noisy, self.nuisances.of_channel(c, _UNIT_REGRESSORS @ phi)))
             rows = np.concatenate((rows, self.drift.stop + held.rows_of_channel(c)))
-        # trace(C^-1 pose_gram): how much of the pose's noise the weighted windows let through
-        passed = len(self.y) * np.mean(self.spectrum / (sensor + kinematic * self.spectrum))
-        bias[np.ix_(rows, rows)] += passed * noisy.T @ self.form.poses.noise @ noisy
+        bias[np.ix_(rows, rows)] += noisy.T @ passed @ noisy
 
     def _with_priors(self) -> tuple[Array, Array]:
         """Solves the last linearisation with the priors; the strengths of drift and nuisances are improved along the way."""

@@ -11,8 +11,10 @@ from functools import cached_property
 
 import numpy as np
 from filterpy.kalman import KalmanFilter
+from numpy.typing import NDArray
 from scipy.linalg import solve_discrete_are
 from scipy.ndimage import convolve1d
+from scipy.optimize import nnls
 from scipy.signal import savgol_coeffs
 
 from core.array import Array
@@ -20,6 +22,13 @@ from core.payload.inertia import Motion
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
 from core.robot.rotations import exponential, logarithm
+
+TWIST_S = 0.05
+"""Window of the local cubics behind the speed that jitter goes with."""
+LONGEST_STENCIL = 8.0
+"""Periods, of five samples that a cubic is laid through."""
+FEWEST, SPEEDS = 30, 6
+"""Samples of a class, and classes of speed, that tell jitter from noise."""
 
 
 @dataclass(frozen=True)
@@ -46,6 +55,7 @@ class Poses:
         gravity: (3,), base frame.
         noise: (6, 6), covariance of one sample's position (m) and orientation (rad), sensor axes, averaged over the recording.
         joints: that they follow from; None where poses were recorded.
+        jitter_s: standard deviation of the samples' instants about their stamps.
     """
 
     t: Array
@@ -54,6 +64,7 @@ class Poses:
     gravity: Array
     noise: Array
     joints: Joints | None = None
+    jitter_s: float = 0.0
 
     @property
     def g(self) -> Array:
@@ -87,36 +98,88 @@ def poses_of(recording: Recording) -> Poses | None:
     """Poses by forward kinematics of the joints, or as recorded; None where the recording has neither."""
     t = recording.t
     if recording.q is not None and recording.robot is not None:
-        robot = RobotModel(recording.robot)
-        pose = robot.sensor_poses(recording.q)
-        return Poses(t, pose.rotation, pose.position, recording.gravity, _joint_noise(robot, recording.q), Joints(robot, recording.q))
+        robot, q = RobotModel(recording.robot), recording.q
+        pose = robot.sensor_poses(q)
+        jitter_s, white = find_jitter(t, q)
+        return Poses(t, pose.rotation, pose.position, recording.gravity, _joint_noise(robot, q, white), Joints(robot, q), jitter_s)
     if recording.orientation is not None:
         rotation, position = recording.orientation, recording.position
         noise = np.zeros((6, 6))
-        if len(t) > 8 and position is not None:
-            noise[:3, :3] = np.eye(3) * white_noise_std(position).mean() ** 2
-        if len(t) > 8:
-            noise[3:, 3:] = np.eye(3) * white_noise_std(rotation.reshape(len(t), 9)).mean() ** 2 * 1.5
-        return Poses(t, rotation, position, recording.gravity, noise)
+        if position is not None:
+            noise[:3, :3] = np.eye(3) * white_noise_std(t, position).mean() ** 2
+        jitter_s, white = find_jitter(t, rotation.reshape(len(t), 9))
+        noise[3:, 3:] = np.eye(3) * white.mean() ** 2 * 1.5
+        return Poses(t, rotation, position, recording.gravity, noise, jitter_s=jitter_s)
     return None
 
 
-def white_noise_std(x: Array) -> Array:
-    """Standard deviation of white noise on a smooth signal (N, n), from fourth differences (their gain is sqrt(70)), robust to motion.
+def white_noise_std(t: Array, x: Array) -> Array:
+    """Standard deviation of white noise on a smooth signal (N, n) at times (N,), robust to motion.
 
     The median over the recording is taken, so that the parts at rest or at constant speed decide.
     """
-    if len(x) < 8:
-        return np.zeros(x.shape[1])
-    d = np.diff(x, 4, axis=0)
-    return np.asarray(1.4826 * np.median(np.abs(d), axis=0) / np.sqrt(70.0))
+    off, _ = _off_a_cubic(t, x)
+    return 1.4826 * np.median(np.abs(off), axis=0) if len(off) else np.zeros(x.shape[1])
 
 
-def _joint_noise(robot: RobotModel, q: Array) -> Array:
-    variance = white_noise_std(q) ** 2
+def find_jitter(t: Array, x: Array) -> tuple[float, Array]:
+    """Standard deviation, s, of the instants about their stamps t (N,), and white noise (n,) of a smooth signal (N, n) beside it.
+
+    White noise is the same at every speed, that of wrong instants goes with the speed. 0 where it is not the larger part when the signal
+    is fast.
+    """
+    off, rows = _off_a_cubic(t, x)
+    white = white_noise_std(t, x)
+    if len(off) < 2 * SPEEDS * FEWEST:
+        return 0.0, white
+    velocity = local_derivative(x, 1, float(np.median(np.diff(t))), window_s=TWIST_S)[rows]
+    speed = np.linalg.norm(velocity, axis=1)
+    moving = np.flatnonzero(speed > 0.1 * np.quantile(speed, 0.95))
+    if len(moving) < SPEEDS * FEWEST:
+        return 0.0, white
+    along = (off[moving] * velocity[moving]).sum(axis=1) / speed[moving] ** 2
+    classes = np.array_split(np.argsort(speed[moving]), SPEEDS)
+    seen = np.array([(1.4826 * np.median(np.abs(along[each]))) ** 2 for each in classes])
+    slowness = np.array([np.median(speed[moving][each] ** -2.0) for each in classes])
+    if not seen.all():
+        return 0.0, white
+    (square, _), _ = nnls(np.column_stack((np.ones(SPEEDS), slowness)) / seen[:, None], np.ones(SPEEDS))
+    if square < 0.5 * seen[-1]:
+        return 0.0, white
+    slow = np.argsort(speed)[: len(speed) // 4]
+    return float(np.sqrt(square)), 1.4826 * np.median(np.abs(off[slow]), axis=0)
+
+
+def find_twist(poses: Poses) -> Array:
+    """(N, 6), linear and angular velocity of the sensor, its axes, by local cubics; no linear one where no position is known."""
+    R, n = poses.rotation, len(poses.t)
+    twist = np.zeros((n, 6))
+    rate = local_derivative(R.reshape(n, 9), 1, poses.period, window_s=TWIST_S).reshape(R.shape)
+    twist[:, 3:] = axial(np.einsum("nji,njk->nik", R, rate))
+    if poses.position is not None:
+        twist[:, :3] = np.einsum("nji,nj->ni", R, local_derivative(poses.position, 1, poses.period, window_s=TWIST_S))
+    return twist
+
+
+def _off_a_cubic(t: Array, x: Array) -> tuple[Array, NDArray[np.intp]]:
+    """How far samples (N, n) are off the cubic through their four neighbours, in units of one sample's noise; and which rows those are."""
+    n, period = len(t), float(np.median(np.diff(t))) if len(t) > 1 else 0.0
+    rows = np.arange(2, n - 2)
+    rows = rows[t[rows + 2] - t[rows - 2] < LONGEST_STENCIL * period]
+    beside = rows[:, None] + np.array([-2, -1, 1, 2])
+    away = t[beside] - t[rows, None]
+    weights = np.ones_like(away)
+    for j, m in np.ndindex(4, 4):
+        if j != m:
+            weights[:, j] *= -away[:, m] / (away[:, j] - away[:, m])
+    off = x[rows] - np.einsum("rj,rjn->rn", weights, x[beside])
+    return off / np.sqrt(1.0 + (weights**2).sum(axis=1))[:, None], rows
+
+
+def _joint_noise(robot: RobotModel, q: Array, std: Array) -> Array:
     rows = np.linspace(0, len(q) - 1, min(60, len(q))).astype(int)
     J = np.stack([robot.sensor_jacobian(q[k]) for k in rows])
-    return np.asarray(np.einsum("kij,j,klj->il", J, variance, J) / len(rows))
+    return np.asarray(np.einsum("kij,j,klj->il", J, std**2, J) / len(rows))
 
 
 def smooth_motion(poses: Poses, *, window_s: float) -> tuple[Motion, Array]:

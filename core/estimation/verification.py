@@ -84,5 +84,5 @@ def estimate_window_variance(form: WeakForm, found: Fit) -> Array:
     """(6,), mean variance of a window by the noise of the sensor and, through the payload, of the kinematics."""
     wrench_gram, pose_gram = form.gram
     M = spatial_inertia(found.phi)
-    kinematic = np.diag(M @ form.poses.noise @ M.T)
-    return np.asarray(found.noise.variance * wrench_gram[0].mean() + kinematic * pose_gram[0].mean())
+    kinematic = np.array([pose_gram.seen_through(row)[0].mean() for row in M])
+    return np.asarray(found.noise.variance * wrench_gram[0].mean() + kinematic)

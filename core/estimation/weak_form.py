@@ -17,21 +17,20 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline
-from scipy.linalg import cholesky_banded, eigh
-from scipy.linalg.lapack import dtbtrs
 from scipy.sparse import csr_array, diags_array
 
 from core.array import Array
-from core.estimation.kinematics import Poses, axial
+from core.estimation.banded import BAND, bands_of, trace
+from core.estimation.kinematics import Poses, axial, find_twist, local_derivative
 from core.payload.inertia import inertia_columns, symmetric
 from core.payload.rotations import rotation_of, skew
 
 STEP_S = 0.025
 """Knot spacing of the windows: features up to 20 Hz are kept."""
+SMOOTH_S = 0.08
+"""Window of the local cubics through the rotations that accelerations are turned with."""
 MARGIN_S = 0.06
 """Largest delay that the windows can be shifted by."""
-BAND = 5
-"""Cubic B-splines overlap with three neighbours on each side, and second differences of what was seen reach one window further."""
 
 
 @dataclass(frozen=True)
@@ -101,7 +100,9 @@ class RawFeatures:
     def __init__(self, poses: Poses) -> None:
         n = len(poses.t)
         self.difference = second_difference(poses.t)
-        apart = _rotation_from_neighbours(poses.rotation)
+        # two noisy factors are noise that no window damps, and with a mean of its own where they share samples: one has to be smooth
+        smooth = local_derivative(poses.rotation.reshape(n, 9), 0, poses.period, window_s=max(SMOOTH_S, 7.0 * poses.period))
+        apart = smooth.reshape(-1, 3, 3)
         self.B = np.einsum("nji,njk->nik", apart, (self.difference @ poses.rotation.reshape(n, 9)).reshape(-1, 3, 3))
         self.a = np.zeros((n, 3))
         if poses.position is not None:
@@ -202,61 +203,69 @@ class WeakForm:
         return _features(np.asarray(W @ samples) / np.asarray(W.sum(axis=1))[:, None], poses.gravity)
 
     @cached_property
-    def gram(self) -> tuple[Array, Array]:
-        """Covariances of the windowed noise, as lower bands (4, K), for white noise of unit variance in the wrench, and in the pose."""
+    def gram(self) -> tuple[Array, PoseGram]:
+        """Covariances of the windowed noise: lower bands (5, K) for white noise of unit variance in the wrench, and that of the poses."""
+        noise = self.poses.noise
         if self.static:
-            return np.ones((1, len(self))), np.zeros((1, len(self)))
+            return np.ones((1, len(self))), PoseGram(noise, np.zeros((1, len(self))), None)
         W = self._windows(self.poses.t, 0.0)
         W = csr_array(diags_array(1.0 / np.asarray(W.sum(axis=1))) @ W)
-        second = W @ second_difference(self.poses.t)
-        return _bands(W @ W.T), _bands(second @ second.T)
+        second = csr_array(W @ second_difference(self.poses.t))
+        return bands_of(W @ W.T), PoseGram(noise, bands_of(second @ second.T), self._jittered(second))
 
-    @cached_property
-    def spectrum(self) -> Array:
-        """Generalised eigenvalues of the two Grams for a stretch in the middle; every window stands for its share of them."""
-        wrench_gram, pose_gram = self.gram
-        n = len(self)
-        if n < 8 or not pose_gram.any():
-            return np.zeros(1)
-        length = min(n, 120)
-        part = slice((n - length) // 2, (n - length) // 2 + length)
-        return np.asarray(eigh(_dense(pose_gram[:, part]), _dense(wrench_gram[:, part]), eigvals_only=True))
+    def _jittered(self, second: csr_array) -> Array | None:
+        """(6, 6, 5, K), what the jitter of the samples adds: an error of the instant moves the pose along its twist."""
+        jitter_s = self.poses.jitter_s
+        if jitter_s == 0.0:
+            return None
+        twist = jitter_s * find_twist(self.poses)
+        added = np.zeros((6, 6, BAND, len(self)))
+        for a, b in np.ndindex(6, 6):
+            if b <= a:
+                added[a, b] = added[b, a] = bands_of(csr_array(second @ diags_array(twist[:, a] * twist[:, b]) @ second.T))
+        return added
+
+
+@dataclass(frozen=True)
+class PoseGram:
+    """Covariance of the windowed accelerations by the noise of the poses.
+
+    Args:
+        noise: (6, 6), of one sample, the same everywhere.
+        steady: (b, K), lower bands for unit noise.
+        jittered: (6, 6, b, K), what goes with the speed; None where the samples have their instants.
+    """
+
+    noise: Array
+    steady: Array
+    jittered: Array | None
+
+    def seen_through(self, m: Array) -> Array:
+        """(b, K) of a channel in which the accelerations show as m (6,)."""
+        seen = (m @ self.noise @ m) * self.steady
+        return seen if self.jittered is None else seen + np.einsum("i,ijbk,j->bk", m, self.jittered, m, optimize=True)
+
+    def weighed(self, inverse: Array) -> Array:
+        """(6, 6), trace of the products with the inverse (b, K) of a channel's covariance."""
+        steady = self.noise * trace(inverse, self.steady)
+        return steady if self.jittered is None else steady + trace(inverse, self.jittered)
 
 
 def second_difference(t: Array) -> csr_array:
-    """(N, N) matrix of second divided differences; zero rows at the ends."""
-    n = len(t)
-    step = np.diff(t)
-    mean = 0.5 * (step[1:] + step[:-1])
-    right = np.concatenate(([0.0], 1.0 / (step[1:] * mean), [0.0]))
-    left = np.concatenate(([0.0], 1.0 / (step[:-1] * mean), [0.0]))
-    return csr_array(
-        diags_array(left[1:], offsets=-1, shape=(n, n)) - diags_array(left + right) + diags_array(right[:-1], offsets=1, shape=(n, n))
-    )
+    """(N, N) matrix of second derivatives of the quartics through five samples each (Fornberg 1988); zero rows at the ends.
 
-
-def _rotation_from_neighbours(R: Array) -> Array:
-    """R (N, 3, 3) interpolated from the samples two and three places away (third order).
-
-    The second difference uses the sample itself and its next neighbours: with other samples in the rotation the noise of the two is
-    independent, and their product has no mean that would look like an acceleration.
+    Three samples average the acceleration over two periods, which the wrench is not: at 100 Hz that is a tenth of a percent of inertia.
     """
-    n = len(R)
-    k = np.arange(n)
-
-    def pair(distance: int) -> Array:
-        return 0.5 * (R[np.minimum(k + distance, n - 1)] + R[np.maximum(k - distance, 0)])
-
-    return np.asarray((9.0 * pair(2) - 4.0 * pair(3)) / 5.0)
-
-
-def whiten(bands: Array, x: Array) -> Array:
-    """L^-1 x for the covariance L L^T given by its lower bands (b, K); x is (K, n)."""
-    factor = cholesky_banded(bands, lower=True)
-    solved, info = dtbtrs(factor, x, uplo="L")
-    if info != 0:
-        raise FloatingPointError("the covariance of the windows is singular")
-    return np.asarray(solved)
+    n = len(t)
+    if n < 5:
+        return csr_array((n, n))
+    rows = np.arange(2, n - 2)
+    beside = rows[:, None] + np.arange(-2, 3)
+    step = 0.25 * (t[rows + 2] - t[rows - 2])
+    away = (t[beside] - t[rows, None]) / step[:, None]
+    powers = away[:, None, :] ** np.arange(5)[:, None]
+    weights = np.linalg.solve(powers, np.broadcast_to([[0.0], [0.0], [2.0], [0.0], [0.0]], (len(rows), 5, 1)))[..., 0]
+    return csr_array(((weights / step[:, None] ** 2).ravel(), (np.repeat(rows, 5), beside.ravel())), shape=(n, n))
 
 
 def _runs(flags: NDArray[np.bool_]) -> list[slice]:
@@ -267,19 +276,3 @@ def _runs(flags: NDArray[np.bool_]) -> list[slice]:
 
 def _features(values: Array, gravity: Array) -> Features:
     return Features(values[:, :3], values[:, 3:12].reshape(-1, 3, 3), values[:, 12:].reshape(-1, 3, 3), gravity)
-
-
-def _bands(matrix: csr_array) -> Array:
-    n = matrix.shape[0]
-    bands = np.zeros((BAND, n))
-    for k in range(min(BAND, n)):
-        bands[k, : n - k] = matrix.diagonal(-k)
-    return bands
-
-
-def _dense(bands: Array) -> Array:
-    n = bands.shape[1]
-    matrix = np.diag(bands[0])
-    for k in range(1, len(bands)):
-        matrix += np.diag(bands[k, : n - k], -k) + np.diag(bands[k, : n - k], k)
-    return matrix

@@ -122,11 +122,11 @@ def stances_of(recording: Recording) -> Stances | None:
 def _jitter(recording: Recording, joints: Array | None) -> tuple[float, float]:
     """Of joints as if each had an arm of a metre."""
     if joints is not None:
-        size = float(np.linalg.norm(white_noise_std(joints)))
+        size = float(np.linalg.norm(white_noise_std(recording.t, joints)))
         return size, size
     assert recording.orientation is not None
-    turning = float(white_noise_std(recording.orientation.reshape(len(recording), 9)).mean())
-    return 0.0 if recording.position is None else float(white_noise_std(recording.position).mean()), turning
+    turning = float(white_noise_std(recording.t, recording.orientation.reshape(len(recording), 9)).mean())
+    return 0.0 if recording.position is None else float(white_noise_std(recording.t, recording.position).mean()), turning
 
 
 def _find_half(t: Array, x: Array, total: float) -> int:

@@ -83,7 +83,7 @@ def _by_noise(recording: Recording) -> tuple[str | None, str | None]:
     stated = recording.sensor.noise_std
     if stated is None or recording.wrench is None or len(recording) < FEWEST_ROWS:
         return None, None
-    ratio = white_noise_std(recording.wrench) / stated
+    ratio = white_noise_std(recording.t, recording.wrench) / stated
     force, torque = (_match(ratio[part], units) for part, units in ((FORCE, FORCE_UNITS), (TORQUE, TORQUE_UNITS)))
     usual = [bool(((ratio[part] < LARGEST_UNITY) & (ratio[part] > 1.0 / LARGEST_UNITY)).all()) for part in (FORCE, TORQUE)]
     if force is not None and torque is not None:

@@ -9,6 +9,7 @@ import pytest
 
 from core.estimation.kinematics import (
     KinematicFilter,
+    find_jitter,
     poses_of,
     smooth_motion,
     white_noise_std,
@@ -19,7 +20,27 @@ from tests.synthetic import GRAVITY, payload, record, run_of
 def test_the_noise_of_the_encoders_is_found_under_the_motion() -> None:
     run = run_of("lwr4_bench", 0)
     q = run.q + 2e-6 * np.random.default_rng(0).normal(size=run.q.shape)
-    np.testing.assert_allclose(white_noise_std(q), 2e-6, rtol=0.05)
+    np.testing.assert_allclose(white_noise_std(run.t, q), 2e-6, rtol=0.05)
+
+
+@pytest.mark.parametrize("jitter_s", [2e-4, 1e-3])
+def test_instants_that_jitter_are_found_by_noise_that_goes_with_the_speed(jitter_s: float) -> None:
+    rng, run = np.random.default_rng(0), run_of("lwr4_bench", 0)
+    late = run.t + jitter_s * rng.normal(size=len(run.t))
+    q = np.column_stack([np.interp(late, run.t, joint) for joint in run.q.T]) + 2e-6 * rng.normal(size=run.q.shape)
+    found, white = find_jitter(run.t, q)
+    assert found == pytest.approx(jitter_s, rel=0.15)
+    assert white.max() < 1e-5
+
+
+def test_noise_steps_of_the_encoders_and_lost_rows_are_no_jitter() -> None:
+    rng, run = np.random.default_rng(0), run_of("lwr4_bench", 0)
+    q = run.q + 2e-6 * rng.normal(size=run.q.shape)
+    kept = rng.random(len(q)) > 0.2
+    assert find_jitter(run.t, q)[0] == 0.0
+    assert find_jitter(run.t, np.round(run.q / 1e-4) * 1e-4)[0] == 0.0
+    assert find_jitter(run.t[kept], q[kept])[0] == 0.0
+    np.testing.assert_allclose(find_jitter(run.t[kept], q[kept])[1], 2e-6, rtol=0.1)
 
 
 def test_smoothed_motion_has_no_lag() -> None:

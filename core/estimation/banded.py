@@ -1,0 +1,59 @@
+"""Covariances of windows that overlap with their neighbours only: lower bands (b, K), and what is made with their factors."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from scipy.linalg import cholesky_banded
+from scipy.linalg.lapack import dtbtrs
+from scipy.sparse import csr_array
+
+from core.array import Array
+
+BAND = 5
+"""Cubic B-splines overlap with three neighbours on each side, and second differences of what was seen reach one window further."""
+
+
+def bands_of(matrix: csr_array) -> Array:
+    """(5, K), lower bands of a sparse symmetric matrix (K, K)."""
+    n = matrix.shape[0]
+    bands = np.zeros((BAND, n))
+    for k in range(min(BAND, n)):
+        bands[k, : n - k] = matrix.diagonal(-k)
+    return bands
+
+
+def factorise(bands: Array) -> Array:
+    """(b, K), lower bands of L, where `L L^T` is the covariance."""
+    return np.asarray(cholesky_banded(bands, lower=True))
+
+
+def whiten(factor: Array, x: Array) -> Array:
+    """`L^-1 x` for a factor (b, K) and x (K, n)."""
+    solved, info = dtbtrs(factor, x, uplo="L")
+    if info != 0:
+        raise FloatingPointError("the covariance of the windows is singular")
+    return np.asarray(solved)
+
+
+@njit(cache=True)
+def invert(factor: Array) -> Array:
+    """(b, K), lower bands of the covariance's inverse, from the last column to the first (Takahashi, Fagan and Chin 1973)."""
+    b, n = factor.shape
+    inverse = np.zeros((b, n))
+    for i in range(n - 1, -1, -1):
+        reach = min(b - 1, n - 1 - i)
+        for d in range(reach, -1, -1):
+            j, total = i + d, 0.0
+            for k in range(i + 1, i + reach + 1):
+                low, high = min(j, k), max(j, k)
+                total += factor[k - i, i] * inverse[high - low, low]
+            inverse[d, i] = ((1.0 / factor[0, i] if d == 0 else 0.0) - total) / factor[0, i]
+    return inverse
+
+
+def trace(inverse: Array, bands: Array) -> Array:
+    """(...,), of the products of two symmetric matrices, lower bands (b, K) and (..., b, K)."""
+    twice = np.full(len(inverse), 2.0)
+    twice[0] = 1.0
+    return np.asarray(np.einsum("b,bk,...bk->...", twice, inverse, bands))

@@ -1,0 +1,42 @@
+"""Banded covariances against the dense matrices that they stand for."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.sparse import csr_array
+
+from core.estimation.banded import BAND, bands_of, factorise, invert, trace, whiten
+
+
+def covariance(seed: int, n: int) -> np.ndarray:
+    """(n, n), what overlapping windows would have: positive definite, nothing beyond the band."""
+    rng = np.random.default_rng(seed)
+    below = np.subtract.outer(np.arange(n), np.arange(n))
+    root = np.where((below >= 0) & (below < BAND), rng.normal(size=(n, n)), 0.0)
+    np.fill_diagonal(root, rng.uniform(0.5, 2.0, n))
+    return np.asarray(root @ root.T)
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(1, 30))
+def test_the_bands_of_the_inverse_are_those_of_the_dense_inverse(seed: int, n: int) -> None:
+    C = covariance(seed, n)
+    dense = np.linalg.inv(C)
+    found = invert(factorise(bands_of(csr_array(C))))
+    for k in range(min(BAND, n)):
+        np.testing.assert_allclose(found[k, : n - k], np.diag(dense, -k), rtol=1e-6, atol=1e-8 * np.abs(dense).max())
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(1, 30))
+def test_the_trace_of_a_product_needs_the_bands_alone(seed: int, n: int) -> None:
+    C, G = covariance(seed, n), covariance(seed + 1, n)
+    inverse = invert(factorise(bands_of(csr_array(C))))
+    assert trace(inverse, bands_of(csr_array(G))) == pytest.approx(np.trace(np.linalg.inv(C) @ G), rel=1e-6)
+
+
+def test_what_is_whitened_has_unit_covariance() -> None:
+    C = covariance(0, 12)
+    half = whiten(factorise(bands_of(csr_array(C))), np.eye(12))
+    np.testing.assert_allclose(half @ C @ half.T, np.eye(12), atol=1e-9)
