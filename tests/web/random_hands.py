@@ -4,7 +4,6 @@ always the same for one seed."""
 from __future__ import annotations
 
 import random
-import re
 import time
 from collections import Counter
 from collections.abc import Callable
@@ -28,9 +27,12 @@ PLACE = "[location.hash, document.querySelector('main > *')?.className, document
 TOLD_WITHIN_S = 2.0
 """Within it a screen whose link is up says of its run what the service says."""
 LINK_LOST_MS = (100, 5_000)
-STATE = """() => document.querySelector('.line-lost, .lost-layer') ? null
-    : document.querySelector('.header [data-state]')?.dataset.state ?? null"""
-"""What a page says of its run; null where it says that it does not know."""
+STATE = """() => {
+    const doing = document.querySelector('.header .doing[data-run]');
+    const state = doing?.querySelector('[data-state]')?.dataset.state;
+    return document.querySelector('.line-lost, .lost-layer') || !state ? null : [doing.dataset.run, state];
+}"""
+"""Which run a page speaks of, and what it says of it; null where it speaks of none or says that it does not know."""
 TEXTS = ("1,5", "-3", "0", "abc", "", "1e9", "2.783", "  ", "0.2", "0.3", "0,25", "1.2")
 
 WATCH = """(() => {
@@ -139,14 +141,15 @@ class RandomHands:
             page.locator("form button").tap()
 
     def _compare(self, page: Page, did: str) -> None:
-        """What a page of a run says of its state with what the service says, until they agree or it has taken too long."""
+        """What a page says of a run's state with what the service says, until they agree or it has taken too long."""
         until = time.monotonic() + TOLD_WITHIN_S
-        while shown := re.search(r"#/runs/([^/]+)$", page.url):
-            says, is_now = page.evaluate(STATE), self.witness.run(shown[1]).get("state")
-            if says is None or says == is_now or is_now is None:
+        while shown := page.evaluate(STATE):
+            run, says = shown
+            is_now = self.witness.run(run)["state"]
+            if says == is_now:
                 return
             if time.monotonic() > until:
-                self.contradictions.append(f"{did}: {shown[1]} is {is_now}, the screen says {says}")
+                self.contradictions.append(f"{did}: {run} is {is_now}, the screen says {says}")
                 return
             page.wait_for_timeout(100)
 

@@ -24,7 +24,11 @@ export function Header() {
         <b>{(signedIn && cell.value?.name) || '–'}</b>
         <small class="not-safety">{words.value.notSafety}</small>
       </div>
-      <div class={signedIn ? 'doing' : 'doing doing-all'} role="status">
+      <div
+        class={signedIn ? 'doing' : 'doing doing-all'}
+        role="status"
+        data-run={signedIn ? current.value?.run : undefined}
+      >
         {signedIn ? <Doing /> : <DoingAnywhere />}
       </div>
       {signedIn && (
