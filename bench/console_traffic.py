@@ -21,6 +21,9 @@ from tests.server.real_service import Console, RealService
 from tests.web.patient_cells import console_service
 from tests.web.tablet import Tablet, chromium, tablet
 
+HOLD_S = 20.0
+"""Long enough for a run that lasts longer than is watched."""
+
 
 def main() -> None:
     """Prints requests and kilobytes a second, without and with three dimensions."""
@@ -43,6 +46,7 @@ def moving(service: RealService, browser: Browser, *, drawn: bool) -> Iterator[t
     with tablet(browser, service) as at:
         if not drawn:
             at.without_viewer()
+        at.hurry(hold_s=HOLD_S)
         traffic = Traffic(at.page)
         at.open()
         at.sign_in()
