@@ -50,6 +50,11 @@ class LiveBatch(Answer):
     progress: float = Field(description="Share of the robot's time that is over, 0 to 1.", examples=[0.42])
     eta_s: float | None = Field(description="Time that is left by the wall clock, s; null where it is not known.", examples=[33.9])
 
+    @property
+    def newest_row(self) -> LiveBatch:
+        """With the last sample alone."""
+        return self.model_copy(update={"t_s": self.t_s[-1:], "wrench": self.wrench[-1:]})
+
 
 class WaitingForZone(Event):
     """The robot stands, and there is no safe way on before a zone moves: `in_the_way` where planning knows it."""

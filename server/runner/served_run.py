@@ -11,7 +11,7 @@ import numpy as np
 from core.array import Array
 from core.errors import Commanded
 from core.estimation.online import OnlineEstimator
-from core.estimation.result_part import to_json_numbers
+from core.estimation.result_part import Numbers, to_json_numbers
 from core.events import Event, Progress
 from core.payload.rigid_wrench import wrench
 from core.planning.plan import Plan
@@ -147,11 +147,11 @@ class LiveView:
             t_s=[round(state.t, 6) for state in states],
             wrench=np.round([state.wrench for state in states], 6).tolist(),
             reconstructed=np.round(expected, 6).tolist() if np.isfinite(expected).all() and np.isfinite(estimate.phi[0]) else None,
-            phi=to_json_numbers(estimate.phi),
-            phi_std=to_json_numbers(estimate.std),
+            phi=_round_numbers(estimate.phi),
+            phi_std=_round_numbers(estimate.std),
             q_rad=np.round(states[-1].q, 6).tolist(),
             nearest=NearestPart(
-                distance_m=nearest.distance_m,
+                distance_m=round(nearest.distance_m, 5),
                 first=nearest.first,
                 second=nearest.second,
                 point_first_m=np.round(nearest.point_first, 4).tolist(),
@@ -159,6 +159,11 @@ class LiveView:
             )
             if np.isfinite(nearest.distance_m)
             else None,
-            progress=progress.done_s / progress.total_s,
+            progress=round(progress.done_s / progress.total_s, 5),
             eta_s=round((progress.total_s / progress.done_s - 1.0) * wall_s, 1) if progress.done_s > 0.0 else None,
         )
+
+
+def _round_numbers(values: Array) -> Numbers:
+    """Seven digits, more than any of them is known to; null for NaN."""
+    return to_json_numbers(np.array([float(f"{value:.7g}") for value in values]))

@@ -25,9 +25,14 @@ class TooSlowError(HeftError):
 
 
 class Subscription:
-    """What one client has not been sent yet."""
+    """What one client has not been sent yet.
 
-    def __init__(self) -> None:
+    Args:
+        thin: whether every second batch with its newest sample is enough, as for a screen that draws them.
+    """
+
+    def __init__(self, *, thin: bool = False) -> None:
+        self.thin = thin
         self._events: deque[tuple[int, str]] = deque()
         self._samples: deque[str] = deque(maxlen=MOST_SAMPLES)
         self._something = asyncio.Event()
@@ -75,15 +80,16 @@ class Broadcast:
 
     def __init__(self) -> None:
         self._subscriptions: set[Subscription] = set()
+        self._batches = 0
         self._ended = False
 
     def __len__(self) -> int:
         """How many watch."""
         return len(self._subscriptions)
 
-    def subscribe(self) -> Subscription:
-        """Everything from now on."""
-        subscription = Subscription()
+    def subscribe(self, *, thin: bool = False) -> Subscription:
+        """Everything from now on; where it is `thin`, less of the samples."""
+        subscription = Subscription(thin=thin)
         self._subscriptions.add(subscription)
         if self._ended:
             subscription.end()
@@ -98,10 +104,14 @@ class Broadcast:
         for subscription in self._subscriptions:
             subscription.event(sequence, text)
 
-    def samples(self, text: str) -> None:
-        """To everybody who keeps up."""
+    def samples(self, text: str, newest_row: str) -> None:
+        """To everybody who keeps up: a batch, and the same with its newest sample alone."""
+        self._batches += 1
         for subscription in self._subscriptions:
-            subscription.samples(text)
+            if not subscription.thin:
+                subscription.samples(text)
+            elif self._batches % 2:
+                subscription.samples(newest_row)
 
     def end(self) -> None:
         """The run is over."""

@@ -27,6 +27,9 @@ NORMAL, POLICY_VIOLATION, TRY_AGAIN = 1000, 1008, 1013
 
 AfterQuery = Annotated[int, Query(ge=0, le=2**53, description="Sequence number of the last event that is known already.", examples=[12])]
 KindQuery = Annotated[Literal["event", "samples"] | None, Query(description="Only messages of this kind; all where absent.")]
+SamplesQuery = Annotated[
+    Literal["all", "thin"], Query(description="`thin`: every second batch with its newest sample alone, as a screen draws them.")
+]
 
 
 SOCKETS = (
@@ -36,17 +39,27 @@ SOCKETS = (
         "events. Closed with 1013 when it is not read, with 1008 where there is no such run, with 1000 at the end.",
         sends=(EventMessage, LiveBatch),
         parameters={"run": ("Identifier of the run.", "019ab1c2d3e44f1c2a9be7")},
-        query={"after": {"type": "integer", "minimum": 0, "default": 0, "description": "Sequence number of the last event that is known."}},
+        query={
+            "after": {"type": "integer", "minimum": 0, "default": 0, "description": "Sequence number of the last event that is known."},
+            "samples": {
+                "type": "string",
+                "enum": ["all", "thin"],
+                "default": "all",
+                "description": "`thin`: every second batch with its newest sample alone, as a screen draws them.",
+            },
+        },
     ),
 )
 
 
 @router.websocket("/api/runs/{run}/live")
-async def watch_run(websocket: WebSocket, run: str, store: StoreDep, conductor: ConductorDep, after: AfterQuery = 0) -> None:
+async def watch_run(
+    websocket: WebSocket, run: str, store: StoreDep, conductor: ConductorDep, after: AfterQuery = 0, samples: SamplesQuery = "all"
+) -> None:
     """Events behind `after`, then everything as it happens; closed with 1013 when it is not read, with 1000 at the end."""
     await websocket.accept()
     try:
-        sending = asyncio.create_task(_send(websocket, run, store, conductor, after))
+        sending = asyncio.create_task(_send(websocket, run, store, conductor, after, thin=samples == "thin"))
         gone = asyncio.create_task(_wait_until_gone(websocket))
         await asyncio.wait((sending, gone), return_when=asyncio.FIRST_COMPLETED)
         gone.cancel()
@@ -75,10 +88,10 @@ def read_events(run: RunPath, store: StoreDep, conductor: ConductorDep, after: A
     return [message for message in messages if kind in (None, message.kind)]
 
 
-async def _send(websocket: WebSocket, run: str, store: Store, conductor: Conductor, after: int) -> None:
+async def _send(websocket: WebSocket, run: str, store: Store, conductor: Conductor, after: int, *, thin: bool) -> None:
     """What the store knows, then what comes; an event that is in both is sent once."""
     broadcast = conductor.broadcast(run)
-    subscription = broadcast.subscribe()
+    subscription = broadcast.subscribe(thin=thin)
     try:
         over, told = await asyncio.to_thread(_load_events, store, conductor, run, after)
         for sequence, text in told:

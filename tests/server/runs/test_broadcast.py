@@ -37,7 +37,7 @@ def test_of_samples_the_newest_win_and_events_between_them_stay():
         broadcast, seen = Broadcast(), []
         subscription = broadcast.subscribe()
         for k in range(1000):
-            broadcast.samples(f"s{k}")
+            broadcast.samples(f"s{k}", f"n{k}")
             if k % 100 == 0:
                 broadcast.event(k + 1, f"e{k}")
         broadcast.end()
@@ -118,3 +118,18 @@ def test_what_a_client_knows_already_is_not_sent_again():
 
     asyncio.run(drain(subscription, send, after=6))
     assert seen == ["e7", "e8", "e9"]
+
+
+def test_a_thin_subscription_gets_the_newest_sample_of_every_second_batch_and_every_event():
+    broadcast, seen = Broadcast(), []
+    subscription = broadcast.subscribe(thin=True)
+    for k in range(6):
+        broadcast.samples(f"s{k}", f"n{k}")
+    broadcast.event(1, "e1")
+    broadcast.end()
+
+    async def send(text: str) -> None:
+        seen.append(text)
+
+    asyncio.run(drain(subscription, send))
+    assert seen == ["e1", "n0", "n2", "n4"]

@@ -40,7 +40,7 @@ export function follow(run: string, heard: (message: EventMessage) => void): () 
   const open = () => {
     window.clearTimeout(timer);
     const after = events.value.at(-1)?.sequence ?? 0;
-    socket = new WebSocket(socketAddress(`/api/runs/${run}/live?after=${after}`));
+    socket = new WebSocket(socketAddress(`/api/runs/${run}/live?after=${after}&samples=thin`));
     socket.onopen = () => {
       following.value = true;
     };
