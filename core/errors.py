@@ -224,21 +224,16 @@ class NoStartConfiguration(Refused):
     ) -> None:
         rejected = sorted(reasons.items(), key=lambda item: -item[1])
         counts = [Message.of("planning-rejected", reason=reason, count=count) for reason, count in rejected]
-        if best_clearance_m is None or nearest is None:
-            super().__init__("planning-no-start-configuration", in_the_way, axis=axis, rejected=counts, kinds=len(counts))
-        else:
-            super().__init__(
-                "planning-no-start-configuration-near", in_the_way,
-                axis=axis, rejected=counts, kinds=len(counts), best_clearance_m=best_clearance_m, nearest=nearest,
-            )  # fmt: skip
+        code, near = "planning-no-start-configuration", dict[str, Parameter]()
+        if best_clearance_m is not None and nearest is not None:
+            code, near = "planning-no-start-configuration-near", {"best_clearance_m": best_clearance_m, "nearest": nearest}
+        super().__init__(code, in_the_way, axis=axis, rejected=counts, kinds=len(counts), **near)
         self.axis = axis
-        self.reasons = reasons
         self.best_clearance_m = best_clearance_m
 
 
 class NoPath(Refused):
-    """No collision-free path was found between two configurations, or none that keeps the limits; in the way is what was nearest, where
-    distances kept it from being found."""
+    """No collision-free path between two configurations was found, or none that keeps the limits; in the way is what was nearest."""
 
 
 class NoRoomAtHome(Refused):

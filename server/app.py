@@ -116,7 +116,7 @@ def create_app(settings: Settings, *, now: Callable[[], datetime] = utc_now, che
     @asynccontextmanager
     async def running(_app: FastAPI) -> AsyncIterator[None]:
         service.recent_log.start()
-        start(service)
+        start_service(service)
         make_room_for_waiting()
         work = (service.conductor, service.diagnoses, service.trials, service.deliverer, service.alarms, service.gallery)
         for each in work:
@@ -166,7 +166,7 @@ async def _begin_later(checker: CellChecker) -> None:
     await asyncio.to_thread(checker.start)
 
 
-def start(service: Service) -> None:
+def start_service(service: Service) -> None:
     """Makes the folders, migrates the store, makes the cells ready."""
     log.info("starting", extra={"version": release_version(), "started_at": service.started_at.isoformat()})
     service.settings.data.mkdir(parents=True, exist_ok=True)

@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import Field
 
 from core.array import Array
-from core.cell.thresholds import Thresholds
+from core.cell.thresholds import ContactThresholds
 from core.cell.tool import Tool
 from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
 from core.errors import BadRobot
@@ -212,7 +212,9 @@ class Cell(Model):
     sensor: Sensor = Field(description="The wrist force/torque sensor.")
     limits: Limits = Field(default=Limits(), description="Largest speed and smallest distances.")
     control: Control = Field(default=Control(), description="How the robot depends on whoever is in control.")
-    thresholds: Thresholds = Field(default=Thresholds(), description="From which external torques and forces the controller acts.")
+    thresholds: ContactThresholds = Field(
+        default=ContactThresholds(), description="From which external torques and forces the controller acts."
+    )
     gravity_m_s2: Vector3 = Field(
         default=(0.0, 0.0, -9.81),
         description="Gravity in the world frame, m/s2; with a site its direction only.",

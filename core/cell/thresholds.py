@@ -12,7 +12,7 @@ ASSUMED_FORCE_N = 20.0
 """Where a cell states nothing: contact force at the flange that libfranka's examples set as the collision threshold of a Panda or FR3."""
 
 
-class Thresholds(Model):
+class ContactThresholds(Model):
     """`[thresholds]`: what the controller takes for contact with somebody. What an error of the payload adds must stay below."""
 
     joint_torque_nm: Annotated[tuple[Positive, ...], Field(min_length=1, max_length=20)] | None = Field(

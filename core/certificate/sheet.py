@@ -45,7 +45,7 @@ class Text:
 
 
 @dataclass(frozen=True)
-class Rule:
+class HorizontalLine:
     """A horizontal line; `y_mm` from the top edge."""
 
     x_mm: float
@@ -74,7 +74,7 @@ class Sheet:
 
     scale: float = 1.0
     y_mm: float = MARGIN_MM
-    marks: list[Text | Rule] = field(default_factory=list)
+    marks: list[Text | HorizontalLine] = field(default_factory=list)
 
     @property
     def width_mm(self) -> float:
@@ -87,7 +87,7 @@ class Sheet:
 
     def rule(self, *, x_mm: float = 0.0, length_mm: float | None = None, grey: float = 0.6) -> None:
         """A line across, or from `x_mm` beside the margin on."""
-        self.marks.append(Rule(MARGIN_MM + x_mm, self.y_mm, self.width_mm - x_mm if length_mm is None else length_mm, grey))
+        self.marks.append(HorizontalLine(MARGIN_MM + x_mm, self.y_mm, self.width_mm - x_mm if length_mm is None else length_mm, grey))
 
     def write(
         self, text: str, size_pt: float = 8.0, *, x_mm: float = 0.0, width_mm: float | None = None, face: Face = "plain", grey: float = 0.0

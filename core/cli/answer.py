@@ -5,9 +5,9 @@ from pathlib import Path
 
 from core.cli.tables import (
     assumption_lines,
-    budget_table,
     parameters_table,
     reason_lines,
+    tabulate_budget,
     verification_lines,
 )
 from core.cli.terminal import answers, find_wording
@@ -30,7 +30,7 @@ def print_answer(result: Result, json: str | None) -> None:
         for line in workpiece_lines(result.workpiece):
             answers.print(line, highlight=False)
     if result.estimate is not None and result.estimate.budget is not None and result.estimate.determined[0]:
-        answers.print(budget_table(result.estimate.budget, result))
+        answers.print(tabulate_budget(result.estimate.budget, result))
     for line in reason_lines(result):
         answers.print(line, highlight=False)
     if result.accounted:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated
 
+import numpy as np
 import typer
 
 from core.cell.folder import find_cell, load_cell
@@ -56,7 +57,7 @@ def _payload_of(answer: Result, file: Path) -> InertialParameters:
     known = [value for value in values if value is not None]
     if len(known) < 10 or known[0] <= 0.0:
         raise BadInput(str(file), "requirement-no-payload")
-    return InertialParameters(known)  # type: ignore[arg-type]  # it becomes an array
+    return InertialParameters(np.array(known))
 
 
 def _print(found: RequirementPart) -> None:

@@ -10,7 +10,7 @@ from core.cli.exports import read_result_file
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
 from core.estimation.result import Result, SecondsPart, result_of
-from core.estimation.series import measured_of
+from core.estimation.series import measure_result
 from core.payload.random_effects import Measured
 from core.recording.manifest import FILE as MANIFEST
 
@@ -27,7 +27,7 @@ class RunsOfSeries:
     @property
     def measured(self) -> list[Measured]:
         """What each has found; the frame is the sensor's."""
-        return [measured_of(result) for result in self.results]
+        return [measure_result(result) for result in self.results]
 
 
 def read_runs(paths: Sequence[Path]) -> RunsOfSeries:
@@ -52,7 +52,7 @@ def read_runs(paths: Sequence[Path]) -> RunsOfSeries:
 
 def _identify(folder: Path) -> Result:
     from core.estimation.identification import identify_recording  # noqa: PLC0415  answers that are there already wait for no estimator
-    from core.recording.folder import read_recording  # noqa: PLC0415
+    from core.recording.folder import read_recording  # noqa: PLC0415  as above
 
     if messages.is_terminal:
         messages.print(find_wording().say("cli-identifying", folder=str(folder)), highlight=False)

@@ -97,7 +97,7 @@ def _half_width(result: Result, k: int) -> float | None:
     return None if std is None else INTERVAL * std
 
 
-def budget_table(budget: BudgetPart, result: Result) -> Table:
+def tabulate_budget(budget: BudgetPart, result: Result) -> Table:
     """Of each parameter that is determined: half-widths all in and by this recording alone, and the parts that contribute most."""
     words = find_wording()
     table = Table(title=words.say("result-budget-title"))
@@ -215,7 +215,7 @@ def opinion_lines(opinion: Opinion) -> list[str]:
             time_s=fast.time_s,
         )
     )
-    left_out = _left_out_lines(opinion, words)
+    left_out = _list_left_out(opinion, words)
     said = [words.say("result-opinion", samples=opinion.samples), *(f"  {line}" for line in lines)]
     said += [words.say("result-opinion-left-out"), *(f"  {line}" for line in left_out)] if left_out else []
     if lost is None:
@@ -224,7 +224,7 @@ def opinion_lines(opinion: Opinion) -> list[str]:
     return [*said, f"  {flight}"]
 
 
-def _left_out_lines(opinion: Opinion, words: Wording) -> list[str]:
+def _list_left_out(opinion: Opinion, words: Wording) -> list[str]:
     """The pairs of which nothing is asked, those with the same reason in one line."""
     return [
         words.say(

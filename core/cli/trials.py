@@ -15,7 +15,7 @@ from core.cli.options import LanguageOption
 from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput
 from core.trial.batch import cores, on_cluster, on_cores, outcomes
-from core.trial.draw import Drawn, draw
+from core.trial.draw import DrawnTrial, draw
 from core.trial.folder import append, check_seals, open_folder, read_outcomes
 from core.trial.judgement import mark
 from core.trial.outcome import TrialOutcome
@@ -87,7 +87,7 @@ def seeds_of(text: str) -> list[int]:
     return list(found)
 
 
-def _make_room(keep: Path, missing: Sequence[Drawn]) -> None:
+def _make_room(keep: Path, missing: Sequence[DrawnTrial]) -> None:
     """Before anything long begins: no recording is there already."""
     for one in missing:
         if (keep / str(one.sealed.seed)).exists():
@@ -96,7 +96,7 @@ def _make_room(keep: Path, missing: Sequence[Drawn]) -> None:
 
 
 def _track_outcomes(
-    drawn: Sequence[Drawn], where: AbstractContextManager[Executor], keep: Path | None
+    drawn: Sequence[DrawnTrial], where: AbstractContextManager[Executor], keep: Path | None
 ) -> Generator[TrialOutcome, None, None]:
     """The outcomes with a bar that tells how long the rest will take."""
     columns = (SpinnerColumn(), TextColumn(find_wording().say("cli-trials")), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())

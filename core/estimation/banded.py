@@ -14,13 +14,19 @@ BAND = 5
 """Cubic B-splines overlap with three neighbours on each side, and second differences of what was seen reach one window further."""
 
 
-def bands_of(matrix: csr_array) -> Array:
-    """(5, K), lower bands of a sparse symmetric matrix (K, K)."""
+def bands_of(matrix: csr_array, count: int = BAND) -> Array:
+    """(count, K), lower bands of a sparse symmetric matrix (K, K)."""
     n = matrix.shape[0]
-    bands = np.zeros((BAND, n))
-    for k in range(min(BAND, n)):
+    bands = np.zeros((count, n))
+    for k in range(min(count, n)):
         bands[k, : n - k] = matrix.diagonal(-k)
     return bands
+
+
+def count_bands(matrix: csr_array) -> int:
+    """How many lower bands hold all of a sparse symmetric matrix."""
+    rows = np.repeat(np.arange(matrix.shape[0]), np.diff(matrix.indptr))
+    return 1 + int(np.abs(rows - matrix.indices).max(initial=0))
 
 
 def factorise(bands: Array) -> Array:

@@ -8,6 +8,7 @@ nothing of each other, so that their variances add.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 from core.array import Array
 from core.words.message import Message
 
-REPEATABILITY = "repeatability"
+REPEATABILITY: Final = "repeatability"
 ASSUMED = {
     "sensor_gain": Message.of("estimation-assumed-gain"),
     "sensor_crosstalk": Message.of("estimation-assumed-crosstalk"),

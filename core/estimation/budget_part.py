@@ -109,7 +109,7 @@ def _source_part(source: Source, estimate: Estimate) -> SourcePart:
     )
 
 
-def shared_covariance(first: BudgetPart, second: BudgetPart) -> Array:
+def find_shared_covariance(first: BudgetPart, second: BudgetPart) -> Array:
     """(10, 10), covariance of the second estimate with the first, by what two runs of one cell have in common.
 
     NaN where one of them does not determine a parameter.

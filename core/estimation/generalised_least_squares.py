@@ -24,13 +24,13 @@ from core.estimation.banded import factorise, invert, whiten
 from core.estimation.budget import Budget, Source
 from core.estimation.determination import SIZE_M, find_determined
 from core.estimation.drift import STEP_STD, drift_basis, improve_variance, parts_of, steps_between
-from core.estimation.noise import WrenchNoise, misfit
+from core.estimation.noise import WrenchNoise, find_noise_factor
 from core.estimation.noisy_columns import Solution, compensate
 from core.estimation.nuisances import (
     LEAST_EVIDENCE,
     LEAST_STRENGTH,
-    Group,
     NuisanceColumns,
+    NuisanceGroup,
     Nuisances,
     find_evidence,
     improve_strength,
@@ -117,10 +117,10 @@ def fit(form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances 
     if not noise.measured:
         # the channels weigh each other by their noise: the residual of the first fit, then that of the second
         for _ in range(2):
-            noise = replace(noise, std=noise.std * np.sqrt(misfit(result.whitened, noise)))
+            noise = replace(noise, std=noise.std * np.sqrt(find_noise_factor(result.whitened, noise)))
             result = _Problem(form, wrench, noise, nuisances).solve(np.ones(6))
         return result
-    scale = misfit(result.whitened, noise)
+    scale = find_noise_factor(result.whitened, noise)
     return result if (scale == 1.0).all() else replace(problem.solve(scale), scale=scale)
 
 
@@ -234,7 +234,7 @@ class _Problem:
         white = []
         for c in range(6):
             # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
-            kinematic = self.pose_gram.seen_through(M[c])
+            kinematic = self.pose_gram.find_variance_through(M[c])
             sensor = max(self.noise.variance[c] * scale[c], LEAST_SENSOR_SHARE * float((kinematic[0] / self.wrench_gram[0]).max()))
             factor = factorise(sensor * self.wrench_gram + kinematic)
             own = [seen.shared[:, c], np.ones((len(self.y), 1)), self.ramps]
@@ -244,7 +244,7 @@ class _Problem:
             white.append((w, rows))
             normal[np.ix_(rows, rows)] += w[:, :-1].T @ w[:, :-1]
             right[rows] += w[:, :-1].T @ w[:, -1]
-            self._add_bias(bias, c, seen.likely, self.pose_gram.weighed(invert(factor)))
+            self._add_bias(bias, c, seen.likely, self.pose_gram.trace_with(invert(factor)))
         self.system = normal, right, bias
         covariance, x = self._with_priors()
         self.std = np.sqrt(np.diag(covariance)[:10])
@@ -258,13 +258,13 @@ class _Problem:
         features, rate = self.form.features(delay)
         held = None if self.nuisances is None else self.nuisances.nuisances
         if held is not None:
-            features, rate = features.seen_turned(held.mounting(b)), rate.seen_turned(held.mounting(b))
+            features, rate = features.turn(held.mounting(b)), rate.turn(held.mounting(b))
         V, likely = features.regressor(tilt), self._likely(phi)
         shared = np.concatenate((V, features.tilt_columns(phi, tilt), (rate.regressor(tilt) @ phi)[..., None]), axis=2)
         target = self.y + shared[:, :, TILT] @ tilt + shared[:, :, DELAY] * delay
         beside = np.zeros((len(V), 6, 0))
         if self.nuisances is not None and held is not None:
-            beside = self.nuisances.shared(features, likely, tilt, delay)
+            beside = self.nuisances.of_every_channel(features, likely, tilt, delay)
             target = target + beside[:, :, held.mount.start - held.of_loads : held.mount.stop - held.of_loads] @ b[held.mount]
         return _Linearised(shared, beside, V @ likely, target, likely)
 
@@ -321,7 +321,7 @@ class _Problem:
             b, spread = self._nuisances_in(group, x, covariance)
             self.strength[group.rows] = improve_strength(float(self.strength[group.rows][0]), b, spread)
 
-    def _nuisances_in(self, group: Group, x: Array, covariance: Array) -> tuple[Array, Array]:
+    def _nuisances_in(self, group: NuisanceGroup, x: Array, covariance: Array) -> tuple[Array, Array]:
         rows = slice(self.drift.stop + group.rows.start, self.drift.stop + group.rows.stop)
         return x[rows], covariance[rows, rows]
 

@@ -119,7 +119,7 @@ def white_noise_std(t: Array, x: Array) -> Array:
     The median over the recording is taken, so that the parts at rest or at constant speed decide.
     """
     off, _ = _off_a_cubic(t, x)
-    return 1.4826 * np.median(np.abs(off), axis=0) if len(off) else np.zeros(x.shape[1])
+    return _median_std(off)
 
 
 def find_jitter(t: Array, x: Array) -> tuple[float, Array]:
@@ -129,7 +129,7 @@ def find_jitter(t: Array, x: Array) -> tuple[float, Array]:
     is fast.
     """
     off, rows = _off_a_cubic(t, x)
-    white = white_noise_std(t, x)
+    white = _median_std(off)
     if len(off) < 2 * SPEEDS * FEWEST:
         return 0.0, white
     velocity = local_derivative(x, 1, float(np.median(np.diff(t))), window_s=TWIST_S)[rows]
@@ -139,7 +139,7 @@ def find_jitter(t: Array, x: Array) -> tuple[float, Array]:
         return 0.0, white
     along = (off[moving] * velocity[moving]).sum(axis=1) / speed[moving] ** 2
     classes = np.array_split(np.argsort(speed[moving]), SPEEDS)
-    seen = np.array([(1.4826 * np.median(np.abs(along[each]))) ** 2 for each in classes])
+    seen = np.array([_median_std(along[each]) ** 2 for each in classes])
     slowness = np.array([np.median(speed[moving][each] ** -2.0) for each in classes])
     if not seen.all():
         return 0.0, white
@@ -147,7 +147,7 @@ def find_jitter(t: Array, x: Array) -> tuple[float, Array]:
     if square < 0.5 * seen[-1]:
         return 0.0, white
     slow = np.argsort(speed)[: len(speed) // 4]
-    return float(np.sqrt(square)), 1.4826 * np.median(np.abs(off[slow]), axis=0)
+    return float(np.sqrt(square)), _median_std(off[slow])
 
 
 def find_twist(poses: Poses) -> Array:
@@ -159,6 +159,11 @@ def find_twist(poses: Poses) -> Array:
     if poses.position is not None:
         twist[:, :3] = np.einsum("nji,nj->ni", R, local_derivative(poses.position, 1, poses.period, window_s=TWIST_S))
     return twist
+
+
+def _median_std(x: Array) -> Array:
+    """Standard deviation of noise (N, ...) by the median of its size, which outliers do not move; 0 of nothing."""
+    return np.asarray(1.4826 * np.median(np.abs(x), axis=0)) if len(x) else np.zeros(x.shape[1:])
 
 
 def _off_a_cubic(t: Array, x: Array) -> tuple[Array, NDArray[np.intp]]:

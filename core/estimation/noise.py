@@ -69,7 +69,7 @@ def unknown_noise() -> WrenchNoise:
     return WrenchNoise(np.repeat([0.1, 0.01], 3), np.ones(6), False)
 
 
-def misfit(whitened: Array, noise: WrenchNoise) -> Array:
+def find_noise_factor(whitened: Array, noise: WrenchNoise) -> Array:
     """(6,), factor on the variance that whitened residuals (6, K) ask for.
 
     It is 1 within what chance allows, else their mean square times their correlation time.

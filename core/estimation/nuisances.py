@@ -48,7 +48,7 @@ LEAST_SEEN = 1e-3
 
 
 @dataclass(frozen=True)
-class Group:
+class NuisanceGroup:
     """Nuisances of one kind, which share a strength.
 
     Args:
@@ -81,12 +81,12 @@ class Nuisances:
     stated: frozenset[str] = field(default_factory=frozenset)
 
     @cached_property
-    def groups(self) -> tuple[Group, ...]:
+    def groups(self) -> tuple[NuisanceGroup, ...]:
         """In the order of their rows."""
         sizes = {"sensor_gain": 6, "sensor_crosstalk": 30, "joint_zeros": len(self.zero_std_rad), "sensor_mount": 3, "gravity": 1}
         edges = np.cumsum([0, *sizes.values()])
         named = zip(sizes, edges[:-1].tolist(), edges[1:].tolist(), strict=True)
-        return tuple(Group(name, slice(a, b), name in self.stated) for name, a, b in named if b > a)
+        return tuple(NuisanceGroup(name, slice(a, b), name in self.stated) for name, a, b in named if b > a)
 
     @cached_property
     def size(self) -> int:
@@ -141,7 +141,7 @@ class NuisanceColumns:
         self._delay = np.inf
         self._zeros: list[Features] = []
 
-    def shared(self, features: Features, phi: Array, tilt: Array, delay: float) -> Array:
+    def of_every_channel(self, features: Features, phi: Array, tilt: Array, delay: float) -> Array:
         """(K, 6, n + 4): of zeros, mounting and gravity, which show in every channel.
 
         Args:
@@ -149,7 +149,7 @@ class NuisanceColumns:
         """
         held = self.nuisances
         zeros = [f.regressor(tilt) @ phi * std for f, std in zip(self._zero_features(delay), held.zero_std_rad, strict=True)]
-        turned = [_turned(features, axis).regressor(tilt) @ phi * held.mount_std_rad for axis in np.eye(3)]
+        turned = [_turn_features(features, axis).regressor(tilt) @ phi * held.mount_std_rad for axis in np.eye(3)]
         still = Features(np.zeros_like(features.a), features.base, np.zeros_like(features.B), features.gravity)
         weight = still.regressor(tilt) @ phi * (held.gravity_std / float(np.linalg.norm(features.gravity)))
         return np.stack([*zeros, *turned, weight], axis=-1)
@@ -164,7 +164,7 @@ class NuisanceColumns:
         columns = np.zeros((len(load), 6, held.size))
         for c in range(6):
             columns[:, c, held.rows_of_channel(c)] = self.of_channel(c, load)
-        columns[:, :, held.of_loads :] = self.shared(features, phi, tilt, delay)
+        columns[:, :, held.of_loads :] = self.of_every_channel(features, phi, tilt, delay)
         return columns
 
     def _zero_features(self, delay: float) -> list[Features]:
@@ -180,7 +180,7 @@ class NuisanceColumns:
         return self._zeros
 
 
-def _turned(features: Features, axis: Array) -> Features:
+def _turn_features(features: Features, axis: Array) -> Features:
     """Change of the features per radian by which the sensor is turned about one of its axes (3,)."""
     S = skew(axis)
     return Features(-features.a @ S.T, -S @ features.base, features.B @ S - S @ features.B, features.gravity)

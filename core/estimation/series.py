@@ -13,7 +13,7 @@ from core.payload.random_effects import Measured
 from core.payload.uncertain_parameters import UncertainParameters
 
 
-def measured_of(result: Result) -> Measured:
+def measure_result(result: Result) -> Measured:
     """What a result says of the payload, and how certainly; nothing where nothing was identified.
 
     What stays the same from run to run (type B) is shared by all runs that name it: gains of one sensor, zeros of one robot. A twin's part

@@ -66,7 +66,7 @@ def prediction(form: WeakForm, found: Fit) -> tuple[Array, Array]:
     features, rate = form.features(delay)
     if found.nuisances is not None:
         mounting = found.nuisances.mounting(found.b)
-        features, rate = features.seen_turned(mounting), rate.seen_turned(mounting)
+        features, rate = features.turn(mounting), rate.turn(mounting)
     V = features.regressor(tilt)
     late = rate.regressor(tilt) @ found.phi
     constant = np.broadcast_to(np.eye(6), (len(form), 6, 6))
@@ -84,5 +84,5 @@ def estimate_window_variance(form: WeakForm, found: Fit) -> Array:
     """(6,), mean variance of a window by the noise of the sensor and, through the payload, of the kinematics."""
     wrench_gram, pose_gram = form.gram
     M = spatial_inertia(found.phi)
-    kinematic = np.array([pose_gram.seen_through(row)[0].mean() for row in M])
+    kinematic = np.array([pose_gram.find_variance_through(row)[0].mean() for row in M])
     return np.asarray(found.noise.variance * wrench_gram[0].mean() + kinematic)

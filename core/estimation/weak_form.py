@@ -53,7 +53,7 @@ class Features:
         """Difference quotient of two: what the regressor is linear in may be subtracted."""
         return Features((self.a - other.a) / step, (self.base - other.base) / step, (self.B - other.B) / step, self.gravity)
 
-    def seen_turned(self, rotation: Array) -> Features:
+    def turn(self, rotation: Array) -> Features:
         """The same motion of a sensor that is turned by a rotation (3, 3) in its mounting."""
         return Features(self.a @ rotation, rotation.T @ self.base, rotation.T @ self.B @ rotation, self.gravity)
 
@@ -211,9 +211,9 @@ class WeakForm:
         W = self._windows(self.poses.t, 0.0)
         W = csr_array(diags_array(1.0 / np.asarray(W.sum(axis=1))) @ W)
         second = csr_array(W @ second_difference(self.poses.t))
-        return bands_of(W @ W.T), PoseGram(noise, bands_of(second @ second.T), self._jittered(second))
+        return bands_of(W @ W.T), PoseGram(noise, bands_of(second @ second.T), self._find_jittered(second))
 
-    def _jittered(self, second: csr_array) -> Array | None:
+    def _find_jittered(self, second: csr_array) -> Array | None:
         """(6, 6, 5, K), what the jitter of the samples adds: an error of the instant moves the pose along its twist."""
         jitter_s = self.poses.jitter_s
         if jitter_s == 0.0:
@@ -240,12 +240,12 @@ class PoseGram:
     steady: Array
     jittered: Array | None
 
-    def seen_through(self, m: Array) -> Array:
+    def find_variance_through(self, m: Array) -> Array:
         """(b, K) of a channel in which the accelerations show as m (6,)."""
         seen = (m @ self.noise @ m) * self.steady
         return seen if self.jittered is None else seen + np.einsum("i,ijbk,j->bk", m, self.jittered, m, optimize=True)
 
-    def weighed(self, inverse: Array) -> Array:
+    def trace_with(self, inverse: Array) -> Array:
         """(6, 6), trace of the products with the inverse (b, K) of a channel's covariance."""
         steady = self.noise * trace(inverse, self.steady)
         return steady if self.jittered is None else steady + trace(inverse, self.jittered)
@@ -263,8 +263,11 @@ def second_difference(t: Array) -> csr_array:
     beside = rows[:, None] + np.arange(-2, 3)
     step = 0.25 * (t[rows + 2] - t[rows - 2])
     away = (t[beside] - t[rows, None]) / step[:, None]
-    powers = away[:, None, :] ** np.arange(5)[:, None]
-    weights = np.linalg.solve(powers, np.broadcast_to([[0.0], [0.0], [2.0], [0.0], [0.0]], (len(rows), 5, 1)))[..., 0]
+    weights = np.zeros_like(away)
+    for j in range(5):
+        others = np.delete(away, j, axis=1)
+        pairs = others.sum(axis=1) ** 2 - (others**2).sum(axis=1)  # twice the sum of their products in pairs
+        weights[:, j] = pairs / (away[:, j, None] - others).prod(axis=1)
     return csr_array(((weights / step[:, None] ** 2).ravel(), (np.repeat(rows, 5), beside.ravel())), shape=(n, n))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 from pydantic import Field
@@ -23,6 +23,7 @@ INTERVAL = 1.96
 Part = Literal["mass", "centre_of_mass", "inertia"]
 SourceName = Literal["repeatability", "sensor_gain", "sensor_crosstalk", "joint_zeros", "sensor_mount", "gravity", "twin"]
 
+SOURCES: tuple[SourceName, ...] = get_args(SourceName)
 
 AXES = {"flange": Message.of("export-axes-flange"), "sensor": Message.of("export-axes-sensor")}
 PARTS = {
@@ -84,26 +85,26 @@ def uncertainty_of(result: Result, cell: Cell | None) -> ExportUncertainty:
         mass_repeatability_kg=to_json_numbers(INTERVAL * repeats.std)[0],
         com_repeatability_m=to_json_numbers(INTERVAL * repeats.com_std),
         inertia_com_repeatability_kg_m2=to_json_numbers(INTERVAL * repeats.inertia_com_std),
-        largest=_find_largest(whole, parts),  # type: ignore[arg-type]  # the names of groups and sources
-        assumed=[] if found.budget is None else _find_assumed(found.budget),  # type: ignore[arg-type]
+        largest=_find_largest(whole, parts),
+        assumed=[] if found.budget is None else _find_assumed(found.budget),
         repeatability_only=found.budget is None,
     )
 
 
-def _parts(budget: BudgetPart | None, covariance: Array) -> dict[str, Array]:
+def _parts(budget: BudgetPart | None, covariance: Array) -> dict[SourceName, Array]:
     """Covariance (10, 10) that each part of the budget adds, sensor frame; without a budget it is the repeatability."""
     if budget is None:
         return {REPEATABILITY: covariance}
     directions = {source.name: np.array(source.directions, dtype=float).reshape(-1, 10) for source in budget.sources}
     return {
         REPEATABILITY: np.array(budget.repeatability, dtype=float),
-        **{name: rows.T @ rows for name, rows in directions.items()},
+        **{name: directions[name].T @ directions[name] for name in SOURCES if name in directions},
     }
 
 
-def _find_largest(whole: UncertainParameters, parts: dict[str, UncertainParameters]) -> dict[str, str]:
+def _find_largest(whole: UncertainParameters, parts: dict[SourceName, UncertainParameters]) -> dict[Part, SourceName]:
     """Which part has the largest variance, summed over the axes."""
-    stds: dict[str, Callable[[UncertainParameters], Array]] = {
+    stds: dict[Part, Callable[[UncertainParameters], Array]] = {
         "mass": lambda of: of.std[:1],
         "centre_of_mass": lambda of: of.com_std,
         "inertia": lambda of: of.inertia_com_std,
@@ -115,9 +116,10 @@ def _find_largest(whole: UncertainParameters, parts: dict[str, UncertainParamete
     }
 
 
-def _find_assumed(budget: BudgetPart) -> list[str]:
+def _find_assumed(budget: BudgetPart) -> list[SourceName]:
     said = [message.code for message in budget.assumptions]
-    return sorted((name for name, message in ASSUMED.items() if message.code in said), key=lambda name: said.index(ASSUMED[name].code))
+    assumed = [name for name in SOURCES if name in ASSUMED and ASSUMED[name].code in said]
+    return sorted(assumed, key=lambda name: said.index(ASSUMED[name].code))
 
 
 def state_uncertainty(found: ExportUncertainty) -> list[Message]:

@@ -13,7 +13,7 @@ from core.array import Array
 from core.effects.effect import Effect, Parameter
 from core.gap.clustered import enlarge_covariance
 from core.gap.problem import Problem
-from core.gap.quadratic import bounded_minimum, inverse, solve_scaled
+from core.gap.quadratic import find_bounded_minimum, inverse, solve_scaled
 from core.gap.spared_noise import estimate_spared_noise
 from core.gap.windows import PHI, Windows
 
@@ -78,7 +78,7 @@ class EffectFit:
 def fit_nominal(windows: Windows) -> EffectFit:
     """The nominal twin with its small imperfections."""
     problem = Problem(windows, ())
-    beta = bounded_minimum(problem.XX + np.diag(problem.precision), problem.X.T @ problem.target, problem.bounds)
+    beta = find_bounded_minimum(problem.XX + np.diag(problem.precision), problem.X.T @ problem.target, problem.bounds)
     if problem.held:  # they depend on the payload
         _, beta, _ = _descend(problem, beta, np.zeros(0), iterations=ITERATIONS)
     return _finish(problem, beta, np.zeros(0))

@@ -18,7 +18,7 @@ from core.estimation.kinematics import poses_of
 from core.gap.basis import build_unchecked_basis
 from core.gap.effect_fit import EffectFit
 from core.gap.problem import STEP, Problem
-from core.gap.quadratic import bounded_minimum, inverse
+from core.gap.quadratic import find_bounded_minimum, inverse
 from core.gap.windows import BACKGROUND, OFFSET, Windows
 from core.payload.inertia import Motion
 from core.recording.recording import BETWEEN_RUNS_S, Recording
@@ -63,7 +63,7 @@ class Prediction:
         normal[: len(here), : len(here)] += inverse(fit.covariance)
         normal[range(len(here), len(normal)), range(len(here), len(normal))] += 1.0
         seen = columns.T @ d
-        x = bounded_minimum(normal, seen, bounds)
+        x = find_bounded_minimum(normal, seen, bounds)
         return float(np.sqrt(max(0.0, float(d @ d - 2.0 * seen @ x + x @ normal @ x))))
 
     def _rows(self, fit: EffectFit) -> tuple[Array, Array]:

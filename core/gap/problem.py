@@ -12,7 +12,7 @@ import numpy as np
 from core.array import Array
 from core.effects.effect import STAGES, Effect, Parameter
 from core.effects.scene import Scene
-from core.gap.quadratic import bounded_minimum
+from core.gap.quadratic import find_bounded_minimum
 from core.gap.windows import BACKGROUND, PHI, Windows
 
 PRIOR_WIDTH = 2.0
@@ -107,7 +107,7 @@ class Problem:
         normal = self.normal(J)
         normal[np.diag_indices_from(normal)] *= 1.0 + damping
         here = np.concatenate((beta, theta))
-        found = here + bounded_minimum(normal, right, self.bounds - here)
+        found = here + find_bounded_minimum(normal, right, self.bounds - here)
         return found[: len(beta)], np.clip(found[len(beta) :], self.lower, self.upper)
 
 

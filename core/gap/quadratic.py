@@ -11,7 +11,7 @@ LEAST_EIGENVALUE = 1e-15
 """Of the scaled matrix, relative to the largest; what is smaller is rounding."""
 
 
-def bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
+def find_bounded_minimum(normal: Array, right: Array, bounds: Array) -> Array:
     """The x (n,) within bounds (2, n) that minimises x' normal x / 2 - right' x.
 
     Args:

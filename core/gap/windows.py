@@ -14,13 +14,12 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline
-from scipy.linalg import cholesky_banded
-from scipy.linalg.lapack import dtbtrs
 from scipy.sparse import csr_array
 
 from core.array import Array
 from core.effects.composition import Term
 from core.effects.scene import Scene
+from core.estimation.banded import bands_of, count_bands, factorise, whiten
 from core.estimation.drift import STEP_STD
 from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
@@ -147,12 +146,14 @@ class Windows:
         D = csr_array(W @ self.basis.difference)
         M = spatial_inertia(phi)
         kinematic = np.diag(M @ self.basis.poses.noise @ M.T)
-        sensor, pose = _as_wide(_bands(csr_array(W @ W.T)), _bands(csr_array(D @ D.T)))
-        return [cholesky_banded(self.basis.noise.variance[c] * sensor + kinematic[c] * pose, lower=True) for c in range(6)]
+        of_sensor, of_pose = csr_array(W @ W.T), csr_array(D @ D.T)
+        count = max(count_bands(of_sensor), count_bands(of_pose))
+        sensor, pose = bands_of(of_sensor, count), bands_of(of_pose, count)
+        return [factorise(self.basis.noise.variance[c] * sensor + kinematic[c] * pose) for c in range(6)]
 
     def whiten(self, x: Array) -> Array:
         """Rows (6, K, n) with unit noise from windowed wrenches (K, 6, n)."""
-        return np.stack([dtbtrs(factor, np.ascontiguousarray(x[:, c]), uplo="L")[0] for c, factor in enumerate(self._factors)])
+        return np.stack([whiten(factor, np.ascontiguousarray(x[:, c])) for c, factor in enumerate(self._factors)])
 
     def unwhiten(self, rows: Array) -> Array:
         """(K, 6), N and N m, of rows (6, K)."""
@@ -232,20 +233,3 @@ def window_matrix(centres: Array, step: float, t: Array) -> csr_array:
     weights /= weights.sum(axis=1, keepdims=True)
     rows = np.repeat(np.arange(len(centres)), columns.shape[1])
     return csr_array((weights.ravel(), (rows, columns.ravel())), shape=(len(centres), len(t)))
-
-
-def _bands(matrix: csr_array) -> Array:
-    """Lower bands of a symmetric banded matrix."""
-    count = 1 + max(
-        (int(np.abs(rows - k).max(initial=0)) for k, rows in enumerate(np.split(matrix.indices, matrix.indptr[1:-1]))), default=0
-    )
-    bands = np.zeros((count, matrix.shape[0]))
-    for k in range(count):
-        bands[k, : matrix.shape[0] - k] = matrix.diagonal(-k)
-    return bands
-
-
-def _as_wide(a: Array, b: Array) -> tuple[Array, Array]:
-    """Both with as many bands: those of second differences can reach one window further."""
-    width = max(len(a), len(b))
-    return np.pad(a, ((0, width - len(a)), (0, 0))), np.pad(b, ((0, width - len(b)), (0, 0)))

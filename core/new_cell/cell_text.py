@@ -54,7 +54,7 @@ class CellParts:
 def cell_text(parts: CellParts) -> str:
     """The file."""
     given = parts.values
-    sensor = _sensor(parts.sensor_sizes) if given.sensor is None else _stated_sensor(given.sensor)
+    sensor = _sensor(parts.sensor_sizes) if given.sensor is None else _state_sensor(given.sensor)
     sections = (_head(parts), _robot(parts), sensor, _limits(given.limits), _tool(parts), _payload(parts), _example(parts))
     return "\n".join(line for section in sections for line in section) + "\n"
 
@@ -77,7 +77,7 @@ def _robot(parts: CellParts) -> list[str]:
         f"sensor_frame = {_text(parts.sensor)}",
         f"# joints: {_comment(', '.join(parts.joints))}",
         f"home_rad = {_list(parts.home)}",
-        *_told_accelerations(parts),
+        *_say_accelerations(parts),
         f"acceleration_rad_s2 = {_list(parts.acceleration)}",
         *_friction(parts.values.friction),
     ]
@@ -101,7 +101,7 @@ def _robot(parts: CellParts) -> list[str]:
     ]
 
 
-def _told_accelerations(parts: CellParts) -> list[str]:
+def _say_accelerations(parts: CellParts) -> list[str]:
     joints = parts.values.joints
     if all(name in joints and joints[name].acceleration_rad_s2 is not None for name in parts.joints):
         return []
@@ -114,7 +114,7 @@ def _friction(friction: Friction | None) -> list[str]:
     return [f"friction.coulomb_n_m = {_list(friction.coulomb_n_m)}", f"friction.viscous_n_m_s = {_list(friction.viscous_n_m_s)}"]
 
 
-def _stated_sensor(sensor: Sensor) -> list[str]:
+def _state_sensor(sensor: Sensor) -> list[str]:
     lines = [
         "[sensor]",
         f"name = {_text(sensor.name)}",

@@ -123,12 +123,12 @@ def difference_covariance(first: Measured, second: Measured) -> Array:
     covariance = first.own.covariance + second.own.covariance
     for name in sorted({*first.shared, *second.shared}):
         size = max(run.shared[name].shape[1] for run in (first, second) if name in run.shared)
-        apart = _widened(second.shared.get(name), size) - _widened(first.shared.get(name), size)
+        apart = _widen(second.shared.get(name), size) - _widen(first.shared.get(name), size)
         covariance = covariance + apart @ apart.T
     return np.asarray(covariance)
 
 
-def _widened(directions: Array | None, columns: int) -> Array:
+def _widen(directions: Array | None, columns: int) -> Array:
     known = np.zeros((10, 0)) if directions is None else directions
     return np.concatenate((known, np.zeros((10, columns - known.shape[1]))), axis=1)
 

@@ -49,7 +49,7 @@ class BudgetTable:
     remarks: list[str]
 
 
-def budget_table(estimate: Estimate, words: Wording) -> BudgetTable | None:
+def read_budget(estimate: Estimate, words: Wording) -> BudgetTable | None:
     """None where nothing is determined."""
     known = np.flatnonzero(estimate.determined)
     if not len(known):

@@ -11,7 +11,7 @@ import numpy as np
 from core.estimation.estimate import Identification
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
-from core.report.budget_rows import budget_table
+from core.report.budget_rows import read_budget
 from core.report.charts import distance_chart, rotation_chart, wrench_chart
 from core.report.faces import arm_parts
 from core.report.html_file import write_html
@@ -72,7 +72,7 @@ def _content(
         "has_reasons": any(row.reason for row in rows),
         "has_outside": any(row.outside for row in rows),
         "reference_source": recording.source_of_whole,
-        "budget": None if identification.estimate is None else budget_table(identification.estimate, words),
+        "budget": None if identification.estimate is None else read_budget(identification.estimate, words),
         "workpiece": workpiece_block(identification, recording, words),
         "channels": channel_rows(identification.estimate, words) if identification.estimate is not None else [],
         "unseen": unseen_rows(identification, words),

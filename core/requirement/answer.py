@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from core.payload.inertia import PHI_NAMES
 from core.requirement.motions import JointMotion
-from core.requirement.requirement import TYPED_NAMES, Adequacy, Allowed, Criterion, CriterionKind, Group, Requirement, judge
+from core.requirement.requirement import TYPED_NAMES, Adequacy, Allowed, Criterion, CriterionKind, PayloadQuantity, Requirement, judge
 from core.words.message import Message
 
 INTERVAL = 1.96
@@ -19,11 +19,11 @@ INTERVAL = 1.96
 LARGEST_MARGIN = 1e6
 """What is said of an answer without any uncertainty."""
 GROUP_NAMES = {
-    Group.MASS: Message.of("requirement-mass"),
-    Group.COM: Message.of("requirement-centre-of-mass"),
-    Group.INERTIA: Message.of("requirement-inertia"),
+    PayloadQuantity.MASS: Message.of("requirement-mass"),
+    PayloadQuantity.COM: Message.of("requirement-centre-of-mass"),
+    PayloadQuantity.INERTIA: Message.of("requirement-inertia"),
 }
-UNITS = {Group.MASS: "kg", Group.COM: "m", Group.INERTIA: "kg m2"}
+UNITS = {PayloadQuantity.MASS: "kg", PayloadQuantity.COM: "m", PayloadQuantity.INERTIA: "kg m2"}
 GroupName = Literal["mass", "centre_of_mass", "inertia"]
 
 
@@ -115,7 +115,7 @@ class RequirementPart(RequirementModel):
 
 def requirement_part(requirement: Requirement, motion: JointMotion, estimate: Judged | None = None) -> RequirementPart:
     """All of it; with an estimate also whether that is good enough."""
-    lacking = [] if estimate is None else undetermined(estimate)
+    lacking = [] if estimate is None else list_undetermined(estimate)
     adequacy = None if estimate is None or lacking else judge(requirement, np.array(estimate.covariance, dtype=float))
     if adequacy is not None:
         verdict = _verdict(adequacy)
@@ -127,14 +127,14 @@ def requirement_part(requirement: Requirement, motion: JointMotion, estimate: Ju
         source=requirement.source,
         motion="program" if motion.stated else "brisk",
         motion_s=motion.duration_s,
-        allowed=[_allowed_part(each) for each in requirement.allowed],
+        allowed=[_make_allowed_part(each) for each in requirement.allowed],
         adequacy=None if adequacy is None else _adequacy_part(adequacy),
         message=verdict,
         details=list(_details(requirement, motion, adequacy)),
     )
 
 
-def undetermined(estimate: Judged) -> list[str]:
+def list_undetermined(estimate: Judged) -> list[str]:
     """Names of the parameters without which nothing can be judged."""
     return [name for name, known in zip(PHI_NAMES, estimate.determined, strict=True) if not known]
 
@@ -188,7 +188,7 @@ def _two_digits(value: float) -> float:
 def _parameter_name(parameter: int) -> Message:
     name = TYPED_NAMES[parameter]
     if parameter == 0:
-        return GROUP_NAMES[Group.MASS]
+        return GROUP_NAMES[PayloadQuantity.MASS]
     if parameter < 4:
         return Message.of("requirement-parameter-com", axis=name[-1])
     axes = name[1:]
@@ -218,7 +218,7 @@ def _criterion_part(criterion: Criterion) -> CriterionPart:
     )
 
 
-def _allowed_part(allowed: Allowed) -> AllowedPart:
+def _make_allowed_part(allowed: Allowed) -> AllowedPart:
     return AllowedPart(
         group=allowed.group.value,
         error=allowed.error if np.isfinite(allowed.error) else None,

@@ -15,7 +15,7 @@ import numpy as np
 
 from core.array import Array
 from core.cell.cell import Cell
-from core.cell.thresholds import ASSUMED_FORCE_N, Thresholds
+from core.cell.thresholds import ASSUMED_FORCE_N, ContactThresholds
 from core.payload.inertia import PHI_NAMES, InertialParameters, symmetric
 from core.requirement.motions import JointMotion
 from core.requirement.response import Response, respond
@@ -46,7 +46,7 @@ class CriterionKind(StrEnum):
     COM = "centre_of_mass"
 
 
-class Group(StrEnum):
+class PayloadQuantity(StrEnum):
     """What is typed into a controller."""
 
     MASS = "mass"
@@ -54,7 +54,7 @@ class Group(StrEnum):
     INERTIA = "inertia"
 
 
-GROUPS = {Group.MASS: slice(0, 1), Group.COM: slice(1, 4), Group.INERTIA: slice(4, 10)}
+GROUPS = {PayloadQuantity.MASS: slice(0, 1), PayloadQuantity.COM: slice(1, 4), PayloadQuantity.INERTIA: slice(4, 10)}
 TYPED_NAMES = ("m", "c_x", "c_y", "c_z", *PHI_NAMES[4:])
 """Of what is typed, in its order; the inertia is about the centre of mass."""
 
@@ -87,7 +87,7 @@ class Allowed:
         time_s: when, along the motion.
     """
 
-    group: Group
+    group: PayloadQuantity
     error: float
     criterion: Criterion | None
     time_s: float
@@ -127,8 +127,8 @@ class Adequacy:
 
     used: float
     criterion: Criterion
-    decides: Group
-    shares: dict[Group, float]
+    decides: PayloadQuantity
+    shares: dict[PayloadQuantity, float]
     parameter: int
     error: float
     std: float
@@ -153,11 +153,11 @@ def require(cell: Cell, robot: RobotModel, payload: InertialParameters, motion: 
     assumed = not stated.states_contact
     thresholds = stated.model_copy(update={"tcp_force_n": ASSUMED_FORCE_N}) if assumed else stated
     response = respond(cell, robot, motion, thresholds.observer_rate_per_s)
-    criteria = tuple(_criteria(thresholds, response, typed_jacobian(payload)))
-    return Requirement(payload, criteria, tuple(_allow(group, criteria) for group in Group), assumed, stated.source)
+    criteria = tuple(_criteria(thresholds, response, find_typed_jacobian(payload)))
+    return Requirement(payload, criteria, tuple(_allow(group, criteria) for group in PayloadQuantity), assumed, stated.source)
 
 
-def typed_jacobian(payload: InertialParameters) -> Array:
+def find_typed_jacobian(payload: InertialParameters) -> Array:
     """(10, 10): derivative of Phi by what is typed: mass, centre of mass, inertia about it (the paper's order of six)."""
     m, c = payload.mass, payload.com
 
@@ -168,7 +168,7 @@ def typed_jacobian(payload: InertialParameters) -> Array:
     return np.stack([0.5 * (change(each) - change(-each)) for each in unit], axis=1)
 
 
-def _criteria(thresholds: Thresholds, response: Response, typed: Array) -> list[Criterion]:
+def _criteria(thresholds: ContactThresholds, response: Response, typed: Array) -> list[Criterion]:
     found = []
     if thresholds.joint_torque_nm is not None:
         found += [
@@ -182,19 +182,19 @@ def _criteria(thresholds: Thresholds, response: Response, typed: Array) -> list[
         if limit is not None:
             found.append(Criterion(kind, None, limit, rows @ typed, response.period_s))
     for kind, limit, group in (
-        (CriterionKind.MASS, thresholds.mass_kg, Group.MASS),
-        (CriterionKind.COM, thresholds.com_m, Group.COM),
+        (CriterionKind.MASS, thresholds.mass_kg, PayloadQuantity.MASS),
+        (CriterionKind.COM, thresholds.com_m, PayloadQuantity.COM),
     ):
         if limit is not None:
             found.append(Criterion(kind, None, limit, np.eye(10)[None, GROUPS[group]], 0.0))
     return found
 
 
-def _allow(group: Group, criteria: tuple[Criterion, ...]) -> Allowed:
+def _allow(group: PayloadQuantity, criteria: tuple[Criterion, ...]) -> Allowed:
     best = Allowed(group, np.inf, None, 0.0)
     for criterion in criteria:
         # Frobenius norm: what stands off the diagonal stands there twice.
-        columns = criterion.rows[..., GROUPS[group]] / (np.sqrt([1, 2, 2, 1, 2, 1]) if group is Group.INERTIA else 1.0)
+        columns = criterion.rows[..., GROUPS[group]] / (np.sqrt([1, 2, 2, 1, 2, 1]) if group is PayloadQuantity.INERTIA else 1.0)
         gains = _largest_gains(columns)
         k = int(gains.argmax()) if len(gains) else 0
         if len(gains) and gains[k] > 0.0 and criterion.threshold / gains[k] < best.error:
@@ -212,7 +212,7 @@ def judge(requirement: Requirement, covariance: Array) -> Adequacy:
     """Whether an answer with this covariance (10, 10) of Phi, finite, is good enough."""
     from scipy.stats import qmc  # noqa: PLC0415  the service knows what a requirement is, and starts without SciPy
 
-    typed = np.linalg.inv(typed_jacobian(requirement.payload))
+    typed = np.linalg.inv(find_typed_jacobian(requirement.payload))
     spread = typed @ covariance @ typed.T
     values, vectors = np.linalg.eigh(spread)
     root = vectors * np.sqrt(np.maximum(values, 0.0))
@@ -220,9 +220,9 @@ def judge(requirement: Requirement, covariance: Array) -> Adequacy:
     rows = [criterion.rows @ root / criterion.threshold for criterion in requirement.criteria]
     coarse = np.array([_largest(each[::STRIDE], normal) for each in rows])
     worst = int(np.quantile(coarse, COVERED, axis=1).argmax())
-    used = _used(rows, coarse.max(axis=0), normal)
+    used = _find_used(rows, coarse.max(axis=0), normal)
     decides, parameter, shares = _decide(requirement.criteria[worst], spread)
-    error = min(_allowed_alone(criterion, parameter) for criterion in requirement.criteria)
+    error = min(_find_allowed_alone(criterion, parameter) for criterion in requirement.criteria)
     std = float(np.sqrt(max(spread[parameter, parameter], 0.0)))
     return Adequacy(used, requirement.criteria[worst], decides, shares, parameter, error, std)
 
@@ -239,7 +239,7 @@ def _largest(rows: Array, normal: Array) -> Array:
     return np.sqrt(squares)
 
 
-def _used(rows: list[Array], coarse: Array, normal: Array) -> float:
+def _find_used(rows: list[Array], coarse: Array, normal: Array) -> float:
     """The quantile over all draws, those that come near it looked at in every row."""
     close = coarse >= np.quantile(coarse, CLOSE)
     found = coarse.copy()
@@ -247,7 +247,7 @@ def _used(rows: list[Array], coarse: Array, normal: Array) -> float:
     return float(np.quantile(found, COVERED))
 
 
-def _decide(criterion: Criterion, spread: Array) -> tuple[Group, int, dict[Group, float]]:
+def _decide(criterion: Criterion, spread: Array) -> tuple[PayloadQuantity, int, dict[PayloadQuantity, float]]:
     """Whose variance it is where the response is largest: of which group, of which of its parameters, and the shares of all groups."""
     variances = np.einsum("kdi,kdi->k", criterion.rows @ spread, criterion.rows)
     row = criterion.rows[int(variances.argmax())]
@@ -260,7 +260,7 @@ def _decide(criterion: Criterion, spread: Array) -> tuple[Group, int, dict[Group
     return decides, k.start + int(alone[k].argmax()), shares
 
 
-def _allowed_alone(criterion: Criterion, parameter: int) -> float:
+def _find_allowed_alone(criterion: Criterion, parameter: int) -> float:
     """How far one of what is typed may be off for this criterion, the others right."""
     gain = float(np.linalg.norm(criterion.rows[:, :, parameter], axis=1).max(initial=0.0))
     return criterion.threshold / gain if gain > 0.0 else np.inf

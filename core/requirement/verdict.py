@@ -8,7 +8,7 @@ import numpy as np
 
 from core.cell.cell import Cell
 from core.payload.inertia import InertialParameters
-from core.requirement.answer import Judged, RequirementPart, requirement_part, undetermined
+from core.requirement.answer import Judged, RequirementPart, list_undetermined, requirement_part
 from core.requirement.motions import make_brisk_motion
 from core.requirement.requirement import require
 from core.words.message import Message
@@ -25,7 +25,7 @@ def judge_estimate(cell: Cell, robot: RobotModel, estimate: Judged | None) -> Re
     """
     motion = make_brisk_motion(cell, robot)
     phi = np.full(10, np.nan) if estimate is None else np.array(estimate.phi, dtype=float)
-    if estimate is not None and not undetermined(estimate) and phi[0] > 0.0:
+    if estimate is not None and not list_undetermined(estimate) and phi[0] > 0.0:
         return requirement_part(require(cell, robot, InertialParameters(phi), motion), motion, estimate)
     return RequirementPart(
         assumed=not cell.thresholds.states_contact,
@@ -41,5 +41,5 @@ def judge_estimate(cell: Cell, robot: RobotModel, estimate: Judged | None) -> Re
 
 
 def _say_why_not(estimate: Judged | None) -> Message:
-    lacking = [] if estimate is None else undetermined(estimate)
+    lacking = [] if estimate is None else list_undetermined(estimate)
     return Message.of("requirement-not-determined", names=lacking) if lacking else Message.of("requirement-no-body")

@@ -6,8 +6,8 @@ perfectly none; half of the faults have another shape than the models, and some 
 
 from __future__ import annotations
 
-from core.trial.draw import CELLS, Drawn, Sealed, draw, plan_each_payload
+from core.trial.draw import CELLS, DrawnTrial, Sealed, draw, plan_each_payload
 from core.trial.outcome import TrialOutcome
 from core.trial.run import run_trial
 
-__all__ = ["CELLS", "Drawn", "Sealed", "TrialOutcome", "draw", "plan_each_payload", "run_trial"]
+__all__ = ["CELLS", "DrawnTrial", "Sealed", "TrialOutcome", "draw", "plan_each_payload", "run_trial"]

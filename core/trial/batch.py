@@ -14,7 +14,7 @@ from pathlib import Path
 from threadpoolctl import threadpool_limits
 
 from core.errors import BadInput, HeftError
-from core.trial.draw import Drawn
+from core.trial.draw import DrawnTrial
 from core.trial.outcome import TrialOutcome, make_stopped_outcome
 from core.trial.run import run_trial
 from core.words.message import Message
@@ -70,7 +70,7 @@ def on_cluster(address: str) -> Iterator[Executor]:
         yield executor
 
 
-def outcomes(drawn: Sequence[Drawn], executor: Executor, keep: Path | None = None) -> Iterator[TrialOutcome]:
+def outcomes(drawn: Sequence[DrawnTrial], executor: Executor, keep: Path | None = None) -> Iterator[TrialOutcome]:
     """Runs the trials and gives each outcome as soon as it is there, in whatever order. A trial that fails has an outcome that says why.
 
     Args:

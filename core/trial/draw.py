@@ -62,7 +62,7 @@ class Sealed(BaseModel):
 
 
 @dataclass(frozen=True)
-class Drawn:
+class DrawnTrial:
     """A trial before it runs.
 
     Args:
@@ -77,7 +77,7 @@ class Drawn:
     faults: tuple[Fault, ...]
 
 
-def draw(seed: int) -> Drawn:
+def draw(seed: int) -> DrawnTrial:
     """Draws cell, payload and faults of one trial."""
     rng = np.random.default_rng([seed, 20])
     name = CELLS[int(rng.integers(len(CELLS)))]
@@ -101,7 +101,7 @@ def draw(seed: int) -> Drawn:
         size=size,
         truth=json.dumps([fault.truth for fault in faults]),
     )
-    return Drawn(cell, plans[payload], sealed, Background.draw(rng, 1.0, setting), tuple(faults))
+    return DrawnTrial(cell, plans[payload], sealed, Background.draw(rng, 1.0, setting), tuple(faults))
 
 
 @cache

@@ -9,7 +9,7 @@ from pydantic import ValidationError
 
 from core.errors import BadInput
 from core.files.whole_file import write_whole
-from core.trial.draw import Drawn
+from core.trial.draw import DrawnTrial
 from core.trial.outcome import TrialOutcome
 from core.words.message import Message
 
@@ -40,7 +40,7 @@ def _outcome(where: Message, line: str) -> TrialOutcome:
         raise BadInput(where, "trial-bad-outcome", count=error.error_count()) from None
 
 
-def check_seals(drawn: Iterable[Drawn], done: dict[int, TrialOutcome]) -> None:
+def check_seals(drawn: Iterable[DrawnTrial], done: dict[int, TrialOutcome]) -> None:
     """What is drawn now is what was drawn when the folder was begun.
 
     Raises:
@@ -54,7 +54,7 @@ def check_seals(drawn: Iterable[Drawn], done: dict[int, TrialOutcome]) -> None:
         raise BadInput(where, "trial-other-seal", there=done[seed].sealed.hash[:12], drawn=one.sealed.hash[:12])
 
 
-def open_folder(folder: Path, drawn: Iterable[Drawn], done: dict[int, TrialOutcome]) -> None:
+def open_folder(folder: Path, drawn: Iterable[DrawnTrial], done: dict[int, TrialOutcome]) -> None:
     """Makes the folder with the seals of what is to come, and leaves only whole outcomes in it."""
     folder.mkdir(parents=True, exist_ok=True)
     with (folder / SEALS).open("a", encoding="utf-8") as seals:

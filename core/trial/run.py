@@ -21,7 +21,7 @@ from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
 from core.sessions.simulated import SimulatedSession
 from core.trial.bound import Bound, bound_of
-from core.trial.draw import Drawn
+from core.trial.draw import DrawnTrial
 from core.trial.outcome import TrialOutcome, make_outcome, make_stopped_outcome
 from core.trial.second_look import second_look
 from core.trial.truth import Parameters, difference_of, translate_truth, true_payload_of
@@ -30,7 +30,7 @@ SMOOTH = Drives(damping_s=0.0, friction=0.0)
 """Friction is one of the faults: where it is not planted, there is none."""
 
 
-def run_trial(drawn: Drawn, keep: Path | None = None) -> TrialOutcome:
+def run_trial(drawn: DrawnTrial, keep: Path | None = None) -> TrialOutcome:
     """Runs the procedure with the faults, diagnoses without them, and opens the seal. On one core.
 
     Args:
@@ -53,7 +53,7 @@ def run_trial(drawn: Drawn, keep: Path | None = None) -> TrialOutcome:
     return make_outcome(sealed, diagnosis, truth, payload, bound).model_copy(update={"second": second})
 
 
-def record_procedure(drawn: Drawn, faults: tuple[Fault, ...]) -> Recording:
+def record_procedure(drawn: DrawnTrial, faults: tuple[Fault, ...]) -> Recording:
     """The procedure on the virtual robot.
 
     Raises:
@@ -77,13 +77,13 @@ def without_friction(cell: Cell) -> Cell:
     return cell.model_copy(update={"robot": robot})
 
 
-def _bound(drawn: Drawn, recording: Recording, evidence: Evidence) -> Bound:
+def _bound(drawn: DrawnTrial, recording: Recording, evidence: Evidence) -> Bound:
     nominal = drawn.cell.payloads[drawn.sealed.payload].parameters
     payload = true_payload_of(drawn.cell, nominal, (drawn.background, *drawn.faults)).phi
     return bound_of(drawn.sealed.ids, recording, evidence, record_procedure(drawn, (drawn.background,)), nominal.phi, payload)
 
 
-def _truth(drawn: Drawn) -> dict[str, Parameters]:
+def _truth(drawn: DrawnTrial) -> dict[str, Parameters]:
     """Parameters of what was planted, in the effects' words; empty ones are left out."""
     nominal = drawn.cell.payloads[drawn.sealed.payload].parameters
     setting = Setting(drawn.cell, nominal, drawn.plan.robot_s)

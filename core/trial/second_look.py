@@ -14,13 +14,13 @@ from core.plant.mechanics import Drives
 from core.procedure.identify import identify
 from core.recording.recording import Recording
 from core.sessions.simulated import SimulatedSession
-from core.trial.draw import Drawn
+from core.trial.draw import DrawnTrial
 
 NEXT = 1_000_000
 """Added to the seed: other noise and offsets than in the first run."""
 
 
-def second_look(drawn: Drawn, recording: Recording, evidence: Evidence, drives: Drives) -> Diagnosis | None:
+def second_look(drawn: DrawnTrial, recording: Recording, evidence: Evidence, drives: Drives) -> Diagnosis | None:
     """None where the answer asks for no motion, or for none that can be made in the cell or gets by the guard."""
     cell, name = drawn.cell, drawn.sealed.payload
     carried = cell.payloads[name]

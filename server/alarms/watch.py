@@ -83,9 +83,9 @@ class AlarmWatch:
         """Looks now: at what the database has of the runs, at the service, and in any case at the runs in memory."""
         async with self._looking:
             if runs:
-                await self._guarded(self._read_runs)
+                await self._guard(self._read_runs)
             if service:
-                await self._guarded(self._read_service)
+                await self._guard(self._read_service)
             self._judge()
             await self._write()
 
@@ -93,7 +93,7 @@ class AlarmWatch:
         active = self._conductor.active
         return self._conductor.queue_changes, [(each.id, each.state) for each in list(active.values())]
 
-    async def _guarded(self, read: Callable[[], None]) -> None:
+    async def _guard(self, read: Callable[[], None]) -> None:
         try:
             await asyncio.to_thread(read)
         except SQLAlchemyError as error:

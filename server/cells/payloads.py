@@ -108,7 +108,7 @@ def _list_names(db: Session, cell: Cell) -> Iterator[tuple[str, str, str | None]
     yield from (("saved", each.name, each.id) for each in list_saved(db, cell.name))
 
 
-def check_room(db: Session, cell: str) -> None:
+def check_library_room(db: Session, cell: str) -> None:
     """One more has room in the library.
 
     Raises:
@@ -128,7 +128,7 @@ def read_reference(row: SavedPayload) -> PayloadReference | None:
     return None if row.reference is None else PayloadReference.model_validate_json(row.reference)
 
 
-def known_payload(row: SavedPayload) -> Payload | None:
+def read_known_payload(row: SavedPayload) -> Payload | None:
     """It as cell.toml would have it; None where its mass distribution is not known."""
     reference = read_reference(row)
     return None if reference is None else Payload(title=row.title, box=read_box(row), **reference.model_dump())
@@ -164,7 +164,7 @@ def _list_flaws(row: SavedPayload, cell: Cell) -> Iterator[BadCell]:
     if least is not None and most is not None and least > most:
         yield BadCell("mass_least_kg", "library-mass-range", least_kg=least, most_kg=most)
     yield from box_contradictions(read_box(row), "box")
-    known = known_payload(row)
+    known = read_known_payload(row)
     if known is not None:
         yield from payload_contradictions(row.name, known, cell, lambda key: key if key == "box" else f"reference.{key}")
     elif (heaviest := most or least) is not None:

@@ -112,7 +112,7 @@ def reshape(db: Session, cell: Cell, zone: str, shape: Shape, who: str, now: dat
     return _put(db, row or _row(cell.name, zone), shape.model_dump_json(), who, now, now)
 
 
-def remove(db: Session, cell: Cell, zone: str, who: str, now: datetime) -> ZonePosition:
+def take_out(db: Session, cell: Cell, zone: str, who: str, now: datetime) -> ZonePosition:
     """Takes a zone out of the cell; it can be put back.
 
     Raises:

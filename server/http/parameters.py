@@ -30,12 +30,12 @@ ProblemPath = Annotated[str, Path(description="Code of the situation, or a kind 
 LimitQuery = Annotated[int, Query(ge=1, le=200, description="How many items are answered at most.", examples=[50])]
 
 
-def _known_language(asked: str) -> Language:
+def _choose_language(asked: str) -> Language:
     return asked if asked in LANGUAGES else "en"
 
 
 LanguageQuery = Annotated[
     str,
-    AfterValidator(_known_language),
+    AfterValidator(_choose_language),
     Query(description="Language of the answer, by its code; in English where Heft has no words in it.", examples=["de"]),
 ]

@@ -42,6 +42,6 @@ def queue_motion(
     if cell is None:
         raise Conflict("jobs-no-cell", job=diagnosis)
     order = make_motion_order(motion, continued, cells.read(cell).cell, body)
-    carried = None if continued is None else run_ledger.carried_by(continued)
+    carried = None if continued is None else run_ledger.read_carried(continued)
     same = f"{diagnosis} {body.model_dump_json()}".encode()
     return queue_once(store, conductor, response, RunRequest(caller.who, now, idempotency_key, same), order, motion, carried)

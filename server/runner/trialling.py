@@ -11,7 +11,7 @@ from threadpoolctl import threadpool_limits
 
 from core.errors import HeftError
 from core.trial.batch import outcomes
-from core.trial.draw import Drawn, draw
+from core.trial.draw import DrawnTrial, draw
 from core.trial.folder import append, check_seals, open_folder, read_outcomes
 from core.trial.judgement import mark
 from core.trial.outcome import TrialOutcome
@@ -43,7 +43,7 @@ def main(folder: Path, count: int, seed: int, connection: Connection) -> None:
             connection.send(Failed(type(error).__name__, error.message))
 
 
-def _run(drawn: list[Drawn], done: dict[int, TrialOutcome], folder: Path, connection: Connection) -> None:
+def _run(drawn: list[DrawnTrial], done: dict[int, TrialOutcome], folder: Path, connection: Connection) -> None:
     """What is not done yet."""
     missing = [one for one in drawn if one.sealed.seed not in done]
     with ThreadPoolExecutor(1) as alone:
@@ -53,7 +53,7 @@ def _run(drawn: list[Drawn], done: dict[int, TrialOutcome], folder: Path, connec
             connection.send(Advanced(len(done) / len(drawn)))
 
 
-def _seals(drawn: list[Drawn]) -> str:
+def _seals(drawn: list[DrawnTrial]) -> str:
     return SEALS.dump_json([Seal(seed=one.sealed.seed, sha256=one.sealed.hash) for one in drawn]).decode()
 
 

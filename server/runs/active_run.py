@@ -224,7 +224,7 @@ class ActiveRun:
         match message:
             case Sampled():
                 self.newest = message
-                self.broadcast.samples(message.batch.model_dump_json(), message.batch.newest_row.model_dump_json())
+                self.broadcast.samples(message.batch)
             case Happened(event=Progress()):
                 pass  # stands in the samples
             case Happened(event=event):

@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import AsyncIterator, Awaitable, Callable
 
 from core.errors import HeftError
+from server.runner.live_schemas import LiveBatch
 
 MOST_SAMPLES = 10
 """Batches of samples that wait for one client: a fifth of a second."""
@@ -104,14 +105,15 @@ class Broadcast:
         for subscription in self._subscriptions:
             subscription.event(sequence, text)
 
-    def samples(self, text: str, newest_row: str) -> None:
-        """To everybody who keeps up: a batch, and the same with its newest sample alone."""
+    def samples(self, batch: LiveBatch) -> None:
+        """To everybody who keeps up; written only as somebody watches it."""
         self._batches += 1
-        for subscription in self._subscriptions:
-            if not subscription.thin:
+        all_of_it = [each for each in self._subscriptions if not each.thin]
+        thin = [each for each in self._subscriptions if each.thin] if self._batches % 2 else []
+        for seen, watching in ((batch, all_of_it), (batch.newest_row, thin)):
+            text = seen.model_dump_json() if watching else ""
+            for subscription in watching:
                 subscription.samples(text)
-            elif self._batches % 2:
-                subscription.samples(newest_row)
 
     def end(self) -> None:
         """The run is over."""

@@ -104,7 +104,7 @@ def load_run(db: Session, run: str) -> RunRow:
     return row
 
 
-def carried_by(row: RunRow) -> CarriedPayload | None:
+def read_carried(row: RunRow) -> CarriedPayload | None:
     """The payload of the tool library that a run carries; None where it is one of cell.toml."""
     if row.saved_payload is None:
         return None

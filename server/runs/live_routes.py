@@ -27,9 +27,8 @@ NORMAL, POLICY_VIOLATION, TRY_AGAIN = 1000, 1008, 1013
 
 AfterQuery = Annotated[int, Query(ge=0, le=2**53, description="Sequence number of the last event that is known already.", examples=[12])]
 KindQuery = Annotated[Literal["event", "samples"] | None, Query(description="Only messages of this kind; all where absent.")]
-SamplesQuery = Annotated[
-    Literal["all", "thin"], Query(description="`thin`: every second batch with its newest sample alone, as a screen draws them.")
-]
+THIN = "`thin`: every second batch with its newest sample alone, as a screen draws them."
+SamplesQuery = Annotated[Literal["all", "thin"], Query(description=THIN)]
 
 
 SOCKETS = (
@@ -45,7 +44,7 @@ SOCKETS = (
                 "type": "string",
                 "enum": ["all", "thin"],
                 "default": "all",
-                "description": "`thin`: every second batch with its newest sample alone, as a screen draws them.",
+                "description": THIN,
             },
         },
     ),

@@ -11,10 +11,10 @@ from core.errors import BadPayload
 from core.planning.settings import Timing
 from core.planning.slow_run import find_speed_range, limit_speed
 from core.recording.order_reference import OrderReference
-from server.cells.payloads import check_saved, find_expected_mass, find_saved, known_payload, list_saved, read_box
+from server.cells.payloads import check_saved, find_expected_mass, find_saved, list_saved, read_box, read_known_payload
 from server.http.errors import Conflict
 from server.runner.messages import Continuation, Order
-from server.runs.ledger import CarriedPayload, carried_by, motion_of
+from server.runs.ledger import CarriedPayload, motion_of, read_carried
 from server.runs.schemas import Motion, RestOfRun, RunCreate, RunOrder
 from server.runs.tables import RunRow
 
@@ -28,7 +28,7 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
     order = RunOrder.model_validate_json(row.order)
     motion = motion_of(row)
     payload = order.payload or next(iter(cell.payloads), "")  # orders of older services may name none
-    carried = carried_by(row)
+    carried = read_carried(row)
     known = _load_payload(cell, payload) if carried is None else carried.known
     limit = cell.limits.cartesian_speed_m_s  # may have become lower since it was asked for
     return Order(
@@ -76,7 +76,7 @@ def _load_payload(cell: Cell, name: str) -> Payload:
     return cell.payloads[name]
 
 
-def choose_payload(db: Session, order: RunCreate, cell: Cell) -> tuple[RunOrder, CarriedPayload | None]:
+def complete_payload(db: Session, order: RunCreate, cell: Cell) -> tuple[RunOrder, CarriedPayload | None]:
     """The order with what the tool library says of its payload; None beside it where the payload is one of cell.toml, which goes first.
 
     Raises:
@@ -95,7 +95,7 @@ def choose_payload(db: Session, order: RunCreate, cell: Cell) -> tuple[RunOrder,
     mass_kg = find_expected_mass(saved)
     if mass_kg is not None and "mass_guess_kg" not in order.model_fields_set:
         taken["mass_guess_kg"] = mass_kg
-    return order.model_copy(update=taken), CarriedPayload(saved.id, known_payload(saved))
+    return order.model_copy(update=taken), CarriedPayload(saved.id, read_known_payload(saved))
 
 
 def _continuation(motion: Motion) -> Continuation:

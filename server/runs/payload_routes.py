@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell
 from server.cells.folder import CellsDep
-from server.cells.payloads import SavedPayload, check_name_free, check_room, check_saved, load_saved
+from server.cells.payloads import SavedPayload, check_library_room, check_name_free, check_saved, load_saved
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Unprocessable
 from server.http.parameters import CellPath, SavedPath
@@ -46,7 +46,7 @@ def save_payload(
     loaded = cells.read(cell).cell
     with store.write() as db:
         check_name_free(db, loaded, body.name)
-        check_room(db, cell)
+        check_library_room(db, cell)
         row = SavedPayload(id=new_id(now), cell=cell, saved_by=caller.who, saved_at=now)
         _fill(row, _complete(db, loaded, body), SavedPayloadUpdate.model_fields)
         check_saved(row, loaded)

@@ -9,7 +9,7 @@ from fastapi import APIRouter
 from pydantic import Field
 
 from core.cell.cell import Cell
-from core.estimation.budget_part import shared_covariance
+from core.estimation.budget_part import find_shared_covariance
 from core.export.exports import payload_of
 from core.payload.comparison import Comparison, compare_payloads
 from server.cells.folder import CellFolder, CellsDep
@@ -74,7 +74,7 @@ def compare_runs(run: RunPath, other: OtherRunPath, cells: CellsDep, conductor: 
     parts = [each.estimate for each in results if each.estimate is not None]
     offsets = [(np.array(part.offset, float), np.array(part.offset_std, float)) for part in parts]
     budgets = [part.budget for part in parts if part.budget is not None]
-    shared = shared_covariance(*budgets) if frame == "sensor" and len(budgets) == 2 else None
+    shared = find_shared_covariance(*budgets) if frame == "sensor" and len(budgets) == 2 else None
     comparison = compare_payloads(first, second, offsets[0], offsets[1], shared=shared)
     return ComparisonPublic(run=run, other=other, frame=frame, comparison=comparison)
 

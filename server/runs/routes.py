@@ -20,7 +20,7 @@ from server.runs import ledger as run_ledger
 from server.runs.answer import answer_now, answer_run
 from server.runs.conductor import ConductorDep
 from server.runs.lease import ControlDep
-from server.runs.order import check_order, choose_payload
+from server.runs.order import check_order, complete_payload
 from server.runs.packml import Command, RunOutcome, State
 from server.runs.queue import IdempotencyKeyHeader, RunRequest, queue_once
 from server.runs.reason import explain_cancellation
@@ -46,7 +46,7 @@ def queue_run(
     body = order.model_dump_json().encode()
     cell = cells.read(order.cell).cell
     with store.read() as db:
-        completed, carried = choose_payload(db, order, cell)
+        completed, carried = complete_payload(db, order, cell)
     check_order(completed, cell)
     return queue_once(store, conductor, response, RunRequest(caller.who, now, idempotency_key, body), completed, carried=carried)
 
@@ -142,5 +142,5 @@ def continue_run(
         RunRequest(caller.who, now, idempotency_key, f"continuation of {run}".encode()),
         order,
         rest,
-        run_ledger.carried_by(ended),
+        run_ledger.read_carried(ended),
     )

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from core.cell.cell import Cell
 from core.estimation.result import Result
-from core.estimation.series import measured_of, prior_of
+from core.estimation.series import measure_result, prior_of
 from core.payload.random_effects import Measured
 from core.payload.series import Series, compare_series
 from core.payload.uncertain_parameters import UncertainParameters
@@ -64,7 +64,7 @@ def read_series(
     prior, source = (None, None) if prior_percent is None else prior_of(results, prior_percent / 100.0)
     found = compare_series(
         runs,
-        [_mounted(result, cell) for result, cell in zip(results, mounts, strict=True)],
+        [_read_measured(result, cell) for result, cell in zip(results, mounts, strict=True)],
         conditions=conditions,
         prior=prior if prior is None else _in_frame(prior, mounts[0]),
         prior_source=source,
@@ -72,9 +72,9 @@ def read_series(
     return SeriesPublic(frame="flange" if several else "sensor", series=found)
 
 
-def _mounted(result: Result, cell: Cell | None) -> Measured:
+def _read_measured(result: Result, cell: Cell | None) -> Measured:
     """Runs of several cells have nothing in common: their sensors and robots are others."""
-    measured = measured_of(result)
+    measured = measure_result(result)
     return Measured(_in_frame(measured.own, cell), measured.shared if cell is None else {})
 
 

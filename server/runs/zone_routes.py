@@ -166,7 +166,7 @@ def delete_zone(
     """Takes a zone out of the cell; `undo` puts it back."""
     loaded = cells.read(cell).cell
     with store.write() as db:
-        row = zones.remove(db, loaded, zone, caller.who, now)
+        row = zones.take_out(db, loaded, zone, caller.who, now)
         audit.record(db, caller.who, "zone.delete", {"cell": cell, "zone": zone}, now=now)
         shown = _answer(cells, db, row)
     conductor.tell_zone_change(cell, zone, None)

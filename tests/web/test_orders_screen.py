@@ -48,7 +48,7 @@ def test_the_queue_is_told_as_it_changes_and_an_order_is_taken_back_with_its_rea
     asked: list[str] = []
     at.page.on("request", lambda request: asked.append(request.url) if "/api/orders" in request.url else None)
     runs = [jobs.order(seed=seed) for seed in range(2)]
-    first, second = (at.page.locator(f"[data-run='{run}']") for run in runs)
+    first, second = (at.page.locator(f".order[data-run='{run}']") for run in runs)
     expect(first).to_contain_text("Waits for a person to release it.", timeout=PATIENCE_MS)
     expect(first).to_contain_text("STOP of lwr4_bench ends this order.")
     expect(first).to_contain_text("Job system (mes-line-3)")
@@ -87,7 +87,7 @@ def test_what_the_sender_calls_an_order_is_shown(at: Tablet, jobs: JobSystem):
     at.page.reload()
     run = jobs.order()
     try:
-        facts = at.page.locator(f"[data-run='{run}'] .facts")
+        facts = at.page.locator(f".order[data-run='{run}'] .facts")
         for value in names.values():
             expect(facts).to_contain_text(value)
     finally:
@@ -100,7 +100,7 @@ def test_who_only_watches_cancels_nothing(service: RealService, browser: Browser
     try:
         with signed_in(service, browser, "vera", PASSWORD) as watching:
             show(watching, "orders")
-            expect(watching.page.locator(f"[data-run='{run}']")).to_contain_text("Sent by")
+            expect(watching.page.locator(f".order[data-run='{run}']")).to_contain_text("Sent by")
             expect(watching.page.get_by_role("button", name="Cancel order")).to_have_count(0)
     finally:
         cancel_all(jobs, [run])

@@ -2345,7 +2345,7 @@ export interface components {
              *       "observer_rate_per_s": 50
              *     }
              */
-            thresholds?: components["schemas"]["Thresholds"];
+            thresholds?: components["schemas"]["ContactThresholds"];
             /**
              * Gravity M S2
              * @description Gravity in the world frame, m/s2; with a site its direction only.
@@ -3067,6 +3067,63 @@ export interface components {
              * @example 94
              */
             motion_s?: number | null;
+        };
+        /**
+         * ContactThresholds
+         * @description `[thresholds]`: what the controller takes for contact with somebody. What an error of the payload adds must stay below.
+         */
+        ContactThresholds: {
+            /**
+             * Joint Torque Nm
+             * @description External torque of each joint at which the controller sees a collision, N m.
+             * @example [
+             *       20,
+             *       20,
+             *       18,
+             *       18,
+             *       16,
+             *       14,
+             *       12
+             *     ]
+             */
+            joint_torque_nm?: number[] | null;
+            /**
+             * Tcp Force N
+             * @description External force at the sensor frame at which the controller sees a collision, N.
+             * @example 20
+             */
+            tcp_force_n?: number | null;
+            /**
+             * Guiding Force N
+             * @description Force at the sensor frame with which the arm may push at most while it is guided by hand, N.
+             * @example 5
+             */
+            guiding_force_n?: number | null;
+            /**
+             * Observer Rate Per S
+             * @description Gain of the observer that estimates external torques, 1/s: it sees what lasts longer than its inverse.
+             * @default 50
+             * @example 50
+             */
+            observer_rate_per_s?: number;
+            /**
+             * Mass Kg
+             * @description Error of the mass that the controller's maker allows, kg; null where nobody has said.
+             * @example 0.1
+             */
+            mass_kg?: number | null;
+            /**
+             * Com M
+             * @description Error of the centre of mass that the controller's maker allows, m; null likewise.
+             * @example 0.01
+             */
+            com_m?: number | null;
+            /**
+             * Source
+             * @description Where the values are from.
+             * @example safety configuration of line 3
+             */
+            source?: string | null;
         };
         /**
          * Contribution
@@ -8496,63 +8553,6 @@ export interface components {
             repetitions?: number | null;
         };
         /**
-         * Thresholds
-         * @description `[thresholds]`: what the controller takes for contact with somebody. What an error of the payload adds must stay below.
-         */
-        Thresholds: {
-            /**
-             * Joint Torque Nm
-             * @description External torque of each joint at which the controller sees a collision, N m.
-             * @example [
-             *       20,
-             *       20,
-             *       18,
-             *       18,
-             *       16,
-             *       14,
-             *       12
-             *     ]
-             */
-            joint_torque_nm?: number[] | null;
-            /**
-             * Tcp Force N
-             * @description External force at the sensor frame at which the controller sees a collision, N.
-             * @example 20
-             */
-            tcp_force_n?: number | null;
-            /**
-             * Guiding Force N
-             * @description Force at the sensor frame with which the arm may push at most while it is guided by hand, N.
-             * @example 5
-             */
-            guiding_force_n?: number | null;
-            /**
-             * Observer Rate Per S
-             * @description Gain of the observer that estimates external torques, 1/s: it sees what lasts longer than its inverse.
-             * @default 50
-             * @example 50
-             */
-            observer_rate_per_s?: number;
-            /**
-             * Mass Kg
-             * @description Error of the mass that the controller's maker allows, kg; null where nobody has said.
-             * @example 0.1
-             */
-            mass_kg?: number | null;
-            /**
-             * Com M
-             * @description Error of the centre of mass that the controller's maker allows, m; null likewise.
-             * @example 0.01
-             */
-            com_m?: number | null;
-            /**
-             * Source
-             * @description Where the values are from.
-             * @example safety configuration of line 3
-             */
-            source?: string | null;
-        };
-        /**
          * ThrowPart
          * @description Where the load would come nearest to a protected zone if it let go during a rotation.
          */
@@ -13743,6 +13743,7 @@ export type CommandCreate = components['schemas']['CommandCreate'];
 export type Comparison = components['schemas']['Comparison'];
 export type ComparisonPublic = components['schemas']['ComparisonPublic'];
 export type Conformity = components['schemas']['Conformity'];
+export type ContactThresholds = components['schemas']['ContactThresholds'];
 export type Contribution = components['schemas']['Contribution'];
 export type Control = components['schemas']['Control'];
 export type ControlCreate = components['schemas']['ControlCreate'];
@@ -13875,7 +13876,6 @@ export type StateChanged = components['schemas']['StateChanged'];
 export type StepFinished = components['schemas']['StepFinished'];
 export type Stop = components['schemas']['Stop'];
 export type Swings = components['schemas']['Swings'];
-export type Thresholds = components['schemas']['Thresholds'];
 export type ThrowPart = components['schemas']['ThrowPart'];
 export type Tied = components['schemas']['Tied'];
 export type Tool = components['schemas']['Tool'];

@@ -34,7 +34,7 @@ def find_dead_channel(recording: Recording, stances: Stances) -> Message | None:
     still: NDArray[np.bool_] = np.asarray(np.ptp(recording.wrench, axis=0) == 0.0)
     if not still.any() or stances.distinct < FEWEST_ROWS:
         return None
-    expected = _expected_change(stances)
+    expected = _expect_change(stances)
     sensor = recording.sensor
     least = np.max([np.zeros(6) if each is None else each for each in (sensor.resolution, sensor.noise_std)], axis=0)
     missing: NDArray[np.bool_] = np.asarray(
@@ -43,7 +43,7 @@ def find_dead_channel(recording: Recording, stances: Stances) -> Message | None:
     return Message.of("setup-channel-dead", channel=CHANNELS[int(np.argmax(missing))]) if missing.any() else None
 
 
-def _expected_change(stances: Stances) -> Array:
+def _expect_change(stances: Stances) -> Array:
     """(6,), from the weight that the channels that do change have felt."""
     g = stances.base @ stances.gravity
     changes = np.ptp(g, axis=0)

@@ -10,7 +10,7 @@ from core.estimation.setup.channels import find_dead_channel, find_dead_wrench, 
 from core.estimation.setup.clock import check_clock, remark_on_rate
 from core.estimation.setup.payload_fit import PayloadFit, fit_payload
 from core.estimation.setup.relations import explain_relations, sign_by_motion
-from core.estimation.setup.search import BAD, FEWEST, LONGEST_LEVER_M, Explanation, explain_motion, explain_stances
+from core.estimation.setup.search import BAD, FEWEST, LONGEST_LEVER_M, SetupExplanation, explain_motion, explain_stances
 from core.estimation.setup.stances import Stances, stances_of
 from core.estimation.setup.stated_figures import FAR_BEYOND, beyond_range, units_by_figures
 from core.estimation.setup.units import FORCE_UNITS, TORQUE_UNITS
@@ -83,7 +83,7 @@ def _check_clock_and_units(recording: Recording, stances: Stances, fit: PayloadF
     return beyond_range(recording, FAR_BEYOND) or _check_size(fit)
 
 
-def _narrow(found: Explanation, figures: tuple[Message, ...]) -> tuple[Message, ...]:
+def _narrow(found: SetupExplanation, figures: tuple[Message, ...]) -> tuple[Message, ...]:
     """Of slips that motion does not tell apart, those that what is stated speaks for."""
     return tuple(name for name in found.names if name in figures) or found.names
 

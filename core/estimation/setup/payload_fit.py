@@ -86,7 +86,7 @@ def fit_payload(stances: Stances) -> PayloadFit:
     """Fits the model by linear least squares, the force first: it says how the base leans."""
     weight, inertia, turning = _regressors(stances, stances.gravity)
     g0, axes = float(np.linalg.norm(stances.gravity)), tilt_axes(stances.gravity)
-    spread = _spread(stances.wrench[:, FORCE])
+    spread = _find_spread(stances.wrench[:, FORCE])
     leaning = -g0 * (stances.base @ axes)
     columns = [weight[:, :3, :1], inertia[:, :3, :1], turning[:, :3, 1:4]]
     x, left, S = _solve([*columns, leaning], stances, FORCE, [np.inf] * 5 + [TILT_RAD * spread / g0] * 2)
@@ -104,7 +104,7 @@ def fit_payload(stances: Stances) -> PayloadFit:
     widened = max(square, 1.0) * len(stances) / stances.distinct
     misfit = float(np.sqrt(square * 6 * stances.distinct / max(freedom, 1)))
     shares = tuple(
-        float(np.sqrt(np.mean((residual * _sigma(stances, part)) ** 2)) / max(_spread(stances.wrench[:, part]), 1e-300))
+        float(np.sqrt(np.mean((residual * _sigma(stances, part)) ** 2)) / max(_find_spread(stances.wrench[:, part]), 1e-300))
         for residual, part in ((left, FORCE), (torque_left, TORQUE))
     )
     return PayloadFit(z, covariance * widened, misfit, (shares[0], shares[1]), freedom, _blur(stances))
@@ -141,14 +141,14 @@ def _blur(stances: Stances) -> tuple[float, float]:
     return min(shares[0], 1.0), min(shares[1], 1.0)
 
 
-def _spread(x: Array) -> float:
+def _find_spread(x: Array) -> float:
     """Root mean square of how far the values (P, 3) are from their mean."""
     return float(np.sqrt(np.mean((x - x.mean(axis=0)) ** 2)))
 
 
 def _sigma(stances: Stances, channels: slice) -> Array:
     """(P, 1), of one channel: noise of the mean, and the slack."""
-    slack = SLACK * _spread(stances.wrench[:, channels])
+    slack = SLACK * _find_spread(stances.wrench[:, channels])
     return np.asarray(np.sqrt(np.mean(stances.noise[:, channels] ** 2, axis=1, keepdims=True) + slack**2 + 1e-24))
 
 

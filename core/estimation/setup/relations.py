@@ -13,7 +13,7 @@ import numpy as np
 from core.array import Array
 from core.estimation.setup.agreement import SIZE, measure_disagreement, relate
 from core.estimation.setup.payload_fit import MASS_INERTIA, MASS_WEIGHT, MOMENT_FORCE, MOMENT_INERTIA, MOMENT_WEIGHT, PayloadFit
-from core.estimation.setup.search import MOST_NAMED, Explanation
+from core.estimation.setup.search import MOST_NAMED, SetupExplanation
 from core.estimation.setup.units import FORCE_UNITS, MILLIMETRES, TIME_UNITS, TORQUE_UNITS
 from core.words.message import Message
 
@@ -38,7 +38,7 @@ class Relation:
     chosen: int = 0
 
 
-def explain_relations(fit: PayloadFit) -> Explanation | None:
+def explain_relations(fit: PayloadFit) -> SetupExplanation | None:
     """What would be right instead of the stated set-up; None where the numbers agree, or nothing explains them."""
     stated = measure_disagreement(fit)
     if stated < CONTRADICTION:
@@ -48,7 +48,7 @@ def explain_relations(fit: PayloadFit) -> Explanation | None:
     if best > EXPLAINED or stated < TIMES_BETTER * max(best, 7.0):
         return None
     leading = sorted((found for found in tried if found[0] < best + APART), key=lambda found: found[0])[:MOST_NAMED]
-    return Explanation(tuple(relation.name for _, relation in leading), float(np.sqrt(stated / max(best, 7.0))))
+    return SetupExplanation(tuple(relation.name for _, relation in leading), float(np.sqrt(stated / max(best, 7.0))))
 
 
 def sign_by_motion(fit: PayloadFit) -> int:

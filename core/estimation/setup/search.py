@@ -42,14 +42,14 @@ RARER = 1.3
 
 
 @dataclass(frozen=True)
-class Explanation:
+class SetupExplanation:
     """Slips that explain the stances alike, the likeliest first, and how many times better than the stated set-up."""
 
     names: tuple[Message, ...]
     times: float
 
 
-def explain_stances(stances: Stances, stated: PayloadFit) -> Explanation | None:
+def explain_stances(stances: Stances, stated: PayloadFit) -> SetupExplanation | None:
     """What would be right instead of the stated set-up; None where that fits, or nothing fits better."""
     if stances.distinct < FEWEST or stated.freedom < 1:
         return None
@@ -69,20 +69,20 @@ def explain_stances(stances: Stances, stated: PayloadFit) -> Explanation | None:
         return None
     ranked = sorted(enough, key=lambda found: max(found[0], 1.0))
     leading = [found for found in ranked if max(found[0], 1.0) < ALIKE * max(ranked[0][0], 1.0)][:MOST_NAMED]
-    return Explanation(tuple(name for _, name, _ in leading), _times(stated, leading[0][2]))
+    return SetupExplanation(tuple(name for _, name, _ in leading), _times(stated, leading[0][2]))
 
 
-def explain_motion(stances: Stances, stated: PayloadFit) -> Explanation | None:
+def explain_motion(stances: Stances, stated: PayloadFit) -> SetupExplanation | None:
     """The same where the weight alone fits and only the motion contradicts it: joints about parallel axes, for example."""
     before = _conflict(stated)
     if before < CONFLICT:
         return None
-    stances = stances.thinned(SEARCHED)
+    stances = stances.thin(SEARCHED)
     before = _conflict(fit_payload(stances))
     tried = [(_conflict(fit), slip.name) for slip in slips_of(stances) if (fit := fit_payload(slip.undo(stances))).upright]
     ranked = sorted((found for found in tried if found[0] < before / MOTION_TIMES_BETTER), key=lambda found: found[0])
     leading = [name for conflict, name in ranked if conflict < ALIKE * max(ranked[0][0], 1.0)][:MOST_NAMED]
-    return Explanation(tuple(leading), before / max(ranked[0][0], 1.0)) if leading else None
+    return SetupExplanation(tuple(leading), before / max(ranked[0][0], 1.0)) if leading else None
 
 
 def _conflict(fit: PayloadFit) -> float:
@@ -102,7 +102,7 @@ def _name(slip: Message, fit: PayloadFit) -> Message:
     return Message.of("setup-both", first=slip, second=Message.of("setup-wrench-sign")) if fit.upside_down else slip
 
 
-def _explain_sign(stances: Stances, stated: PayloadFit) -> Explanation:
+def _explain_sign(stances: Stances, stated: PayloadFit) -> SetupExplanation:
     """A negative mass: the wrench or gravity has the other sign; only motion tells them apart."""
     up = Message.of("setup-gravity-along", gravity_m_s2=(-stances.gravity).round(3).tolist())
-    return Explanation((Message.of("setup-wrench-sign"), up), abs(stated.mass) / stated.mass_std)
+    return SetupExplanation((Message.of("setup-wrench-sign"), up), abs(stated.mass) / stated.mass_std)

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import combinations, permutations, product
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from core.array import Array
@@ -22,7 +24,7 @@ AXES = "xyz"
 
 
 @dataclass(frozen=True)
-class Slip:
+class SetupSlip:
     """One kind of slip.
 
     Args:
@@ -36,7 +38,7 @@ class Slip:
     rarity: int = 0
 
 
-def slips_of(stances: Stances) -> Iterator[Slip]:
+def slips_of(stances: Stances) -> Iterator[SetupSlip]:
     """All that such a recording can have."""
     yield from _of_wrench(stances)
     yield from _of_gravity(stances)
@@ -47,12 +49,12 @@ def slips_of(stances: Stances) -> Iterator[Slip]:
         yield from _of_joints(stances)
 
 
-def _of_wrench(stances: Stances) -> Iterator[Slip]:
-    yield Slip(Message.of("setup-wrench-in-base"), _wrench_from_base)
-    yield Slip(Message.of("setup-force-and-torque-exchanged"), lambda s: replace(s, wrench=s.wrench[:, [3, 4, 5, 0, 1, 2]]), 1)
+def _of_wrench(stances: Stances) -> Iterator[SetupSlip]:
+    yield SetupSlip(Message.of("setup-wrench-in-base"), _wrench_from_base)
+    yield SetupSlip(Message.of("setup-force-and-torque-exchanged"), lambda s: replace(s, wrench=s.wrench[:, [3, 4, 5, 0, 1, 2]]), 1)
     if stances.position is not None:
-        yield Slip(Message.of("setup-torque-about-base"), _torque_from_base, 1)
-        yield Slip(Message.of("setup-wrench-in-and-about-base"), lambda s: _torque_from_base(_wrench_from_base(s)), 1)
+        yield SetupSlip(Message.of("setup-torque-about-base"), _torque_from_base, 1)
+        yield SetupSlip(Message.of("setup-wrench-in-and-about-base"), lambda s: _torque_from_base(_wrench_from_base(s)), 1)
 
 
 def _wrench_from_base(stances: Stances) -> Stances:
@@ -68,21 +70,25 @@ def _torque_from_base(stances: Stances) -> Stances:
     return replace(stances, wrench=np.concatenate((f, tau - cross(arm, f)), axis=1))
 
 
-def _of_gravity(stances: Stances) -> Iterator[Slip]:
+def _of_gravity(stances: Stances) -> Iterator[SetupSlip]:
     size = float(np.linalg.norm(stances.gravity))
     for axis, sign in product(range(3), (-1.0, 1.0)):
         gravity = np.zeros(3)
         gravity[axis] = sign * size
         if gravity @ stances.gravity < 0.8 * size**2:
             name = Message.of("setup-gravity-along", gravity_m_s2=gravity.round(3).tolist())
-            yield Slip(name, lambda s, g=gravity: replace(s, gravity=g), 0 if axis == 2 else 1)  # type: ignore[misc]  # bound per turn
+            yield SetupSlip(name, partial(_in_gravity, gravity=gravity), 0 if axis == 2 else 1)
 
 
-def _of_orientation() -> Iterator[Slip]:
-    yield Slip(Message.of("setup-quaternions-wxyz"), lambda s: replace(s, rotation=_from_wxyz(s.rotation)))
-    yield Slip(Message.of("setup-rotation-inverted"), lambda s: replace(s, rotation=np.swapaxes(s.rotation, -1, -2)))
+def _in_gravity(stances: Stances, gravity: Array) -> Stances:
+    return replace(stances, gravity=gravity)
+
+
+def _of_orientation() -> Iterator[SetupSlip]:
+    yield SetupSlip(Message.of("setup-quaternions-wxyz"), lambda s: replace(s, rotation=_from_wxyz(s.rotation)))
+    yield SetupSlip(Message.of("setup-rotation-inverted"), lambda s: replace(s, rotation=np.swapaxes(s.rotation, -1, -2)))
     inverted = Message.of("setup-both", first=Message.of("setup-quaternions-wxyz"), second=Message.of("setup-rotation-inverted"))
-    yield Slip(inverted, lambda s: replace(s, rotation=np.swapaxes(_from_wxyz(s.rotation), -1, -2)), 2)
+    yield SetupSlip(inverted, lambda s: replace(s, rotation=np.swapaxes(_from_wxyz(s.rotation), -1, -2)), 2)
 
 
 def _from_wxyz(rotation: Array) -> Array:
@@ -91,7 +97,7 @@ def _from_wxyz(rotation: Array) -> Array:
     return np.asarray(Rotation.from_quat(read[:, [1, 2, 3, 0]]).as_matrix()).reshape(rotation.shape)
 
 
-def _of_axes() -> Iterator[Slip]:
+def _of_axes() -> Iterator[SetupSlip]:
     """Columns in another order or with other signs: of force, of torque, or of both."""
     for order, signs in product(permutations(range(3)), product((1.0, -1.0), repeat=3)):
         turned = np.zeros((3, 3))
@@ -100,9 +106,9 @@ def _of_axes() -> Iterator[Slip]:
             continue
         axes = [f"{'-' if sign < 0 else ''}{AXES[k]}" for k, sign in zip(order, signs, strict=True)]
         changes = sum(k != j for k, j in enumerate(order)) + sum(sign < 0 for sign in signs)
-        yield Slip(Message.of("setup-axes-of-both", axes=axes), lambda s, A=turned: _turn(s, A, A), 1 + changes)  # type: ignore[misc]
-        yield Slip(Message.of("setup-axes-of-force", axes=axes), lambda s, A=turned: _turn(s, A, np.eye(3)), 2 + changes)  # type: ignore[misc]
-        yield Slip(Message.of("setup-axes-of-torque", axes=axes), lambda s, A=turned: _turn(s, np.eye(3), A), 2 + changes)  # type: ignore[misc]
+        yield SetupSlip(Message.of("setup-axes-of-both", axes=axes), partial(_turn, force=turned, torque=turned), 1 + changes)
+        yield SetupSlip(Message.of("setup-axes-of-force", axes=axes), partial(_turn, force=turned, torque=np.eye(3)), 2 + changes)
+        yield SetupSlip(Message.of("setup-axes-of-torque", axes=axes), partial(_turn, force=np.eye(3), torque=turned), 2 + changes)
 
 
 def _turn(stances: Stances, force: Array, torque: Array) -> Stances:
@@ -111,26 +117,31 @@ def _turn(stances: Stances, force: Array, torque: Array) -> Stances:
     return replace(stances, wrench=np.concatenate((f @ force.T, tau @ torque.T), axis=1))
 
 
-def _of_joints(stances: Stances) -> Iterator[Slip]:
+def _of_joints(stances: Stances) -> Iterator[SetupSlip]:
     assert stances.q is not None and stances.robot is not None
     n, names = stances.q.shape[-1], stances.robot.description.joints
-    yield Slip(Message.of("setup-joints-in-degrees"), lambda s: s.at_joints(np.radians(_angles(s))))
-    yield Slip(Message.of("setup-joints-converted-twice"), lambda s: s.at_joints(np.degrees(_angles(s))), 1)
-    yield Slip(Message.of("setup-joints-reversed"), lambda s: s.at_joints(_angles(s)[..., ::-1]), 1)
-    yield Slip(Message.of("setup-all-joints-negative"), lambda s: s.at_joints(-_angles(s)), 1)
+    yield SetupSlip(Message.of("setup-joints-in-degrees"), partial(_scale, factors=np.radians(1.0)))
+    yield SetupSlip(Message.of("setup-joints-converted-twice"), partial(_scale, factors=np.degrees(1.0)), 1)
+    yield SetupSlip(Message.of("setup-joints-reversed"), partial(_reorder, order=np.arange(n)[::-1]), 1)
+    yield SetupSlip(Message.of("setup-all-joints-negative"), partial(_scale, factors=-1.0), 1)
     for i in range(n):
         flip = np.where(np.arange(n) == i, -1.0, 1.0)
-        yield Slip(Message.of("setup-joint-negative", joint=names[i]), lambda s, f=flip: s.at_joints(_angles(s) * f), 1)  # type: ignore[misc]
+        yield SetupSlip(Message.of("setup-joint-negative", joint=names[i]), partial(_scale, factors=flip), 1)
     for i, j in combinations(range(n), 2):
         order = np.arange(n)
         order[[i, j]] = j, i
         exchanged = Message.of("setup-joints-exchanged", first=names[i], second=names[j])
-        yield Slip(exchanged, lambda s, o=order: s.at_joints(_angles(s)[..., o]), 1)  # type: ignore[misc]
+        yield SetupSlip(exchanged, partial(_reorder, order=order), 1)
     for k in (1, n - 1):
         shifted = Message.of("setup-joints-shifted", places=k)
-        yield Slip(shifted, lambda s, by=k: s.at_joints(np.roll(_angles(s), -by, axis=-1)), 2)  # type: ignore[misc]
+        yield SetupSlip(shifted, partial(_reorder, order=np.roll(np.arange(n), -k)), 2)
 
 
-def _angles(stances: Stances) -> Array:
+def _scale(stances: Stances, factors: Array | float) -> Stances:
     assert stances.q is not None
-    return stances.q
+    return stances.at_joints(stances.q * factors)
+
+
+def _reorder(stances: Stances, order: NDArray[np.intp]) -> Stances:
+    assert stances.q is not None
+    return stances.at_joints(stances.q[..., order])

@@ -73,7 +73,7 @@ class Stances:
         """(P, 3, 3), R^T in the middle: turns vectors of the base frame into the sensor's."""
         return np.swapaxes(self.rotation[:, 1], 1, 2)
 
-    def thinned(self, most: int) -> Stances:
+    def thin(self, most: int) -> Stances:
         """So many of them at most, evenly."""
         rows = np.unique(np.linspace(0, len(self) - 1, min(len(self), most)).astype(int))
         return replace(

@@ -7,7 +7,7 @@ import numpy as np
 from core.array import Array
 from core.estimation.budget_part import BudgetPart, SourcePart
 from core.estimation.result import Result
-from core.estimation.series import measured_of
+from core.estimation.series import measure_result
 from core.payload.random_effects import difference_covariance
 from core.words.message import Message
 from tests.core.export.cloud import cloud
@@ -41,7 +41,7 @@ def test_runs_whose_plans_differ_are_not_called_different_for_the_zeros_that_the
     for _ in range(300):
         zeros = rng.standard_normal(7)
         plans = [PULL * rng.standard_normal((7, 10)) for _ in range(2)]
-        first, second = (measured_of(run(truth + zeros @ plan + STD * rng.standard_normal(10), plan)) for plan in plans)
+        first, second = (measure_result(run(truth + zeros @ plan + STD * rng.standard_normal(10), plan)) for plan in plans)
         off = first.own.phi - second.own.phi
         called += off @ np.linalg.solve(difference_covariance(first, second), off) > 23.21  # the 99 % point of chi-square with ten
         alone += off @ off / (2.0 * STD @ STD) > 23.21
@@ -52,18 +52,18 @@ def test_runs_whose_plans_differ_are_not_called_different_for_the_zeros_that_the
 def test_a_cause_that_two_runs_share_alike_takes_no_part_in_their_difference() -> None:
     truth = cloud(0).parameters(np.zeros((10, 10))).phi
     plan = PULL * np.random.default_rng(1).standard_normal((7, 10))
-    first, second = (measured_of(run(truth, plan)) for _ in range(2))
+    first, second = (measure_result(run(truth, plan)) for _ in range(2))
     np.testing.assert_allclose(difference_covariance(first, second), 2.0 * np.diag(STD**2), atol=1e-12)
 
 
 def test_a_twins_own_uncertainty_is_shared_by_no_other_run() -> None:
     truth = cloud(0).parameters(np.zeros((10, 10))).phi
-    assert measured_of(run(truth, np.ones((1, 10)), name="twin")).shared == {}
+    assert measure_result(run(truth, np.ones((1, 10)), name="twin")).shared == {}
 
 
 def test_an_answer_without_a_budget_is_as_uncertain_as_it_says() -> None:
     known = answer(cloud(0), "ur5e_line")
     assert known.estimate is not None
-    found = measured_of(known)
+    found = measure_result(known)
     assert found.shared == {}
     np.testing.assert_allclose(found.own.covariance, np.array(known.estimate.covariance, dtype=float))

@@ -81,7 +81,7 @@ def test_what_jitter_adds_to_the_windowed_accelerations_is_what_the_gram_says() 
     features, _ = form.features(0.0)
     _, gram = form.gram
     for seen, row in ((features.a[:, 1], np.eye(6)[1]), (0.5 * (features.B[:, 1, 0] - features.B[:, 0, 1]), np.eye(6)[5])):
-        said = gram.seen_through(row)[0]
+        said = gram.find_variance_through(row)[0]
         for half in (slice(20, len(form) // 2 - 20), slice(len(form) // 2 + 20, -20)):
             assert np.mean(seen[half] ** 2) == pytest.approx(said[half].mean(), rel=0.15)
     assert said[-40] > 20.0 * said[40]

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.optimize import lsq_linear
 
 from core.array import Array
-from core.gap.quadratic import bounded_minimum
+from core.gap.quadratic import find_bounded_minimum
 
 
 def problem(seed: int, n: int) -> tuple[Array, Array, Array]:
@@ -46,7 +46,7 @@ def least_of_all_active_sets(A: Array, b: Array, bounds: Array) -> float:
 @given(seed=st.integers(0, 2**31), n=st.integers(1, 5))
 def test_the_minimum_is_that_of_the_best_active_set(seed: int, n: int) -> None:
     A, b, bounds = problem(seed, n)
-    x = bounded_minimum(A.T @ A, A.T @ b, bounds)
+    x = find_bounded_minimum(A.T @ A, A.T @ b, bounds)
     assert (x >= bounds[0]).all()
     assert (x <= bounds[1]).all()
     assert cost(A, b, x) <= least_of_all_active_sets(A, b, bounds) * (1.0 + 1e-6)
@@ -57,11 +57,11 @@ def test_the_minimum_of_many_parameters_is_as_low_as_that_of_an_interior_point_m
     A, b, bounds = problem(seed, 20)
     sizes = np.linalg.norm(A, axis=0)
     other = lsq_linear(A / sizes, b, bounds * sizes, method="trf", tol=1e-14, max_iter=1000).x / sizes
-    x = bounded_minimum(A.T @ A, A.T @ b, bounds)
+    x = find_bounded_minimum(A.T @ A, A.T @ b, bounds)
     assert cost(A, b, x) <= cost(A, b, np.clip(other, *bounds)) * (1.0 + 1e-6)
 
 
 def test_where_no_bound_binds_it_is_the_solution_of_the_normal_equations() -> None:
     A, b, _ = problem(3, 6)
-    x = bounded_minimum(A.T @ A, A.T @ b, np.array([np.full(6, -1e9), np.full(6, 1e9)]))
+    x = find_bounded_minimum(A.T @ A, A.T @ b, np.array([np.full(6, -1e9), np.full(6, 1e9)]))
     np.testing.assert_allclose(A.T @ A @ x, A.T @ b, rtol=1e-6, atol=1e-9 * np.abs(A.T @ b).max())

@@ -11,11 +11,11 @@ import pytest
 from core.array import Array
 from core.cell.cell import Cell, Pose
 from core.cell.folder import load_cell
-from core.cell.thresholds import Thresholds
+from core.cell.thresholds import ContactThresholds
 from core.errors import BadCell, BadInput
 from core.payload.inertia import PINOCCHIO_ORDER, InertialParameters
 from core.requirement.motions import PERIOD_S, JointMotion, make_brisk_motion, read_program
-from core.requirement.requirement import GROUPS, CriterionKind, Group, judge, require, typed_jacobian
+from core.requirement.requirement import GROUPS, CriterionKind, PayloadQuantity, find_typed_jacobian, judge, require
 from core.robot.model import RobotModel
 
 CELLS = Path(__file__).parents[3] / "cells"
@@ -27,7 +27,7 @@ FINE = 5
 
 def cell_with(name: str = "lwr4_bench", **thresholds: object) -> tuple[Cell, RobotModel]:
     cell = load_cell(CELLS / name)
-    stated = Thresholds.model_validate({"observer_rate_per_s": RATE_PER_S, **thresholds})
+    stated = ContactThresholds.model_validate({"observer_rate_per_s": RATE_PER_S, **thresholds})
     cell = cell.model_copy(update={"thresholds": stated})
     return cell, RobotModel.of_cell(cell)
 
@@ -90,8 +90,10 @@ class Observer:
 
 
 @pytest.mark.parametrize("rpy_deg", [(0.0, 0.0, 0.0), (0.0, 90.0, 0.0)], ids=["on a table", "on a wall"])
-@pytest.mark.parametrize("group", list(Group))
-def test_an_error_as_large_as_allowed_reaches_the_threshold_in_a_simulated_observer(group: Group, rpy_deg: tuple[float, ...]) -> None:
+@pytest.mark.parametrize("group", list(PayloadQuantity))
+def test_an_error_as_large_as_allowed_reaches_the_threshold_in_a_simulated_observer(
+    group: PayloadQuantity, rpy_deg: tuple[float, ...]
+) -> None:
     cell, _ = cell_with(joint_torque_nm=TORQUES_NM)
     stands = Pose(xyz_m=cell.robot.base.xyz_m, rpy_rad=tuple(np.radians(rpy_deg)))
     cell = cell.model_copy(update={"robot": cell.robot.model_copy(update={"base": stands})})
@@ -104,7 +106,7 @@ def test_an_error_as_large_as_allowed_reaches_the_threshold_in_a_simulated_obser
     assert criterion is not None
     assert criterion.joint is not None
     row = criterion.rows[round(allowed.time_s / PERIOD_S), 0, GROUPS[group]]
-    weights = np.array([1, 2, 2, 1, 2, 1]) if group is Group.INERTIA else np.ones(len(row))
+    weights = np.array([1, 2, 2, 1, 2, 1]) if group is PayloadQuantity.INERTIA else np.ones(len(row))
     direction = row / weights / np.sqrt((row**2 / weights).sum())  # of norm one, where the response is largest
     error = np.zeros(10)
     error[GROUPS[group]] = allowed.error * direction
@@ -131,7 +133,7 @@ def test_a_centre_of_mass_in_the_wrong_place_is_felt_as_force_of_the_right_size_
 def test_what_is_typed_moves_the_ten_parameters_as_its_derivative_says() -> None:
     cell, _ = cell_with()
     payload = payload_of(cell)
-    typed = typed_jacobian(payload)
+    typed = find_typed_jacobian(payload)
     step = 1e-6 * np.array([1.0, 0.3, -0.2, 0.1, *[0.01] * 6])
     six = step[4:]
     moved = InertialParameters.from_com(payload.mass + step[0], payload.com + step[1:4], payload.inertia_com + np.array([
@@ -150,7 +152,7 @@ def test_an_answer_is_good_enough_as_often_as_its_errors_stay_below_the_threshol
     assert adequacy.good_enough
     assert adequacy.margin > 1.0
     errors = rng.multivariate_normal(np.zeros(10), covariance * adequacy.margin**2, size=2000)
-    typed = np.linalg.inv(typed_jacobian(payload))
+    typed = np.linalg.inv(find_typed_jacobian(payload))
     most = np.zeros(len(errors))
     for each in requirement.criteria:
         for row in each.rows:
@@ -189,7 +191,7 @@ def test_brisk_moves_reach_a_limit_and_exceed_none() -> None:
 def test_a_threshold_for_each_joint_of_another_robot_is_refused() -> None:
     cell, _ = cell_with()
     with pytest.raises(BadCell, match=r"thresholds\.joint_torque_nm"):
-        RobotModel.of_cell(cell.model_copy(update={"thresholds": Thresholds(joint_torque_nm=(20.0,) * 6)}))
+        RobotModel.of_cell(cell.model_copy(update={"thresholds": ContactThresholds(joint_torque_nm=(20.0,) * 6)}))
 
 
 def test_a_programs_path_is_read_and_smoothed(tmp_path: Path) -> None:

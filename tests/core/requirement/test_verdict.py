@@ -13,7 +13,7 @@ import pytest
 from core.array import Array
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
-from core.cell.thresholds import Thresholds
+from core.cell.thresholds import ContactThresholds
 from core.requirement.answer import RequirementPart
 from core.requirement.verdict import judge_estimate
 from core.robot.model import RobotModel
@@ -38,7 +38,7 @@ class Found:
 
 
 def cell_with(**stated: Any) -> Cell:
-    return BENCH.model_copy(update={"thresholds": Thresholds(**stated)})
+    return BENCH.model_copy(update={"thresholds": ContactThresholds(**stated)})
 
 
 def judged(found: Found | None, **stated: Any) -> RequirementPart:

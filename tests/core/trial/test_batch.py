@@ -13,17 +13,17 @@ import pytest
 from core.errors import BadInput
 from core.trial import batch
 from core.trial.batch import on_cluster, on_cores, outcomes
-from core.trial.draw import Drawn
+from core.trial.draw import DrawnTrial
 from core.trial.outcome import TrialOutcome
 from tests.core.trial.synthetic_outcomes import none, sealed
 
 
-def drawn(seed: int) -> Drawn:
+def drawn(seed: int) -> DrawnTrial:
     """A trial of which nothing but the seal is used."""
-    return Drawn(None, None, sealed(seed, kind="none"), None, ())  # type: ignore[arg-type]  # never run
+    return DrawnTrial(None, None, sealed(seed, kind="none"), None, ())  # type: ignore[arg-type]  # never run
 
 
-def pretended(one: Drawn, keep: Path | None = None) -> TrialOutcome:
+def pretended(one: DrawnTrial, keep: Path | None = None) -> TrialOutcome:
     """In place of a trial: fails for seed 13, tells its process."""
     if one.sealed.seed == 13:
         raise ValueError("singular matrix")
@@ -57,7 +57,7 @@ def test_an_interruption_ends_the_workers_and_what_waits(monkeypatch: pytest.Mon
             raise KeyboardInterrupt
 
 
-def sleeping(one: Drawn, keep: Path | None = None) -> TrialOutcome:
+def sleeping(one: DrawnTrial, keep: Path | None = None) -> TrialOutcome:
     """Seeds from 1000 on never end."""
     if one.sealed.seed >= 1000:
         import threading

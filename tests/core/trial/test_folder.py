@@ -7,14 +7,14 @@ from pathlib import Path
 import pytest
 
 from core.errors import BadInput
-from core.trial.draw import Drawn
+from core.trial.draw import DrawnTrial
 from core.trial.folder import OUTCOMES, SEALS, append, check_seals, open_folder, read_outcomes
 from tests.core.trial.synthetic_outcomes import none, sealed, single
 
 
-def drawn(seed: int, size: float = 1.0) -> Drawn:
+def drawn(seed: int, size: float = 1.0) -> DrawnTrial:
     """A trial of which nothing but the seal is used."""
-    return Drawn(None, None, sealed(seed, kind="none", size=size), None, ())  # type: ignore[arg-type]  # never run
+    return DrawnTrial(None, None, sealed(seed, kind="none", size=size), None, ())  # type: ignore[arg-type]  # never run
 
 
 def test_seals_stand_there_before_the_first_outcome(tmp_path: Path):

@@ -3,10 +3,26 @@
 from __future__ import annotations
 
 import asyncio
+import json
 
 import pytest
 
+from server.runner.live_schemas import LiveBatch
 from server.runs.broadcast import MOST_EVENTS, MOST_SAMPLES, Broadcast, TooSlowError, drain
+
+
+def batch(k: int) -> LiveBatch:
+    """Of two samples, at 10 k and 10 k + 1 s."""
+    times = [10.0 * k, 10.0 * k + 1.0]
+    return LiveBatch(
+        phase="hold:x+", t_s=times, wrench=[[t] * 6 for t in times], reconstructed=None, phi=[None] * 10, phi_std=[None] * 10,
+        q_rad=[0.0], nearest=None, progress=0.5, eta_s=None,
+    )  # fmt: skip
+
+
+def times_of(texts: list[str]) -> list[list[float]]:
+    """Of the samples in each batch."""
+    return [json.loads(text)["t_s"] for text in texts if text[0] == "{"]
 
 
 async def collected(broadcast: Broadcast, into: list[str]) -> None:
@@ -37,7 +53,7 @@ def test_of_samples_the_newest_win_and_events_between_them_stay():
         broadcast, seen = Broadcast(), []
         subscription = broadcast.subscribe()
         for k in range(1000):
-            broadcast.samples(f"s{k}", f"n{k}")
+            broadcast.samples(batch(k))
             if k % 100 == 0:
                 broadcast.event(k + 1, f"e{k}")
         broadcast.end()
@@ -50,7 +66,7 @@ def test_of_samples_the_newest_win_and_events_between_them_stay():
 
     seen = asyncio.run(scene())
     assert [text for text in seen if text[0] == "e"] == [f"e{k}" for k in range(0, 1000, 100)]
-    assert [text for text in seen if text[0] == "s"] == [f"s{k}" for k in range(1000 - MOST_SAMPLES, 1000)]
+    assert times_of(seen) == [batch(k).t_s for k in range(1000 - MOST_SAMPLES, 1000)]
 
 
 def test_a_client_that_does_not_read_is_given_up_while_the_others_lose_nothing():
@@ -124,7 +140,7 @@ def test_a_thin_subscription_gets_the_newest_sample_of_every_second_batch_and_ev
     broadcast, seen = Broadcast(), []
     subscription = broadcast.subscribe(thin=True)
     for k in range(6):
-        broadcast.samples(f"s{k}", f"n{k}")
+        broadcast.samples(batch(k))
     broadcast.event(1, "e1")
     broadcast.end()
 
@@ -132,4 +148,6 @@ def test_a_thin_subscription_gets_the_newest_sample_of_every_second_batch_and_ev
         seen.append(text)
 
     asyncio.run(drain(subscription, send))
-    assert seen == ["e1", "n0", "n2", "n4"]
+    assert seen[0] == "e1"
+    assert times_of(seen) == [[1.0], [21.0], [41.0]]
+    assert [json.loads(text)["wrench"] for text in seen[1:]] == [[[t] * 6] for t in (1.0, 21.0, 41.0)]

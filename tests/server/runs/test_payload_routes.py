@@ -17,7 +17,7 @@ from server.http.errors import Conflict
 from server.people.roles import Role
 from server.runner.messages import Order
 from server.runs import ledger as run_ledger
-from server.runs.order import choose_payload, order_of
+from server.runs.order import complete_payload, order_of
 from server.runs.packml import Command
 from server.runs.schemas import RunCreate
 from server.runs.tables import RunRow
@@ -192,7 +192,7 @@ def test_a_payload_saved_from_a_result_carries_what_was_found(service: Service, 
 def told_of(service: Service, name: str) -> Order:
     """What the control process is told of an order by that name."""
     with service.store.write() as db:
-        order, carried = choose_payload(db, RunCreate(cell=CELL, payload=name), service.cells.load(CELL))
+        order, carried = complete_payload(db, RunCreate(cell=CELL, payload=name), service.cells.load(CELL))
         row = run_ledger.add_run(db, order, "account:anna", service.now(), carried=carried)
         return order_of(row, service.cells.load(CELL), service.settings.data)
 
