@@ -5,17 +5,20 @@ Answers go to standard output, progress and errors to standard error; in a pipe 
 `find_language`; help and JSON are English.
 """
 
+from __future__ import annotations
+
 import signal
 import sys
 from types import FrameType
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.console import Console
 
-from core.errors import BadInput, HeftError
 from core.words.catalogue import LANGUAGES, find_language
-from core.words.wording import Wording
+
+if TYPE_CHECKING:
+    from core.words.wording import Wording
 
 HELP = "Finds out what a robot carries, safely, with people around. Not a safety function."
 
@@ -27,6 +30,8 @@ messages = Console(stderr=True)
 
 def find_wording() -> Wording:
     """The words of this terminal."""
+    from core.words.wording import Wording  # noqa: PLC0415  help needs no messages
+
     return Wording(find_language())
 
 
@@ -51,13 +56,17 @@ def enter(program: typer.Typer) -> None:
     signal.signal(signal.SIGTERM, _terminate)
     try:
         program()
-    except HeftError as error:
-        for each in (error, *error.others) if isinstance(error, BadInput) else (error,):
-            messages.print(find_wording().say("cli-error", error=each.message), highlight=False, markup=False, soft_wrap=True)
-        sys.exit(error.exit_code)
     except KeyboardInterrupt:
         messages.print(find_wording().say("cli-interrupted"), highlight=False)
         sys.exit(130)
+    except Exception as error:
+        from core.errors import BadInput, HeftError  # noqa: PLC0415  help meets no errors, and they take half of its time
+
+        if not isinstance(error, HeftError):
+            raise
+        for each in (error, *error.others) if isinstance(error, BadInput) else (error,):
+            messages.print(find_wording().say("cli-error", error=each.message), highlight=False, markup=False, soft_wrap=True)
+        sys.exit(error.exit_code)
 
 
 def _terminate(_signal: int, _frame: FrameType | None) -> None:

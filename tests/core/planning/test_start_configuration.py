@@ -209,6 +209,11 @@ def test_a_start_keeps_a_hundredth_of_a_metre_beyond_every_required_distance(fcl
     assert [kept(beyond) for beyond in (-0.005, 0.002, 0.009, 0.011, 0.015)] == [False, False, False, True, True]
 
 
+def rejected(refusal: NoStartConfiguration) -> dict[Message, int]:
+    """How many candidates each check rejected."""
+    return {each.parameters["reason"]: each.parameters["count"] for each in refusal.message.parameters["rejected"]}
+
+
 def test_a_rotation_that_the_arm_cannot_make_fast_enough_is_refused_with_that_reason():
     cell = load_cell(ROOT / "cells" / "lwr4_bench")
     box = cell.payloads["steel_block"].box
@@ -218,7 +223,7 @@ def test_a_rotation_that_the_arm_cannot_make_fast_enough_is_refused_with_that_re
         find_start_configuration(
             cell, robot, collision, Attitude.of_axis("x+", profile_of(box, 0.6)), seed=0, grid=Grid(vertices=150, rounds=1)
         )
-    reasons = refusal.value.reasons
+    reasons = rejected(refusal.value)
     assert reasons[Message.of("planning-rejected-cartesian-speed")] > 50
     assert UNREACHABLE in reasons
     assert refusal.value.axis == "x+"
@@ -249,7 +254,7 @@ def test_a_room_just_large_enough_for_home_is_refused_with_what_is_in_the_way():
     room = cell.model_copy(update={"obstacles": tuple(walls), "zones": ()})
     with pytest.raises(NoStartConfiguration) as refusal:
         search(room, "z-", grid=Grid(vertices=200, rounds=1))
-    reasons = refusal.value.reasons
+    reasons = rejected(refusal.value)
     assert reasons[Message.of("planning-rejected-obstacle", body=Message.of("body-obstacle", name="ceiling"))] > 0
     assert refusal.value.best_clearance_m < 0.05
     assert refusal.value.in_the_way in {item.name for item in room.obstacles}
