@@ -9643,7 +9643,7 @@ export interface components {
         ZoneCreate: {
             /**
              * Name
-             * @description Its name: no other zone, obstacle, tool or link of the robot has it.
+             * @description Its name: no other zone, obstacle, tool, payload or link of the robot has it.
              * @example trolley
              */
             name: string;
