@@ -2571,6 +2571,20 @@ export interface components {
             /** @description The room that a payload takes, sensor frame. */
             payload_box?: components["schemas"]["Box"] | null;
             /**
+             * Adjacent
+             * @description Pairs of links between which no distance is watched; where null those that overlap wherever they are looked at.
+             * @example [
+             *       [
+             *         "link_1",
+             *         "link_3"
+             *       ]
+             *     ]
+             */
+            adjacent?: [
+                string,
+                string
+            ][] | null;
+            /**
              * @description Largest speed and smallest distances.
              * @default {
              *       "cartesian_speed_m_s": 0.25,
@@ -3814,6 +3828,11 @@ export interface components {
              */
             links: components["schemas"]["DraftLink"][];
             /**
+             * Pairs
+             * @description Pairs of links that are left out or could be: `values.adjacent` says which are.
+             */
+            pairs: components["schemas"]["DraftPair"][];
+            /**
              * Notes
              * @description What was chosen, taken or left out, since the description does not say.
              */
@@ -3970,6 +3989,31 @@ export interface components {
              * @example 2.7
              */
             mass_kg: number;
+        };
+        /**
+         * DraftPair
+         * @description Two links that overlap wherever they were looked at, or that somebody has left out.
+         */
+        DraftPair: {
+            /**
+             * First
+             * @description Name of a link.
+             * @example link_3
+             */
+            first: string;
+            /**
+             * Second
+             * @description Name of the other.
+             * @example link_1
+             */
+            second: string;
+            /**
+             * Is Left Out
+             * @description Whether no distance between them is watched.
+             */
+            is_left_out: boolean;
+            /** @description What speaks for that, or that nothing does but somebody's word. */
+            why: components["schemas"]["Message"];
         };
         /**
          * DraftPublic
@@ -13769,6 +13813,7 @@ export type DraftFinding = components['schemas']['DraftFinding'];
 export type DraftImportCreate = components['schemas']['DraftImportCreate'];
 export type DraftJoint = components['schemas']['DraftJoint'];
 export type DraftLink = components['schemas']['DraftLink'];
+export type DraftPair = components['schemas']['DraftPair'];
 export type DraftPublic = components['schemas']['DraftPublic'];
 export type DraftRobotCreate = components['schemas']['DraftRobotCreate'];
 export type EndedRequestPublic = components['schemas']['EndedRequestPublic'];
