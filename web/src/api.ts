@@ -18624,6 +18624,8 @@ export interface operations {
                 work_order?: string | null;
                 /** @description Of what has this serial number. */
                 serial_number?: string | null;
+                /** @description That contain each of these words somewhere, letter case aside: in its identifier, payload, references, state or outcome, in the names of who ordered, released or accepted it; or on this day (UTC). */
+                search?: string | null;
                 /** @description Before this run, such as the last of a list. */
                 before?: string | null;
                 /** @description How many runs are answered at most. */
