@@ -278,17 +278,10 @@ def test_a_zone_that_was_resized_here_keeps_its_size_when_a_tracker_moves_it(sig
 
 @pytest.mark.parametrize(
     ("name", "owner"),
-    [
-        ("operator", "another zone"),
-        ("Operator", "another zone"),
-        ("bench", "an obstacle"),
-        ("link2", "a link of the robot"),
-        ("payload", "the payload or the floor"),
-        ("steel_block", "a payload of cell.toml"),
-        ("shaft", "a payload of the tool library"),
-        ("SHAFT", "a payload of the tool library"),
-    ],
-)
+    [("operator", "another zone"), ("Operator", "another zone"), ("bench", "an obstacle"), ("link2", "a link of the robot"),
+     ("payload", "the payload or the floor"), ("steel_block", "a payload of cell.toml"), ("shaft", "a payload of the tool library"),
+     ("SHAFT", "a payload of the tool library")],
+)  # fmt: skip
 def test_a_new_zone_needs_a_name_that_nothing_in_the_cell_has(name: str, owner: str, signed_in: As) -> None:
     operator = signed_in(Role.operator)
     operator.post(f"{CELL}/payloads", json={"name": "shaft", "title": "Shaft", "box": {"kind": "box", "size_m": [0.1, 0.1, 0.1]}})
