@@ -25,7 +25,7 @@ class CellParts:
 
     Args:
         home, acceleration: one for each joint, rad and rad/s2.
-        adjacent: pairs of links that always overlap.
+        adjacent: pairs of links that always overlap, or that a person has left out.
         visual_shapes: links that are taken from their visual shapes.
         tool: links of the description that hang behind the sensor.
         sensor_sizes: how many times larger the assumed sensor is than a common one of 200 N and 10 N m, in force and in torque.
@@ -87,8 +87,9 @@ def _robot(parts: CellParts) -> list[str]:
             f"visual_shapes = {_list_of_texts(parts.visual_shapes)}",
         ]
     if parts.adjacent:
+        why = "overlap in all configurations that were looked at" if parts.values.adjacent is None else "were left out by who made the cell"
         lines += [
-            "# These pairs overlap in all configurations that were looked at: no distance between them is watched.",
+            f"# These pairs {why}: no distance between them is watched.",
             "# Look at each pair on the robot: if the two can touch, mend the shapes in robot.urdf and take the pair out of this list.",
             "adjacent = [",
             *[f"    {_list_of_texts(pair)}," for pair in parts.adjacent],

@@ -51,13 +51,21 @@ class HomeSearch:
         bodies: of the links. payload: its box.
         floor_z: in the world, m.
         joined: pairs of links that one joint joins; they may touch.
+        left_out: pairs of links that count for nothing, by a person's word.
         tool: links behind the sensor, which like the payload must not touch any other.
     """
 
     def __init__(
-        self, robot: RobotModel, bodies: list[Body], payload: Body, floor_z: float, joined: set[frozenset[str]], tool: tuple[str, ...] = ()
+        self,
+        robot: RobotModel,
+        bodies: list[Body],
+        payload: Body,
+        floor_z: float,
+        joined: set[frozenset[str]],
+        left_out: set[frozenset[str]],
+        tool: tuple[str, ...] = (),
     ) -> None:
-        self._robot = robot
+        self._robot, self._left_out = robot, left_out
         self._carried = {PAYLOAD, *tool}
         self._scene = _Scene(robot, bodies, payload, floor_z, joined)
         self._low, self._high = _ranges(robot)
@@ -87,15 +95,16 @@ class HomeSearch:
         overlapping = links & (most < np.where(excused, CONTACT_M, scene.required))
         overlapping &= np.array([FLOOR not in pair for pair in scene.names]) | excused
         enough = np.maximum(np.minimum(scene.good, 0.7 * (most - required)), CONTACT_M)
-        scene.judge(~overlapping, required, enough, _bend_of(self._robot, self._samples))
+        ignored = overlapping | (links & np.array([frozenset(pair) in self._left_out for pair in scene.names]))
+        scene.judge(~ignored, required, enough, _bend_of(self._robot, self._samples))
         scores = np.array([scene.score(q, found) for q, found in zip(self._samples, distances, strict=True)])
         if scores.max() <= 0.0 and given is None:
-            in_the_way = int(np.argmax(((distances < required) & ~overlapping).sum(axis=0)))
+            in_the_way = int(np.argmax(((distances < required) & ~ignored).sum(axis=0)))
             first, second = scene.names[in_the_way]
             raise BadRobot(Message.of("newcell-home", file=where), "newcell-no-home", count=SAMPLES, first=first, second=second)
         best = np.round(self._samples[int(np.argmax(scores))], ROUND)
         q = _refine(scene, best, self._low, self._high) if given is None else given
-        found = np.where(overlapping, np.inf, scene.distances(q))
+        found = np.where(ignored, np.inf, scene.distances(q))
         k = int(np.argmin(found))
         always = [pair for pair, is_so in zip(scene.names, overlapping, strict=True) if is_so and FLOOR not in pair]
         return Home(q, scene.names[k], float(found[k]), tuple(dict.fromkeys(always)))

@@ -104,7 +104,7 @@ def make_cell(order: CellOrder, ask: Ask | None = None, picture: Path | None = N
             acceleration=choose_accelerations(frames, list(robot.velocity), values.joints, notes),
             floor_z=floor_z,
             payload_box=box,
-            adjacent=home.always_overlapping,
+            adjacent=home.always_overlapping if values.adjacent is None else values.adjacent,
             visual_shapes=visual,
             tool=frames.tool,
             tool_name="hand_tool" if "hand" in urdf.links else "hand",  # which a link may not be called as well
@@ -117,8 +117,9 @@ def make_cell(order: CellOrder, ask: Ask | None = None, picture: Path | None = N
         if picture is not None:
             shutil.copyfile(folder / PICTURE, picture)
         _check_made(folder, order.folder)
+        proposed = parts.adjacent if values.adjacent is None else ()
         notes += [
-            *(Message.of("newcell-pair-left-out", first=first, second=second) for first, second in parts.adjacent),
+            *(Message.of("newcell-pair-left-out", first=first, second=second) for first, second in proposed),
             Message.of("newcell-nearest-at-home", first=home.nearest[0], second=home.nearest[1], distance_m=home.nearest_m),
             *([] if values.sensor else [Message.of("newcell-sensor-of-nobody")]),
         ]
@@ -211,21 +212,22 @@ def _box_and_home(
         BadRobot: no home is free.
     """
     joined = set(find_joined_links(tree.checked, {body.name for body in bodies}))
+    left_out = {frozenset(pair) for pair in values.adjacent or ()}
     names = [joint.name for joint in frames.joints]
     if values.home_rad is not None and len(values.home_rad) != len(names):
         raise BadInput("home_rad", "cell-not-one-for-each-joint", count=len(values.home_rad), joints=names, joint_count=len(names))
     home_given = None if values.home_rad is None else np.array(values.home_rad)
     floor_z = _floor(bodies) if values.floor_z_m is None else values.floor_z_m
     if values.payload_box is not None:
-        search = HomeSearch(robot, bodies, payload_body(robot, values.payload_box), floor_z, joined, frames.tool)
+        search = HomeSearch(robot, bodies, payload_body(robot, values.payload_box), floor_z, joined, left_out, frames.tool)
         return values.payload_box, search.home(tree.where, home_given), floor_z
     for edge, gap in ROOMS_M:
         box = payload_room(robot, bodies, frames.tool, edge, gap)
-        search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
+        search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, left_out, frames.tool)
         if search.share_above_floor < STANDING and values.floor_z_m is None:
             floor_z = _out_of_reach(robot, bodies)
             notes.append(Message.of("newcell-floor-out-of-reach", floor_z_m=floor_z))
-            search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, frames.tool)
+            search = HomeSearch(robot, bodies, payload_body(robot, box), floor_z, joined, left_out, frames.tool)
         try:
             home = search.home(tree.where, home_given)
         except BadRobot as error:

@@ -14,6 +14,7 @@ Torque = Annotated[float, Field(strict=True, gt=0.0, le=100_000.0)]
 Acceleration = Annotated[float, Field(strict=True, ge=0.1, le=200.0)]
 Mass = Annotated[float, Field(strict=True, gt=0.0, le=10_000.0)]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
+Pairs = Annotated[tuple[tuple[Name, Name], ...], Field(max_length=1000)]
 
 
 class JointValues(Model):
@@ -43,4 +44,9 @@ class CellValues(Model):
     sensor: Sensor | None = Field(default=None, description="The wrist force/torque sensor.")
     floor_z_m: Number | None = Field(default=None, description="Height of the floor, m, in the base frame.", examples=[-0.75])
     payload_box: Box | None = Field(default=None, description="The room that a payload takes, sensor frame.")
+    adjacent: Pairs | None = Field(
+        default=None,
+        description="Pairs of links between which no distance is watched; where null those that overlap wherever they are looked at.",
+        examples=[[["link_1", "link_3"]]],
+    )
     limits: Limits = Field(default=Limits(), description="Largest speed and smallest distances.")

@@ -89,6 +89,7 @@ def check_name_free(db: Session, cell: Cell, name: str, *, but: str | None = Non
     """Nothing in the cell has that name yet, letter case aside: no obstacle, zone, tool or payload of cell.toml, and no saved payload.
 
     Args:
+        cell: with its zones as they are now.
         but: identifier of the saved payload that may have it, since it is the one that is changed.
 
     Raises:

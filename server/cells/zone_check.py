@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -25,16 +25,17 @@ FARTHEST_M = 20.0
 """From the robot's base to the zone's centre: no robot cell is larger, a length in millimetres is."""
 
 
-def drawing_flaws(cell: Cell, zone: str, shape: Shape, *, is_new: bool) -> list[BadInput]:
+def drawing_flaws(cell: Cell, zone: str, shape: Shape, *, is_new: bool, saved: Iterable[str]) -> list[BadInput]:
     """What speaks against a zone that somebody draws: its name where it is a new one, its size, its place, the robot at home in it.
 
     Args:
         cell: with its zones as they are now; `zone` is among them unless it is new.
+        saved: names of the payloads in the cell's tool library.
 
     Raises:
         Unprocessable: the process that looks at the arm failed.
     """
-    own = [*(_name_flaws(cell, zone) if is_new else ()), *_size_flaws(cell, zone, shape)]
+    own = [*(_name_flaws(cell, zone, saved) if is_new else ()), *_size_flaws(cell, zone, shape)]
     return own or place_flaws(cell.with_zone(zone, shape))
 
 
@@ -49,17 +50,20 @@ def place_flaws(cell: Cell) -> list[BadInput]:
     return list(contradictions_of(cell)) or _flaws_of_bodies(cell)
 
 
-def _name_flaws(cell: Cell, zone: str) -> Iterator[BadZone]:
-    """Bodies are told apart by their names."""
+def _name_flaws(cell: Cell, zone: str, saved: Iterable[str]) -> Iterator[BadZone]:
+    """Bodies and payloads are told apart by their names, whatever the case of their letters."""
     owners = {
+        **dict.fromkeys(saved, "zone-owner-saved"),
+        **dict.fromkeys(cell.payloads, "zone-owner-payload"),
         **dict.fromkeys(check_urdf(cell.urdf, cell.robot.urdf).links, "zone-owner-link"),
         **dict.fromkeys(cell.tools, "zone-owner-tool"),
         **{obstacle.name: "zone-owner-obstacle" for obstacle in cell.obstacles},
         **{each.name: "zone-owner-zone" for each in cell.zones},
         **dict.fromkeys(NAMELESS, "zone-owner-nameless"),
     }
-    if zone in owners:
-        yield BadZone(f"zones.{zone}", "zone-name-taken", name=zone, owner=Message.of(owners[zone]))
+    taken = {name.lower(): name for name in owners}.get(zone.lower())
+    if taken is not None:
+        yield BadZone(f"zones.{zone}", "zone-name-taken", name=taken, owner=Message.of(owners[taken]))
 
 
 def _size_flaws(cell: Cell, zone: str, shape: Shape) -> Iterator[BadZone]:

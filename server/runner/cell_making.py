@@ -10,12 +10,14 @@ from pathlib import Path
 
 import numpy as np
 
+from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.cell.urdf import check_urdf
 from core.cell.urdf_elements import UrdfJoint
 from core.errors import BadInput
 from core.new_cell.findings import CellFinding, findings_of
-from core.new_cell.making import URDF, make_cell
+from core.new_cell.home import SAMPLES, Home
+from core.new_cell.making import URDF, Made, make_cell
 from core.new_cell.order import CellOrder
 from core.recording.recording import RobotDescription
 from core.robot.model import RobotModel
@@ -23,7 +25,7 @@ from core.words.catalogue import Language
 from core.words.message import Message
 from server.http.flaws import dump_refusal
 from server.runner.confinement import confine
-from server.runner.draft_schemas import DraftCellPublic, DraftFinding, DraftJoint, DraftLink
+from server.runner.draft_schemas import DraftCellPublic, DraftFinding, DraftJoint, DraftLink, DraftPair
 from server.runner.messages import Answered
 from server.runner.work import give_way
 
@@ -54,8 +56,7 @@ def main(folder: Path, order: CellOrder, language: Language, connection: Connect
     Path(PICTURE).unlink(missing_ok=True)
     try:
         made = make_cell(order, picture=Path(PICTURE))
-        answer = _describe(made.folder, made.notes).model_dump_json()
-        connection.send(Answered(answer))
+        connection.send(Answered(_describe(made).model_dump_json()))
     except BadInput as error:
         connection.send(Answered(dump_refusal(error)))
 
@@ -67,8 +68,8 @@ def compile_kinematics() -> None:
     robot.sensor_pose(np.zeros(2))
 
 
-def _describe(folder: Path, notes: tuple[Message, ...]) -> DraftCellPublic:
-    cell = load_cell(folder)
+def _describe(made: Made) -> DraftCellPublic:
+    cell = load_cell(made.folder)
     urdf = check_urdf(cell.urdf, URDF)
     known = {joint.name: joint for joint in urdf.joints}
     joints = [known[hinge.name] for hinge in urdf.hinges(cell.robot.base_frame, cell.robot.sensor_frame)]
@@ -77,9 +78,26 @@ def _describe(folder: Path, notes: tuple[Message, ...]) -> DraftCellPublic:
         cell=cell,
         joints=[_describe_joint(joint, value) for joint, value in zip(joints, cell.robot.acceleration_rad_s2, strict=True)],
         links=[DraftLink(name=joint.child, mass_kg=masses.get(joint.child) or 0.0) for joint in joints],
-        notes=list(notes),
-        findings=[_tell(finding) for finding in findings_of(folder)],
+        pairs=_list_pairs(cell, made.home),
+        notes=list(made.notes),
+        findings=[_tell(finding) for finding in findings_of(made.folder)],
     )
+
+
+def _list_pairs(cell: Cell, home: Home) -> list[DraftPair]:
+    overlaps = Message.of("newcell-pair-overlaps", count=SAMPLES)
+    left_out = {frozenset(pair) for pair in cell.robot.adjacent}
+    overlapping = {frozenset(pair) for pair in home.always_overlapping}
+    declared = [pair for pair in cell.robot.adjacent if frozenset(pair) not in overlapping]
+    return [
+        DraftPair(
+            first=pair[0],
+            second=pair[1],
+            is_left_out=frozenset(pair) in left_out,
+            why=overlaps if frozenset(pair) in overlapping else Message.of("newcell-pair-declared"),
+        )
+        for pair in (*home.always_overlapping, *declared)
+    ]
 
 
 def _describe_joint(joint: UrdfJoint, acceleration_rad_s2: float) -> DraftJoint:

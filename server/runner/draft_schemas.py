@@ -29,6 +29,15 @@ class DraftLink(Answer):
     mass_kg: float = Field(description="Its mass, kg.", examples=[2.7])
 
 
+class DraftPair(Answer):
+    """Two links that overlap wherever they were looked at, or that somebody has left out."""
+
+    first: str = Field(description="Name of a link.", examples=["link_3"])
+    second: str = Field(description="Name of the other.", examples=["link_1"])
+    is_left_out: bool = Field(description="Whether no distance between them is watched.")
+    why: Message = Field(description="What speaks for that, or that nothing does but somebody's word.")
+
+
 class DraftFinding(Answer):
     """Something that is wrong or doubtful in the cell."""
 
@@ -42,5 +51,6 @@ class DraftCellPublic(Answer):
     cell: Cell = Field(description="The cell.")
     joints: list[DraftJoint] = Field(description="The arm's joints, from base to sensor.")
     links: list[DraftLink] = Field(description="The links that they move, in the same order.")
+    pairs: list[DraftPair] = Field(description="Pairs of links that are left out or could be: `values.adjacent` says which are.")
     notes: list[Message] = Field(description="What was chosen, taken or left out, since the description does not say.")
     findings: list[DraftFinding] = Field(description="What is wrong or doubtful, what is wrong first.")

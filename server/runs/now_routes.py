@@ -18,7 +18,7 @@ from server.http.schemas import Answer
 from server.people import audit
 from server.runs.conductor import Conductor, ConductorDep
 from server.runs.packml import MOVING, Command, State
-from server.runs.reason import explain_command
+from server.runs.reason import explain_stop_of_nobody
 
 router = APIRouter(prefix="/api/now", tags=["now"])
 
@@ -52,9 +52,8 @@ async def stop_now(cell: CellPath, conductor: ConductorDep, address: ClientAddre
     active = conductor.active.get(cell)
     if active is None:
         raise Conflict("runs-nothing-to-stop", cell=cell)
-    who = f"nobody@{address}"
-    done = audit.make_deed(who, "run.stop", {"run": active.id, "address": address}, now=now)
-    await conductor.command(active.id, Command.STOP, explain_command("stop", who), done)
+    done = audit.make_deed(f"nobody@{address}", "run.stop", {"run": active.id, "address": address}, now=now)
+    await conductor.command(active.id, Command.STOP, explain_stop_of_nobody(address), done)
     return cell_now(conductor, cell)
 
 

@@ -30,10 +30,9 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
     payload = order.payload or next(iter(cell.payloads), "")  # orders of older services may name none
     carried = read_carried(row)
     known = _load_payload(cell, payload) if carried is None else carried.known
-    limit = cell.limits.cartesian_speed_m_s  # may have become lower since it was asked for
     return Order(
         run=row.id,
-        cell=limit_speed(cell, min(order.speed_m_s or limit, limit), "speed_m_s"),
+        cell=slow_down(cell, order),
         payload=payload,
         known=known,
         payload_box=order.payload_box or (cell.payload_box if known is None else known.box),
@@ -49,6 +48,12 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
         start_rad=order.start_rad,
         reference=reference_of(row),
     )
+
+
+def slow_down(cell: Cell, order: RunOrder) -> Cell:
+    """The cell with the speed that was ordered as its limit; its own where none was, or where it has become lower since."""
+    limit = cell.limits.cartesian_speed_m_s
+    return limit_speed(cell, min(order.speed_m_s or limit, limit), "speed_m_s")
 
 
 def reference_of(row: RunRow) -> OrderReference:

@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 
 from core.cell.cell import Cell
 from server.cells.folder import CellsDep
+from server.cells.now import read_now
 from server.cells.payloads import SavedPayload, check_library_room, check_name_free, check_saved, load_saved
 from server.http.dependencies import NowDep, StoreDep
 from server.http.errors import Unprocessable
@@ -45,7 +46,7 @@ def save_payload(
     """Saves a payload in the tool library of a cell."""
     loaded = cells.read(cell).cell
     with store.write() as db:
-        check_name_free(db, loaded, body.name)
+        check_name_free(db, read_now(cells, db, cell).cell, body.name)
         check_library_room(db, cell)
         row = SavedPayload(id=new_id(now), cell=cell, saved_by=caller.who, saved_at=now)
         _fill(row, _complete(db, loaded, body), SavedPayloadUpdate.model_fields)
@@ -68,7 +69,7 @@ def change_payload(
     with store.write() as db:
         row = load_saved(db, cell, saved)
         if body.name is not None:
-            check_name_free(db, loaded, body.name, but=saved)
+            check_name_free(db, read_now(cells, db, cell).cell, body.name, but=saved)
         _fill(row, body, changed)
         check_saved(row, loaded)
         row.changed_by, row.changed_at = caller.who, now

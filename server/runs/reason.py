@@ -37,6 +37,11 @@ def explain_command(command: str, who: str) -> Reason:
     return Reason(f"{command}-asked", Message.of("runs-command-asked", command=str(command), who=who))
 
 
+def explain_stop_of_nobody(address: str) -> Reason:
+    """Somebody stopped it who was not signed in."""
+    return Reason("stop-asked", Message.of("runs-stopped-by-nobody", address=address))
+
+
 def explain_cancellation(who: str, why: str | None = None) -> Reason:
     """Nobody wants it any more; `why` is what they say."""
     if why:

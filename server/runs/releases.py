@@ -23,7 +23,9 @@ from server.runner.release_hash import release_sha256
 from server.runs import ledger as run_ledger
 from server.runs.conductor import Conductor
 from server.runs.lease import ControlRegistry
+from server.runs.order import slow_down
 from server.runs.packml import Command, IllegalCommandError, State
+from server.runs.schemas import RunOrder
 
 OFFER_S = 60.0
 SPARE_BYTES, BYTES_A_SECOND = 50_000_000, 1_000_000
@@ -87,7 +89,8 @@ class Releases:
             raise run_ledger.refusal(row, "release")
         cell = await asyncio.to_thread(self._conductor.read_current_cell, row.cell)
         waiting = RunPlan.model_validate_json(row.plan)
-        now_sha256 = release_sha256(waiting.plan_digest, cell, active.payload_box)
+        slowed = slow_down(cell, RunOrder.model_validate_json(row.order))
+        now_sha256 = release_sha256(waiting.plan_digest, slowed, active.payload_box)
         if plan_sha256 != waiting.sha256 or now_sha256 != waiting.sha256:
             raise Conflict("runs-plan-void", plan=plan_sha256[:12])
         self._offers.check(run, plan_sha256, offer)

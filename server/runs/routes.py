@@ -25,6 +25,7 @@ from server.runs.packml import Command, RunOutcome, State
 from server.runs.queue import IdempotencyKeyHeader, RunRequest, queue_once
 from server.runs.reason import explain_cancellation
 from server.runs.rest_of_run import rest_of
+from server.runs.run_search import contain_words
 from server.runs.schemas import RunCreate, RunOrder, RunPublic
 from server.runs.tables import RunRow
 
@@ -66,6 +67,13 @@ class RunFilter(RequestBody):
     order_id: str | None = Field(default=None, description="For this job order.", examples=["JO-2026-004711"])
     work_order: str | None = Field(default=None, description="For this work order.", examples=["WO-88120"])
     serial_number: str | None = Field(default=None, description="Of what has this serial number.", examples=["SN-000482"])
+    search: str | None = Field(
+        default=None,
+        max_length=200,
+        description="That contain each of these words somewhere, letter case aside: in its identifier, payload, references, state or "
+        "outcome, in the names of who ordered, released or accepted it; or on this day (UTC).",
+        examples=["sn-000482 2026-03-01"],
+    )
     before: str | None = Field(
         default=None, description="Before this run, such as the last of a list.", examples=["019ab1c2d3e44f1c2a9be7"]
     )
@@ -81,14 +89,15 @@ def list_runs(
     store: StoreDep, conductor: ConductorDep, control: ControlDep, now: NowDep, wanted: Annotated[RunFilter, Query()]
 ) -> list[RunPublic]:
     """Newest first, with their results in a few numbers; `before`, the last run of a list, gives the next one."""
-    query = select(RunRow).order_by(RunRow.id.desc()).limit(wanted.limit)
+    query = select(RunRow.id).order_by(RunRow.id.desc()).limit(wanted.limit)
     for name in EQUAL:
         if getattr(wanted, name) is not None:
             query = query.where(getattr(RunRow, name) == getattr(wanted, name))
     if wanted.before is not None:
         query = query.where(RunRow.id < wanted.before)
+    query = query.where(*contain_words(wanted.search or ""))
     with store.read() as db:
-        found = list(db.scalars(query))
+        found = list(db.scalars(select(RunRow).where(RunRow.id.in_(db.scalars(query).all())).order_by(RunRow.id.desc())))
     return [answer_now(conductor, control, now, row) for row in found]
 
 

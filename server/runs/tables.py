@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from sqlalchemy import ForeignKey, String, Text
+from sqlalchemy import ForeignKey, Index, String, Text
 from sqlalchemy.orm import Mapped, mapped_column
 
 from server.store.store import Table
@@ -15,6 +15,12 @@ class RunRow(Table):
     `core.estimation.result.Result`)."""
 
     __tablename__ = "runs"
+    __table_args__ = (
+        Index(
+            "ix_runs_searched", "cell", "id", "payload", "saved_payload", "state", "outcome", "order_id", "work_order", "serial_number",
+            "requested_by", "released_by", "accepted_by", "requested_at", "ended_at",
+        ),
+    )  # fmt: skip
 
     id: Mapped[str] = mapped_column(String(32), primary_key=True)
     """Sorts by the time of its making."""

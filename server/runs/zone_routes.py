@@ -14,6 +14,7 @@ from core.words.message import Message
 from server.cells import zones
 from server.cells.folder import CellFolder, CellsDep
 from server.cells.now import read_now
+from server.cells.payloads import list_saved
 from server.cells.zone_check import drawing_flaws
 from server.cells.zones import ZonePosition
 from server.http.dependencies import NowDep, StoreDep
@@ -44,7 +45,7 @@ class ZoneUpdate(RequestBody):
 class ZoneCreate(RequestBody):
     """A new zone."""
 
-    name: Name = Field(description="Its name: no other zone, obstacle, tool or link of the robot has it.", examples=["trolley"])
+    name: Name = Field(description="Its name: no other zone, obstacle, tool, payload or link of the robot has it.", examples=["trolley"])
     shape: AnyShape = Field(description="Its shape, size and place, world frame.")
 
 
@@ -211,11 +212,12 @@ def _find_flaws(cells: CellFolder, store: Store, cell: str, zone: str, shape: Sh
     """
     with store.read() as db:
         found = read_now(cells, db, cell)
+        saved = [each.name for each in list_saved(db, cell)]
         if not is_new:
             zones.find(db, cells.read(cell).cell, zone)
     if found.robot_flaws:
         refuse(cells.flaws(found))
-    return [cells.shorten_paths(each) for each in drawing_flaws(found.cell, zone, shape, is_new=is_new)]
+    return [cells.shorten_paths(each) for each in drawing_flaws(found.cell, zone, shape, is_new=is_new, saved=saved)]
 
 
 def _refuse_drawing(cells: CellFolder, store: Store, cell: str, zone: str, shape: Shape, *, is_new: bool) -> None:

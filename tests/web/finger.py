@@ -1,4 +1,4 @@
-"""One finger on the glass, as the browser gets it from the device: what scrolls a page scrolls it."""
+"""Fingers on the glass, as the browser gets them from the device: what scrolls or zooms a page does so."""
 
 from __future__ import annotations
 
@@ -16,14 +16,27 @@ def middle_of(what: Locator) -> Spot:
 
 def drag(page: Page, begin: Spot, end: Spot, *, steps: int = 12) -> None:
     """Down, along a line, up."""
+    move_fingers(page, [(begin, end)], steps)
+
+
+def pinch(page: Page, middle: Spot, begin_px: float, end_px: float, *, steps: int = 12) -> None:
+    """Two fingers beside each other, so far from the middle, come together or go apart."""
+    x, y = middle
+    move_fingers(page, [((x + side * begin_px, y), (x + side * end_px, y)) for side in (-1, 1)], steps)
+
+
+def move_fingers(page: Page, ways: list[tuple[Spot, Spot]], steps: int) -> None:
+    """All down at once, along their lines, up."""
     device = page.context.new_cdp_session(page)
 
-    def touch(kind: str, *at: Spot) -> None:
-        device.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in at]})
+    def touch(kind: str, share: float) -> None:
+        at = [(x + (to_x - x) * share, y + (to_y - y) * share) for (x, y), (to_x, to_y) in ways]
+        points = [{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(at)]
+        device.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points if kind != "touchEnd" else []})
 
-    touch("touchStart", begin)
+    touch("touchStart", 0.0)
     for k in range(1, steps + 1):
-        touch("touchMove", (begin[0] + (end[0] - begin[0]) * k / steps, begin[1] + (end[1] - begin[1]) * k / steps))
+        touch("touchMove", k / steps)
         page.wait_for_timeout(16)
-    touch("touchEnd")
+    touch("touchEnd", 1.0)
     device.detach()

@@ -35,7 +35,7 @@ class Screen:
 
 
 SCREENS = (
-    Screen("desktop", DESKTOP, "dark"), Screen("phone", PHONE, "light", 225),
+    Screen("desktop", DESKTOP, "dark"), Screen("phone", PHONE, "light", 300),
     Screen("tablet, portrait", PORTRAIT, "dark"), Screen("tablet, landscape", LANDSCAPE, "light"),
 )  # fmt: skip
 """Each size once and each theme twice: contrast does not depend on the size, nor what is cut off on the theme."""

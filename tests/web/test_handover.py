@@ -13,7 +13,7 @@ from tests.web.judgement import check_looks
 from tests.web.looks import glimpse, look
 from tests.web.people import BEN, PASSWORD, add_operator
 from tests.web.screens import show, signed_in
-from tests.web.tablet import Tablet
+from tests.web.tablet import LANDSCAPE, PHONE, Tablet
 
 LEFT = re.compile(r"in 0:[0-3]\d")
 
@@ -55,12 +55,30 @@ def test_control_is_handed_over_by_one_tap_of_each(anna: Tablet, ben: Tablet):
     expect(ben.page.locator(".control-request")).to_contain_text(LEFT)
     check_in_control(anna, ben)
     check_looks(glimpse(anna.page, "asked for control"))
+    check_it_is_one_line_on_a_phone(anna)
     anna.press("Hand over")
     check_in_control(ben, anna)
     assert anna.taps + ben.taps == 2
     expect(anna.page.locator(".remark")).to_contain_text("Control handed over to ben")
     expect(ben.page.locator(".remark")).to_contain_text("You have control now.")
     check_looks(look(anna.page, "control, of somebody else"))
+
+
+def check_it_is_one_line_on_a_phone(at: Tablet) -> None:
+    """Which unfolds by a tap."""
+    at.page.set_viewport_size(PHONE)
+    details = at.page.locator(".control-request .asked")
+    expect(details).to_be_hidden()
+    line = at.page.get_by_role("button", name="ben asks for control.")
+    expect(line).to_contain_text(re.compile(r"0:[0-3]\d"))
+    line.tap()
+    expect(details).to_contain_text("A moving robot goes on.")
+    expect(details).to_be_visible()
+    line.tap()
+    expect(details).to_be_hidden()
+    at.page.set_viewport_size(LANDSCAPE)
+    expect(details).to_be_visible()
+    expect(line).to_be_hidden()
 
 
 def test_whoever_has_control_stands_in_the_header_with_screen_and_time(anna: Tablet, ben: Tablet):

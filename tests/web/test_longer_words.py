@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, expect
 
+from tests.core.new_cell.small_arm import arm, joint, link
 from tests.server.finished_trial import finished_trial
 from tests.server.real_service import Console, RealService
 from tests.web.finished_answers import ANSWERS, diagnosed
@@ -15,7 +17,7 @@ from tests.web.looks import Look, glimpse
 from tests.web.people import BEN, PASSWORD, add_operator
 from tests.web.plain_words import MARK, words_of_no_catalogue
 from tests.web.screens import signed_in
-from tests.web.tablet import Tablet, tablet
+from tests.web.tablet import PATIENCE_MS, Tablet, tablet
 from tests.web.way import Way
 
 ADDRESS = "?words=longer"
@@ -53,10 +55,10 @@ def enter(at: Tablet) -> None:
     at.wait(".navigation")
 
 
-def check(at: Tablet, screen: str) -> None:
-    """It shows longer words, none beside them, and all of them."""
+def check(at: Tablet, screen: str, names: frozenset[str] = frozenset()) -> None:
+    """It shows longer words, none beside them but what somebody has called something, and all of them."""
     expect(at.page.locator("footer .next")).to_contain_text(MARK)
-    assert words_of_no_catalogue(at.page) == set(), screen
+    assert words_of_no_catalogue(at.page) - names == set(), screen
     looks: list[Look] = glimpse(at.page, screen)
     check_nothing_is_cut_off(looks)
 
@@ -68,6 +70,7 @@ def test_pages_have_longer_words_and_room_for_them(at: Tablet, service: RealServ
         "": ".setup .cell-facts", "nonsense": ".not-there",
         "settings": ".settings h1", "history": ".run-list tbody tr", "cells": ".zone-places .tile",
         f"history/{complete}/{complete}": ".comparison-table", f"runs/{complete}": ".result .downloads",
+        "tools": ".tool-tile", "new-cell": ".new-cell .steps",
         "orders": ".orders .empty", "alarms": ".alarms h1", "control": ".control-page .facts",
         "gap": "h1", "trials": "h1", f"trials/{finished_trial(service)}": ".opened-trials",
         "admin/account": ".own-sessions li", "admin/people": ".admin .tiles li", "admin/keys": ".admin .tiles li",
@@ -131,3 +134,76 @@ def test_control_that_is_asked_for_has_longer_words_and_room_for_them(at: Tablet
         at.tap(at.page.locator(".control-request .press-primary"))
         at.wait(".remark")
         check(at, "control that was handed over")
+
+
+BOX = {"size_m": [0.12, 0.09, 0.18], "pose": {"xyz_m": [0.0, 0.0, 0.09]}}
+TOOL = {"name": "shaft1", "title": "Shaft1", "note": "Jaws1", "box": BOX, "mass_least_kg": 2.0, "mass_most_kg": 3.0}
+
+
+def test_the_tool_library_has_longer_words_and_room_for_them(at: Tablet, person: Console):
+    saved = person.http.post("/api/cells/lwr4_bench/payloads", json=TOOL)
+    assert saved.status_code == 201, saved.text
+    enter(at)
+    page = at.page
+    page.evaluate("location.hash = '#/tools'")
+    tile = page.locator(".tool-tile", has_text="Shaft1")
+    edit, delete = tile.locator(".row button.press").nth(1), tile.locator(".row button.press").nth(2)
+    at.tap(delete)
+    check(at, "a tool that may be deleted")
+    page.reload()
+    at.tap(edit)
+    page.locator(".tool-form").wait_for()
+    check(at, "a tool that is changed")
+    page.locator(".tool-form input").first.fill("")
+    check(at, "a tool without a name")
+    page.reload()
+    at.tap(page.locator(".tools > div > .press").first)
+    page.locator(".tool-form").wait_for()
+    check(at, "a new tool")
+    person.http.delete(saved.headers["location"])
+
+
+def test_zones_have_longer_words_and_room_for_them(at: Tablet):
+    enter(at)
+    page = at.page
+    page.evaluate("location.hash = '#/cells'")
+    at.wait(".zone-places .tile")
+    at.tap(page.locator(".zone-add .press").first)
+    check(at, "a zone that is to be drawn")
+    at.tap(page.locator(".zone-editor .tile[role=status] .press").first)
+    page.locator(".zone-changing").wait_for()
+    check(at, "a new zone", ZONE_NAMES)
+    page.locator(".zone-changing input").first.fill("operator")
+    check(at, "a zone whose name is taken", ZONE_NAMES)
+
+
+ZONE_NAMES = frozenset({"zone"})
+LINKS = frozenset({"arm", "urdf", "base", "flange", "hand", "small"})
+LACKING = arm(
+    link("hand") + joint("grip", "flange", "hand", kind="fixed", rest=""),
+    joints={3: joint("joint3", "link2", "link3", axis="0 0 1", rest="<limit/>")},
+).replace(link("link4"), link("link4", inertial=""))
+
+
+def test_a_new_cell_has_longer_words_and_room_for_them_at_every_step(at: Tablet, tmp_path: Path):
+    enter(at)
+    page, file = at.page, tmp_path / "arm.urdf"
+    file.write_text(LACKING)
+    page.evaluate("location.hash = '#/new-cell'")
+    at.wait(".new-cell .steps")
+    page.locator("input[type=file]").set_input_files(file)
+    proceed, heading = page.locator(".command-bar .press-primary"), page.locator(".new-cell h2").first
+    page.locator(".new-cell input[type=radio]").first.wait_for()
+    check(at, "new cell: description", LINKS)
+    for step in ("arm", "joints", "home", "sensor", "room", "check"):
+        before = heading.inner_text()
+        at.tap(proceed)
+        expect(heading).not_to_have_text(before, timeout=PATIENCE_MS)
+        if step == "arm":
+            page.locator(".new-cell input[type=radio]").nth(2).check(force=True)
+        if step == "room":
+            page.locator(".new-cell select").first.select_option("link5")
+            page.locator(".new-cell select").last.select_option("link2")
+            at.tap(page.locator(".new-cell .two .press"))
+            page.locator(".new-cell .option small").wait_for(timeout=PATIENCE_MS)
+        check(at, f"new cell: {step}", LINKS)

@@ -83,6 +83,7 @@ def test_from_a_description_that_lacks_much_to_the_imported_cell(at: Tablet, ser
     page.get_by_label("Make and model").fill("ACME 150")
     go_on(page, "Room")
     page.get_by_label("Height of the floor").fill("-0.4")
+    leave_a_pair_out_and_watch_it_again(page)
     go_on(page, "Check")
     expect(page.locator(".new-cell")).to_contain_text("The cell can be used.")
     expect(page.locator(".findings").last).to_contain_text("zones")
@@ -92,6 +93,26 @@ def test_from_a_description_that_lacks_much_to_the_imported_cell(at: Tablet, ser
     made = load_cell(service.data / "cells" / "made_here")
     assert (made.sensor.name, made.sensor.range[0], made.floor_z_m, list(made.tools)) == ("ACME 150", 150.0, -0.4, ["hand_tool"])
     assert 'velocity="1.5"' in made.urdf
+
+
+def leave_a_pair_out_and_watch_it_again(page: Page) -> None:
+    """The reason stands beside it, and the findings follow."""
+    pairs = page.get_by_role("group", name="Pairs of links that are left out")
+    expect(pairs).to_contain_text("None: all pairs of links are watched.")
+    leave_out = pairs.get_by_role("button", name="Leave this pair out")
+    pairs.get_by_role("combobox").first.select_option("link5")
+    expect(leave_out).to_be_disabled()
+    pairs.get_by_role("combobox").last.select_option("link2")
+    leave_out.tap()
+    pair = pairs.get_by_role("checkbox", name="link5 and link2")
+    expect(pair).to_be_checked()
+    expect(pairs).to_contain_text("nothing shows that they always overlap", timeout=PATIENCE_MS)
+    finding = page.locator(".findings li", has_text="'link5' and 'link2' left out")
+    expect(finding).to_be_visible()
+    check_looks(look(page, "the room of a new cell"))
+    pair.uncheck(force=True)
+    expect(finding).to_have_count(0, timeout=PATIENCE_MS)
+    expect(pair).to_have_count(0)
 
 
 def test_a_new_cell_that_is_discarded_is_gone(at: Tablet, service: RealService, tmp_path: Path) -> None:

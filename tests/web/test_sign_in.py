@@ -54,6 +54,22 @@ def test_where_no_run_is_active_nothing_is_said_about_robots_or_control(service:
         expect(at.page.locator(".press-stop")).to_have_count(0)
 
 
+def test_what_is_missing_is_said_in_the_words_of_the_page(service: RealService, browser: Browser) -> None:
+    with tablet(browser, service) as at:
+        at.open()
+        at.press("Sign in")
+        name = at.page.get_by_label("Name")
+        expect(name).to_be_focused()
+        expect(name).to_have_accessible_description("Enter your name")
+        name.fill("operator")
+        expect(at.page.locator("form")).not_to_contain_text("Enter your name")
+        at.press("Sign in")
+        expect(at.page.get_by_label("Password")).to_be_focused()
+        expect(at.page.get_by_label("Password")).to_have_accessible_description("Enter your password")
+        check_looks(look(at.page, "sign in without a password"))
+        assert at.complaints == []
+
+
 def audited(person: Console) -> list[dict]:
     """The end of the log."""
     return list(person.http.get("/api/audit", params={"limit": 200}).json())
@@ -67,6 +83,9 @@ def test_the_address_of_the_first_start_asks_for_a_password_of_ones_own_and_sign
         at.page.goto(f"http://{fresh.address}/#/first/operator/{given}")
         expect(at.page.get_by_role("heading", name="Welcome to Heft")).to_be_visible()
         check_looks(look(at.page, "first sign-in"))
+        at.page.get_by_label("New password for operator").fill("too short")
+        at.press("Save and sign in")
+        expect(at.page.get_by_role("alert")).to_have_text("At least 12 characters")
         at.page.get_by_label("New password for operator").fill("a password of my own")
         at.press("Save and sign in")
         expect(at.page.get_by_role("heading", name="Cell and tool")).to_be_visible()

@@ -11,6 +11,7 @@ from PIL import Image
 from playwright.sync_api import Browser, Page, expect
 
 from tests.server.real_service import Console, RealService
+from tests.web.finger import middle_of, pinch
 from tests.web.screens import show, signed_in
 
 DRAWN_MS = 120_000
@@ -54,6 +55,29 @@ def test_a_view_is_turned_by_its_button_and_stays_so_from_the_plan_into_the_run(
         assert page.locator("iframe.viewer").evaluate("frame => frame.kept && frame.src") == kept, "one picture goes through the run"
         at.tap(page.get_by_role("button", name="Reset", exact=True))
         assert wait_for_change(page, above)
+
+
+def test_a_pinch_zooms_the_picture_and_never_the_page(service: RealService, browser: Browser) -> None:
+    with signed_in(service, browser, drawn=True) as at:
+        page = at.page
+        before, stood = picture(page), place_of(page)
+        middle = middle_of(page.locator("iframe.viewer"))
+        pinch(page, middle, 40, 140)
+        assert wait_for_change(page, before), "the robot is nearer"
+        assert place_of(page) == stood
+        nearer = picture(page)
+        pinch(page, middle, 140, 40)
+        assert wait_for_change(page, nearer), "the robot is farther away"
+        assert place_of(page) == stood
+
+
+def place_of(page: Page) -> list[float]:
+    """How far the page is zoomed, and where it is scrolled to."""
+    found: list[float] = page.evaluate(
+        "() => { const {scale, offsetLeft, offsetTop} = visualViewport, main = document.querySelector('main');"
+        " return [scale, offsetLeft, offsetTop, scrollX, scrollY, main.scrollLeft, main.scrollTop] }"
+    )
+    return found
 
 
 def picture(page: Page) -> NDArray[np.float64]:

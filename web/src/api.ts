@@ -2571,6 +2571,20 @@ export interface components {
             /** @description The room that a payload takes, sensor frame. */
             payload_box?: components["schemas"]["Box"] | null;
             /**
+             * Adjacent
+             * @description Pairs of links between which no distance is watched; where null those that overlap wherever they are looked at.
+             * @example [
+             *       [
+             *         "link_1",
+             *         "link_3"
+             *       ]
+             *     ]
+             */
+            adjacent?: [
+                string,
+                string
+            ][] | null;
+            /**
              * @description Largest speed and smallest distances.
              * @default {
              *       "cartesian_speed_m_s": 0.25,
@@ -3814,6 +3828,11 @@ export interface components {
              */
             links: components["schemas"]["DraftLink"][];
             /**
+             * Pairs
+             * @description Pairs of links that are left out or could be: `values.adjacent` says which are.
+             */
+            pairs: components["schemas"]["DraftPair"][];
+            /**
              * Notes
              * @description What was chosen, taken or left out, since the description does not say.
              */
@@ -3970,6 +3989,31 @@ export interface components {
              * @example 2.7
              */
             mass_kg: number;
+        };
+        /**
+         * DraftPair
+         * @description Two links that overlap wherever they were looked at, or that somebody has left out.
+         */
+        DraftPair: {
+            /**
+             * First
+             * @description Name of a link.
+             * @example link_3
+             */
+            first: string;
+            /**
+             * Second
+             * @description Name of the other.
+             * @example link_1
+             */
+            second: string;
+            /**
+             * Is Left Out
+             * @description Whether no distance between them is watched.
+             */
+            is_left_out: boolean;
+            /** @description What speaks for that, or that nothing does but somebody's word. */
+            why: components["schemas"]["Message"];
         };
         /**
          * DraftPublic
@@ -9643,7 +9687,7 @@ export interface components {
         ZoneCreate: {
             /**
              * Name
-             * @description Its name: no other zone, obstacle, tool or link of the robot has it.
+             * @description Its name: no other zone, obstacle, tool, payload or link of the robot has it.
              * @example trolley
              */
             name: string;
@@ -13769,6 +13813,7 @@ export type DraftFinding = components['schemas']['DraftFinding'];
 export type DraftImportCreate = components['schemas']['DraftImportCreate'];
 export type DraftJoint = components['schemas']['DraftJoint'];
 export type DraftLink = components['schemas']['DraftLink'];
+export type DraftPair = components['schemas']['DraftPair'];
 export type DraftPublic = components['schemas']['DraftPublic'];
 export type DraftRobotCreate = components['schemas']['DraftRobotCreate'];
 export type EndedRequestPublic = components['schemas']['EndedRequestPublic'];
@@ -18579,6 +18624,8 @@ export interface operations {
                 work_order?: string | null;
                 /** @description Of what has this serial number. */
                 serial_number?: string | null;
+                /** @description That contain each of these words somewhere, letter case aside: in its identifier, payload, references, state or outcome, in the names of who ordered, released or accepted it; or on this day (UTC). */
+                search?: string | null;
                 /** @description Before this run, such as the last of a list. */
                 before?: string | null;
                 /** @description How many runs are answered at most. */

@@ -181,6 +181,8 @@ newcell-mass-taken = Das Glied „{ $link }“ hat keine Masse: { SIGNIFICANT($m
 newcell-inertia-taken = Das Glied „{ $link }“ hat keine Trägheit, die ein Körper haben kann: die seiner Form mit seinen { SIGNIFICANT($mass_kg, digits: 3) } kg angenommen; setzen Sie die des Roboters ein, Drehmomente und Simulation rechnen damit.
 newcell-visual-taken = Das Glied „{ $link }“ hat keine Form für Zusammenstöße: seine sichtbare Form ist genommen (robot.visual_shapes).
 newcell-pair-left-out = „{ $first }“ und „{ $second }“ überschneiden sich in allen Stellungen, die angesehen wurden: ausgelassen (robot.adjacent).
+newcell-pair-overlaps = Sie überschneiden sich, oder beinahe, in allen { $count } Stellungen des Arms, die angesehen wurden.
+newcell-pair-declared = Von Ihnen ausgelassen; nichts spricht dafür, dass sie sich immer überschneiden.
 
 newcell-floor-out-of-reach = Der Arm hängt unter seiner Basis: der Boden ist außer Reichweite gelegt, auf { SIGNIFICANT($floor_z_m, digits: 6) } m; setzen Sie seine Höhe ein.
 newcell-box-without-home = Mit einem Hüllquader der Last von { SIGNIFICANT($width_m, digits: 6) } m Breite, { SIGNIFICANT($gap_m, digits: 6) } m vor dem Flansch, ist keine Grundstellung frei, meist wegen „{ $first }“ und „{ $second }“.

@@ -37,6 +37,7 @@ runs-command-asked =
         [abort] abgebrochen von { PERSON($who) }.
        *[other] { runs-command } von { PERSON($who) }.
     }
+runs-stopped-by-nobody = gestoppt von jemandem, der nicht angemeldet war, Adresse { $address }.
 runs-cancelled = storniert von { PERSON($who) }.
 runs-cancelled-because = storniert von { PERSON($who) }: { $why }
 runs-ended = der Lauf wurde beendet.

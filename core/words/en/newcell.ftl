@@ -187,6 +187,8 @@ newcell-mass-taken = Link '{ $link }' has no mass: { SIGNIFICANT($mass_kg, digit
 newcell-inertia-taken = Link '{ $link }' has no inertia that a body can have: that of its shape with its { SIGNIFICANT($mass_kg, digits: 3) } kg taken; put in the robot's own, torques and the simulation count with it.
 newcell-visual-taken = Link '{ $link }' has no shape for collisions: its visual shape is taken (robot.visual_shapes).
 newcell-pair-left-out = '{ $first }' and '{ $second }' overlap wherever they were looked at: left out (robot.adjacent).
+newcell-pair-overlaps = They overlap, or nearly so, in all { $count } positions of the arm that were looked at.
+newcell-pair-declared = You have left them out; nothing shows that they always overlap.
 
 # ... room, home and sensor.
 newcell-floor-out-of-reach = The arm hangs below its base: the floor is put out of reach, at { SIGNIFICANT($floor_z_m, digits: 6) } m; put in its height.

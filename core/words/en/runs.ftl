@@ -9,6 +9,7 @@ runs-command-asked =
         [abort] aborted by { PERSON($who) }.
        *[other] { runs-command } by { PERSON($who) }.
     }
+runs-stopped-by-nobody = stopped by somebody who was not signed in, at { $address }.
 runs-cancelled = cancelled by { PERSON($who) }.
 runs-cancelled-because = cancelled by { PERSON($who) }: { $why }
 runs-ended = the run was ended.

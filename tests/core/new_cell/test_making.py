@@ -17,6 +17,7 @@ from core.errors import BadInput
 from core.new_cell import making
 from core.new_cell.making import make_cell
 from core.new_cell.order import Behind, CellOrder
+from core.new_cell.values import CellValues
 from core.words.message import Message
 from tests.core.new_cell.small_arm import BOX, INERTIAL, LIMIT, arm, joint, link, made, write_arm
 
@@ -110,6 +111,24 @@ def test_pairs_that_always_overlap_are_listed(tmp_path):
     robot = tomllib.loads((found.folder / "cell.toml").read_text())["robot"]
     assert ["link3", "link1"] in robot["adjacent"]
     assert Message.of("newcell-pair-left-out", first="link3", second="link1") in found.notes
+
+
+def test_whoever_makes_the_cell_says_which_pairs_are_left_out(tmp_path):
+    found = made(tmp_path, arm(), values=CellValues(adjacent=(("link5", "link2"),)))
+    text = (found.folder / "cell.toml").read_text()
+    assert tomllib.loads(text)["robot"]["adjacent"] == [["link5", "link2"]]
+    assert "were left out by who made the cell" in text
+    assert not [note for note in found.notes if note.code == "newcell-pair-left-out"]
+
+
+def test_pairs_that_are_left_out_stand_in_the_way_of_no_home(tmp_path):
+    """An arm that is folded so far that its fifth link is in its first one, and a hand's breadth from its base."""
+    folded, pairs = (0.0, 2.4, 0.0, 2.75, 0.0, 0.0), (("link1", "link5"), ("link5", "base"))
+    for count in range(2):
+        first, second = sorted(pairs[count], reverse=True)
+        with pytest.raises(BadInput, match=rf"robot\.home_rad: found '{first}' .* from '{second}'"):
+            made(tmp_path, arm(), values=CellValues(home_rad=folded, adjacent=pairs[:count]))
+    assert made(tmp_path, arm(), values=CellValues(home_rad=folded, adjacent=pairs)).home.q.tolist() == list(folded)
 
 
 def test_a_tool_gets_a_name_that_no_link_has(tmp_path):

@@ -105,6 +105,39 @@ def test_from_one_file_to_the_imported_cell_with_what_the_description_lacks(engi
     assert said == ["line3"]
 
 
+RING = '<collision><origin xyz="0 0 0.24"/><geometry><sphere radius="0.3"/></geometry></collision>'
+
+
+def test_pairs_that_are_left_out_are_proposed_declared_and_taken_back(engineer: TestClient, settings: Settings) -> None:
+    path = begun(engineer, arm(links={1: link("link1", shapes=RING)}))
+    proposed = put(engineer, path).json()
+    told = {(each["first"], each["second"]): (each["is_left_out"], each["why"]["code"]) for each in proposed["pairs"]}
+    assert told == {("link3", "link1"): (True, "newcell-pair-overlaps")}
+    assert unwatched(proposed) == [("link3", "link1")]
+    chosen = put(engineer, path, values={"adjacent": [["link1", "link3"], ["link5", "link2"]]}).json()
+    told = {(each["first"], each["second"]): (each["is_left_out"], each["why"]["code"]) for each in chosen["pairs"]}
+    assert told == {("link3", "link1"): (True, "newcell-pair-overlaps"), ("link5", "link2"): (True, "newcell-pair-declared")}
+    assert unwatched(chosen) == [("link1", "link3"), ("link5", "link2")]
+    watched = put(engineer, path, values={"adjacent": []}).json()
+    assert [(each["first"], each["is_left_out"]) for each in watched["pairs"]] == [("link3", False)]
+    assert unwatched(watched) == []
+    assert "newcell-shapes-overlap" in [each["message"]["code"] for each in watched["findings"]]
+    refused = put(engineer, path, values={"adjacent": [], "home_rad": [0.0, 2.4, 0.0, 2.75, 0.0, 0.0]})
+    assert (refused.status_code, refused.json()["flaws"][0]["code"]) == (422, "robot-home-too-close")
+    unknown = put(engineer, path, values={"adjacent": [["link5", "nothing"]]})
+    assert (unknown.status_code, unknown.json()["flaws"][0]["code"]) == (422, "cell-no-such-link")
+    assert put(engineer, path, values={"adjacent": [["link5"]]}).status_code == 422
+    assert put(engineer, path, values={"adjacent": [["link1", "link3"]]}).status_code == 200
+    assert engineer.post(f"{path}/import", json={"name": "line3"}).status_code == 201
+    assert load_cell(settings.cells_folder / "line3").robot.adjacent == (("link1", "link3"),)
+
+
+def unwatched(found: dict[str, Any]) -> list[tuple[str, str]]:
+    """Pairs that the findings name as left out."""
+    said = [each["message"] for each in found["findings"] if each["message"]["code"] == "newcell-pair-unwatched"]
+    return [(each["parameters"]["first"], each["parameters"]["second"]) for each in said]
+
+
 def test_what_is_left_is_gone_and_so_is_what_nobody_goes_on_with(
     engineer: TestClient, settings: Settings, clock: Clock, signed_in: As
 ) -> None:

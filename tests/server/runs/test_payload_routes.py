@@ -12,8 +12,6 @@ from fastapi.testclient import TestClient
 from core.cell.folder import load_cell
 from core.errors import BadPayload
 from core.payload.shapes import Box
-from server.cells.payloads import check_name_free
-from server.http.errors import Conflict
 from server.people.roles import Role
 from server.runner.messages import Order
 from server.runs import ledger as run_ledger
@@ -97,12 +95,11 @@ def test_a_name_that_something_in_the_cell_has_is_refused_in_words(saved: str, e
     assert engineer.patch(f"{PATH}/{saved}", json={"name": "shaft"}).status_code == 200
 
 
-def test_whoever_names_a_zone_is_told_of_the_library(saved: str, service: Service) -> None:
-    with service.store.read() as db:
-        cell = service.cells.load(CELL)
-        check_name_free(db, cell, "loading_door")
-        with pytest.raises(Conflict, match="a payload of the tool library"):
-            check_name_free(db, cell, "shaft")
+def test_a_zone_that_somebody_drew_keeps_its_name_from_the_library(engineer: TestClient, signed_in: As) -> None:
+    shape = {"kind": "sphere", "radius_m": 0.2, "pose": {"xyz_m": [0.0, 1.6, 0.0]}}
+    assert signed_in(Role.operator).post(f"/api/cells/{CELL}/zones", json={"name": "trolley", "shape": shape}).status_code == 201
+    refused = engineer.post(PATH, json=SHAFT | {"name": "Trolley"})
+    assert (refused.status_code, refused.json()["parameters"]["by"]) == (409, "zone")
 
 
 POINT = {"mass_kg": 2.0, "first_moment_kg_m": [0, 0, 0.2], "inertia_kg_m2": [0, 0, 0, 0, 0, 0], "source": "CAD"}

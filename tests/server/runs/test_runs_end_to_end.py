@@ -251,7 +251,7 @@ def check_the_public_stop(nobody: httpx.Client, console: Console) -> None:
     assert (now["cell"], now["run"], now["state"], now["moving"], now["safety_rated"]) == ("lwr4_bench", run, "Execute", True, False)
     assert nobody.post("/api/now/lwr4_bench/stop").status_code == 200
     stopped = console.wait(run, "Stopped")
-    assert stopped["reason"]["text"] == "stopped by nobody@127.0.0.1."
+    assert stopped["reason"]["text"] == "stopped by somebody who was not signed in, at 127.0.0.1."
     wait_for(lambda: nobody.get("/api/now").json() == [], "the cell to be free")
 
 

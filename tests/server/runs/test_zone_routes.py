@@ -278,14 +278,19 @@ def test_a_zone_that_was_resized_here_keeps_its_size_when_a_tracker_moves_it(sig
 
 @pytest.mark.parametrize(
     ("name", "owner"),
-    [("operator", "another zone"), ("bench", "an obstacle"), ("link2", "a link of the robot"), ("payload", "the payload or the floor")],
-)
+    [("operator", "another zone"), ("Operator", "another zone"), ("bench", "an obstacle"), ("link2", "a link of the robot"),
+     ("payload", "the payload or the floor"), ("steel_block", "a payload of cell.toml"), ("shaft", "a payload of the tool library"),
+     ("SHAFT", "a payload of the tool library")],
+)  # fmt: skip
 def test_a_new_zone_needs_a_name_that_nothing_in_the_cell_has(name: str, owner: str, signed_in: As) -> None:
     operator = signed_in(Role.operator)
+    operator.post(f"{CELL}/payloads", json={"name": "shaft", "title": "Shaft", "box": {"kind": "box", "size_m": [0.1, 0.1, 0.1]}})
+    asked = operator.post(f"{CELL}/zones/{name}/check", json={"shape": TROLLEY, "new": True})
     refused = draw(operator, name)
     assert (refused.status_code, refused.json()["kind"]) == (409, "bad-zone"), refused.text
+    assert asked.json()["flaws"] == refused.json()["flaws"]
     assert [(flaw["code"], flaw["found"]) for flaw in refused.json()["flaws"]] == [
-        ("zone-name-taken", f'the name "{name}", which {owner} has')
+        ("zone-name-taken", f'the name "{name.lower()}", which {owner} has')
     ]
     assert operator.get(CELL).json()["moved"] == []
 

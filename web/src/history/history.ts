@@ -11,6 +11,10 @@ const ASK_MS = 3000;
 /** Many runs are a lot to send again and again. */
 const ASK_MANY_MS = 30_000;
 const PAGE = 50;
+/** Who types is not asked about every letter. */
+const TYPING_MS = 300;
+/** Letters that the service searches for. */
+const LONGEST = 200;
 const MOST = 500;
 
 /** The cell whose runs are shown: the one that this console stands at, where the address names no other. */
@@ -21,15 +25,24 @@ const isSaved = computed(() => filters.value.get('saved') !== null);
 /** What the runs have to contain; empty is anything. */
 export const search = computed(() => filters.value.get('search') ?? '');
 const length = signal(PAGE);
-/** What is searched for may be in any run: as many are read as the service gives at once. */
+/** Words of this console, such as states and times, are searched for in as many runs as the service gives at once. */
 const limit = computed(() => (search.value ? MOST : length.value));
 
 /** The runs of the cell and tool, newest first; null until they are known. */
 export const past = signal<RunPublic[] | null>(null);
-/** Those of them that contain what is searched for. */
-export const found = computed(() => past.value?.filter((run) => matches(run, search.value)) ?? null);
+/** What the service found of all runs, by what it knows: identifiers, people, days. */
+const sought = signal<RunPublic[]>([]);
+/** The runs that contain what is searched for, newest first. */
+export const found = computed(() => {
+  if (past.value === null) return null;
+  const shown = past.value.filter((run) => matches(run, search.value));
+  const known = new Set(shown.map(({ run }) => run));
+  return [...shown, ...sought.value.filter(({ run }) => !known.has(run))].sort((a, b) =>
+    a.run < b.run ? 1 : -1,
+  );
+});
 export const mayHaveEarlier = computed(() => past.value?.length === limit.value && limit.value < MOST);
-/** Whether there may be runs that were not searched. */
+/** Whether there may be runs in which the console's own words were not searched for. */
 export const isCutOff = computed(() => past.value?.length === MOST);
 /** The runs picked to be compared: at most two, in the order in which they were picked. */
 export const pair = signal<string[]>([]);
@@ -79,11 +92,26 @@ async function readTools(cell: string): Promise<void> {
   historyTools.value = read.map(({ id, name, title }) => ({ value: id ?? name, title, saved: id !== null }));
 }
 
-async function readPast(cell: string, tool: string, most: number): Promise<void> {
+interface Wanted {
+  limit: number;
+  search?: string;
+}
+
+/** Runs of a cell and tool; null where others are wanted by now. */
+async function readRunsOf(cell: string, tool: string, wanted: Wanted): Promise<RunPublic[] | null> {
   const named = isSaved.value ? { saved_payload: tool } : { payload: tool };
-  const query = { cell, limit: most, ...(tool ? named : {}) };
+  const query = { cell, ...wanted, ...(tool ? named : {}) };
   const read = await ask('GET /api/runs', { query });
-  if (cell === historyCell.value && tool === historyTool.value) past.value = read;
+  return cell === historyCell.value && tool === historyTool.value ? read : null;
+}
+
+async function readPast(cell: string, tool: string, limit: number): Promise<void> {
+  past.value = (await readRunsOf(cell, tool, { limit })) ?? past.value;
+}
+
+async function seek(cell: string, tool: string, words: string): Promise<void> {
+  const read = await readRunsOf(cell, tool, { limit: MOST, search: words });
+  if (read !== null && search.value.startsWith(words)) sought.value = read;
 }
 
 const looking = computed(() => Boolean(session.value) && route.value[0] === 'history');
@@ -101,4 +129,17 @@ effect(() => {
   const [cell, tool, most] = [historyCell.value, historyTool.value, limit.value];
   const pause_ms = most === PAGE ? ASK_MS : ASK_MANY_MS;
   return looking.value && cell ? every(pause_ms, () => readPast(cell, tool, most)) : undefined;
+});
+effect(() => {
+  const [cell, tool, words] = [historyCell.value, historyTool.value, search.value.slice(0, LONGEST)];
+  sought.value = [];
+  if (!looking.value || !cell || words.trim() === '') return undefined;
+  let stop = () => {};
+  const timer = window.setTimeout(() => {
+    stop = every(ASK_MANY_MS, () => seek(cell, tool, words));
+  }, TYPING_MS);
+  return () => {
+    window.clearTimeout(timer);
+    stop();
+  };
 });

@@ -38,6 +38,8 @@ export const frames = signal<Frames | null>(null);
 export const made = signal<DraftCellPublic | null>(null);
 /** What somebody has typed, by the name of the value; what is absent is as it was made. */
 export const edits = signal<Record<string, string>>({});
+/** Pairs of links that somebody wants left out; null for those that are proposed. */
+export const leftOut = signal<[string, string][] | null>(null);
 /** Why the last attempt came to nothing. */
 export const refused = signal<{ flaws: Flaw[]; notice: Notice | null } | null>(null);
 export const working = signal(false);
@@ -65,6 +67,7 @@ export async function sendFile(file: File): Promise<void> {
     frames.value = null;
     made.value = null;
     edits.value = {};
+    leftOut.value = null;
     pictures.value = 0;
     description.value = { file: draft.value.descriptions[0]?.file ?? '', arguments: {} };
   });
@@ -86,6 +89,7 @@ async function readRobot(): Promise<void> {
     outline.value = read;
     frames.value = armOf(read);
     edits.value = {};
+    leftOut.value = null;
   }
 }
 
@@ -93,7 +97,8 @@ async function readRobot(): Promise<void> {
 async function make(): Promise<void> {
   const [arm, before] = [frames.value, made.value];
   if (draft.value === null || arm === null) return;
-  const body = { ...framesFit(arm, outline.value), values: valuesOf(arm.title, edits.value, before) };
+  const values = { ...valuesOf(arm.title, edits.value, before), adjacent: leftOut.value };
+  const body = { ...framesFit(arm, outline.value), values };
   const path = { draft: draft.value.draft };
   try {
     const query = { language: language.value as ServerLanguage };
@@ -103,7 +108,7 @@ async function make(): Promise<void> {
   }
 }
 
-/** Draws the robot with what is typed. */
+/** Makes the cell with what is typed, and draws it. */
 export const remake = () => attempted(make);
 
 /** Goes on to the next step, once what this one says could be used. */
@@ -159,6 +164,7 @@ function forget(): void {
   frames.value = null;
   made.value = null;
   edits.value = {};
+  leftOut.value = null;
   refused.value = null;
   fileName.value = '';
   pictures.value = 0;

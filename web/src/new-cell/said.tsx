@@ -11,11 +11,12 @@ import { newCellWords } from './new-cell-words';
 
 /** Which step something can be changed at, by the key that it is about. */
 const KEYS: [RegExp, Step][] = [
-  [/home|^newcell-nearest|newcell-pair/, 'home'],
+  [/adjacent|newcell-pair/, 'room'],
+  [/home|^newcell-nearest/, 'home'],
   [/sensor\.|: sensor$|sensor-of-nobody/, 'sensor'],
   [/floor|payload_box|limits\.|newcell-box|newcell-payload-box/, 'room'],
   [/joint|acceleration|friction|mass-taken|inertia-taken/, 'joints'],
-  [/frame|adjacent|visual|robot\.urdf|newcell-sensor|newcell-felt|newcell-beside/, 'arm'],
+  [/frame|visual|robot\.urdf|newcell-sensor|newcell-felt|newcell-beside/, 'arm'],
 ];
 
 function stepOf(text: string): Step {

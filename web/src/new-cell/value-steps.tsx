@@ -3,6 +3,7 @@ import { TextField } from '../ui/text-field';
 import { scaleOf } from '../ui/units';
 import { edit, edits, hasUnread, made, remake } from './draft';
 import { newCellWords } from './new-cell-words';
+import { PairChoice } from './pair-choice';
 import { Said } from './said';
 import { ThreeFields, ValueField } from './value-field';
 import { lacksSensorName, SIX } from './values';
@@ -129,6 +130,7 @@ export function RoomStep() {
         value={cell?.limits?.self_clearance_m}
         factor={factor}
       />
+      <PairChoice />
       <Said step="room" />
     </>
   );

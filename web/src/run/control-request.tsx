@@ -1,3 +1,5 @@
+import { useSignal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
 import { may } from '../session/session';
 import { secondsUntil } from '../ui/connection';
 import { nameOf } from '../ui/names';
@@ -35,10 +37,12 @@ function Asked() {
   const answer = (accept: boolean) => () => answerRequest(cell, request.fence, accept);
   return (
     <section class="control-request" role="alert" aria-label={said.title}>
-      <p>
-        <b>{said.asks(described(request.who, request.device))}</b> {said.goesOn}
-      </p>
-      <Countdown passes_at={request.passes_at} asked_at={request.asked_at} says={said.passesIn} />
+      <Folded inShort={said.asks(nameOf(request.who))} left={clock(secondsUntil(request.passes_at))}>
+        <p>
+          <b>{said.asks(described(request.who, request.device))}</b> {said.goesOn}
+        </p>
+        <Countdown passes_at={request.passes_at} asked_at={request.asked_at} says={said.passesIn} />
+      </Folded>
       <div class="answers">
         <Press kind="primary" act={answer(true)}>
           {said.accept}
@@ -57,14 +61,43 @@ function Asking() {
   const from = known.holder === null ? said.nobody : described(known.holder, known.device ?? '');
   return (
     <section class="control-request" role="status" aria-label={said.title}>
-      <p>
-        <b>{request.accepted ? said.passing : said.asked(from)}</b>
-      </p>
-      <Countdown passes_at={request.passes_at} asked_at={request.asked_at} says={said.passesToYou} />
+      <Folded
+        inShort={request.accepted ? said.passing : said.askedShort}
+        left={clock(secondsUntil(request.passes_at))}
+      >
+        <p>
+          <b>{request.accepted ? said.passing : said.asked(from)}</b>
+        </p>
+        <Countdown passes_at={request.passes_at} asked_at={request.asked_at} says={said.passesToYou} />
+      </Folded>
       <div class="answers">
         <Press act={() => withdrawRequest(known.cell)}>{said.withdraw}</Press>
       </div>
     </section>
+  );
+}
+
+interface Parts {
+  inShort: string;
+  /** Until control passes. */
+  left: string;
+  children: ComponentChildren;
+}
+
+/** On a phone one line that unfolds by a tap, for the page needs the room; elsewhere all of it. */
+function Folded({ inShort, left, children }: Parts) {
+  const open = useSignal(false);
+  const flip = () => {
+    open.value = !open.value;
+  };
+  return (
+    <>
+      <button type="button" class="unfold" aria-expanded={open.value} onClick={flip}>
+        <b>{inShort}</b> <span>{left}</span>
+        <span aria-hidden="true">{open.value ? '▴' : '▾'}</span>
+      </button>
+      <div class={open.value ? 'asked unfolded' : 'asked'}>{children}</div>
+    </>
   );
 }
 

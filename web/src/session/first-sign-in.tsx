@@ -3,6 +3,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { attempt } from '../ui/notice';
 import { go, route } from '../ui/route';
 import { words } from '../words';
+import { EntryField } from './entry-field';
 import { signInFirst } from './signing-in';
 
 const SHORTEST = 12;
@@ -19,31 +20,31 @@ export function FirstSignIn({ name, password }: { name: string; password: string
   const chosen = useSignal('');
   const field = useRef<HTMLInputElement>(null);
   useEffect(() => field.current?.focus(), []);
+  const sent = useSignal(false);
   const submitted = (event: Event) => {
     event.preventDefault();
-    void attempt(async () => {
-      await signInFirst(name, password, chosen.value);
-      go();
-    });
+    sent.value = true;
+    if (chosen.value.length < SHORTEST) field.current?.focus();
+    else
+      void attempt(async () => {
+        await signInFirst(name, password, chosen.value);
+        go();
+      });
   };
   return (
-    <form class="sign-in" onSubmit={submitted}>
+    <form class="sign-in" noValidate onSubmit={submitted}>
       <h1>{said.welcome}</h1>
       <input type="hidden" name="username" autocomplete="username" value={name} />
-      <label class="field">
-        <span>{said.choose(name)}</span>
-        <input
-          name="new-password"
-          type="password"
-          autocomplete="new-password"
-          minLength={SHORTEST}
-          required
-          ref={field}
-          onInput={({ currentTarget }) => {
-            chosen.value = currentTarget.value;
-          }}
-        />
-      </label>
+      <EntryField
+        label={said.choose(name)}
+        name="new-password"
+        autocomplete="new-password"
+        flaw={sent.value && chosen.value.length < SHORTEST ? said.tooShort(SHORTEST) : null}
+        field={field}
+        change={(text) => {
+          chosen.value = text;
+        }}
+      />
       <p class="hint">{said.chooseWhat}</p>
       <button type="submit" class="press press-primary">
         {said.chooseAct}

@@ -4,6 +4,7 @@ import { attempt } from '../ui/notice';
 import type { Screen } from '../ui/screen';
 import { words } from '../words';
 import { ActiveRobots } from './active-robots';
+import { EntryField } from './entry-field';
 import { FirstSignIn, firstAccount } from './first-sign-in';
 import { signIn } from './signing-in';
 
@@ -19,42 +20,41 @@ function Entrance() {
 
 function SignIn() {
   const said = words.value.signIn;
-  const name = useSignal('');
-  const password = useSignal('');
+  const [name, password] = [useSignal(''), useSignal('')];
   const first = useRef<HTMLInputElement>(null);
+  const second = useRef<HTMLInputElement>(null);
+  const sent = useSignal(false);
   useEffect(() => first.current?.focus(), []);
   const submitted = (event: Event) => {
     event.preventDefault();
-    void attempt(() => signIn(name.value, password.value));
+    sent.value = true;
+    const empty = name.value.trim() === '' ? first : password.value === '' ? second : null;
+    if (empty) empty.current?.focus();
+    else void attempt(() => signIn(name.value, password.value));
   };
   return (
-    <form class="sign-in" onSubmit={submitted}>
+    <form class="sign-in" noValidate onSubmit={submitted}>
       <h1>{said.title}</h1>
-      <label class="field">
-        <span>{said.name}</span>
-        <input
-          name="username"
-          autocomplete="username"
-          autocapitalize="off"
-          required
-          ref={first}
-          onInput={({ currentTarget }) => {
-            name.value = currentTarget.value;
-          }}
-        />
-      </label>
-      <label class="field">
-        <span>{said.password}</span>
-        <input
-          name="password"
-          type="password"
-          autocomplete="current-password"
-          required
-          onInput={({ currentTarget }) => {
-            password.value = currentTarget.value;
-          }}
-        />
-      </label>
+      <EntryField
+        label={said.name}
+        name="username"
+        autocomplete="username"
+        flaw={sent.value && name.value.trim() === '' ? said.lackName : null}
+        field={first}
+        change={(text) => {
+          name.value = text;
+        }}
+      />
+      <EntryField
+        label={said.password}
+        name="password"
+        autocomplete="current-password"
+        flaw={sent.value && password.value === '' ? said.lackPassword : null}
+        field={second}
+        change={(text) => {
+          password.value = text;
+        }}
+      />
       <button type="submit" class="press press-primary">
         {said.act}
       </button>

@@ -26,6 +26,7 @@ export const handover: Words['handover'] = {
   asks: (who) => `${who} fordert die Bedienung an.`,
   passesIn: (left) => `Ohne Antwort geht sie in ${left} über.`,
   goesOn: 'Ein fahrender Roboter fährt weiter.',
+  askedShort: 'Sie haben die Bedienung angefordert.',
   asked: (holder) => `Sie haben die Bedienung von ${holder} angefordert.`,
   passesToYou: (left) => `Ohne Antwort geht sie in ${left} auf Sie über.`,
   othersAsk: (who, left) => `${who} fordert die Bedienung an; ohne Antwort geht sie in ${left} über.`,

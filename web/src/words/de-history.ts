@@ -14,7 +14,8 @@ export const history: typeof en.history = {
   searchFor: 'Seriennummer, Auftrag, Name, Datum …',
   noneFound: (search) => `Kein Lauf enthält „${search}“.`,
   showAll: 'Alle zeigen',
-  cutOff: 'Es werden nur die neuesten 500 Läufe durchsucht.',
+  cutOff:
+    'Alle Läufe werden durchsucht, nach Wörtern für Zustände und Gründe und nach Uhrzeiten nur die neuesten 500.',
   serialNumber: 'Seriennummer',
   orderId: 'Auftrag',
   workOrder: (order) => `Fertigungsauftrag ${order}`,

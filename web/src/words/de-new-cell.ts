@@ -105,6 +105,14 @@ export const newCell: typeof en = {
     speed: (unit) => `Höchstgeschwindigkeit jedes Punkts, ${unit}`,
     clearance: (unit) => `Mindestabstand, ${unit}`,
     selfClearance: (unit) => `Mindestabstand der Glieder untereinander, ${unit}`,
+    pairs: 'Ausgelassene Paare von Gliedern',
+    pairsHint:
+      'Ihr Abstand wird nicht überwacht. Hierher gehören nur Glieder, die sich nicht berühren können.',
+    noPairs: 'Keine: Alle Paare von Gliedern werden überwacht.',
+    pair: (first, second) => `${first} und ${second}`,
+    first: 'Glied',
+    second: 'Und Glied',
+    leaveOut: 'Dieses Paar auslassen',
   },
   check: {
     sound: 'Die Zelle ist verwendbar.',

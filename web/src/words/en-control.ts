@@ -25,6 +25,7 @@ export const handover = {
   asks: (who: string) => `${who} asks for control.`,
   passesIn: (left: string) => `It passes in ${left} if you do not answer.`,
   goesOn: 'A moving robot goes on.',
+  askedShort: 'You asked for control.',
   asked: (holder: string) => `You asked ${holder} for control.`,
   passesToYou: (left: string) => `It passes to you in ${left} if nobody answers.`,
   othersAsk: (who: string, left: string) =>

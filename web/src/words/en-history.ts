@@ -13,7 +13,8 @@ export const history = {
   searchFor: 'Serial number, order, name, date …',
   noneFound: (search: string) => `No run contains “${search}”.`,
   showAll: 'Show all',
-  cutOff: 'Only the newest 500 runs are searched.',
+  cutOff:
+    'All runs are searched; for words of states and reasons, and for times of day, only the newest 500.',
   serialNumber: 'Serial number',
   orderId: 'Order',
   workOrder: (order: string) => `work order ${order}`,

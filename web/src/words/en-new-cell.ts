@@ -103,6 +103,13 @@ export const newCell = {
     speed: (unit: string) => `Speed limit of every point, ${unit}`,
     clearance: (unit: string) => `Minimum clearance, ${unit}`,
     selfClearance: (unit: string) => `Minimum self-clearance, ${unit}`,
+    pairs: 'Pairs of links that are left out',
+    pairsHint: 'No distance between them is watched. Only two links that cannot touch belong here.',
+    noPairs: 'None: all pairs of links are watched.',
+    pair: (first: string, second: string) => `${first} and ${second}`,
+    first: 'Link',
+    second: 'And link',
+    leaveOut: 'Leave this pair out',
   },
   check: {
     sound: 'The cell can be used.',

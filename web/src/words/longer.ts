@@ -5,6 +5,7 @@ const SHARE = 0.4;
 export function longer<T>(words: T): T {
   if (typeof words === 'string') return lengthen(words) as T;
   if (typeof words === 'function') return ((...given: unknown[]) => lengthen(words(...given))) as T;
+  if (Array.isArray(words)) return words.map(longer) as T;
   return Object.fromEntries(Object.entries(words as object).map(([key, each]) => [key, longer(each)])) as T;
 }
 
