@@ -13,7 +13,7 @@ from core.array import Array
 from core.errors import BadInput
 from core.payload.comparison import SIGNIFICANT, chance_of, chi_square_tail
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
-from core.payload.random_effects import GROUPS, Measured, Pooled, difference_covariance, pool
+from core.payload.random_effects import GROUPS, Measured, Pooled, difference_covariance, find_excess, pool
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
@@ -71,6 +71,16 @@ class PairOfRuns(SeriesPart):
     differ: bool = Field(description="Whether that is too small to believe, given how many pairs there are.")
 
 
+class RunApart(SeriesPart):
+    """The one run without which the others agree, and in which parameter it is off most clearly."""
+
+    run: str = Field(description="Name of the run.", examples=["monday-2"])
+    parameter: str = Field(description="Name of the parameter in which it differs most clearly.", examples=["m"])
+    unit: str = Field(description="Unit of `difference` and `std`.", examples=["kg"])
+    difference: float = Field(description="This run less the mean of the others.", examples=[0.031])
+    std: float = Field(description="Its standard uncertainty, from what the runs state of their own scatter.", examples=[0.0008])
+
+
 class Series(SeriesPart):
     """Several identifications side by side, in one frame."""
 
@@ -84,6 +94,9 @@ class Series(SeriesPart):
         examples=[0.22],
     )
     differ: bool = Field(description="Whether that is too small to believe (below 0.01).")
+    apart: RunApart | None = Field(
+        default=None, description="The one run that differs from the others, which agree; null where none does, or more than one."
+    )
     prior_used: bool = Field(default=False, description="Whether something that was known before has a share in the means.")
     prior: str | None = Field(default=None, description="Where the prior is from; null where nobody has said.", examples=["CAD"])
     verdict: Message = Field(description="The same in a sentence.")
@@ -123,6 +136,7 @@ def compare_series(
         pairs=_pairs(names, runs),
         chance=chance,
         differ=differ,
+        apart=find_run_apart(names, runs) if differ else None,
         prior_used=prior is not None,
         prior=prior_source if prior is not None else None,
         verdict=_verdict(len(runs), pooled, chance, differ=differ),
@@ -208,6 +222,28 @@ def _pairs(names: Sequence[str], runs: Sequence[Measured]) -> list[PairOfRuns]:
         chance = chance_of(second.own.phi - first.own.phi, difference_covariance(first, second))
         found.append(PairOfRuns(first=names[i], second=names[j], chance=chance, differ=chance is not None and chance < SIGNIFICANT / count))
     return found
+
+
+def find_run_apart(names: Sequence[str], runs: Sequence[Measured]) -> RunApart | None:
+    """The run without which the others agree best, if they agree then; of two runs nobody can say which is off."""
+    if len(runs) < 3:
+        return None
+    others = [[*runs[:i], *runs[i + 1 :]] for i in range(len(runs))]
+    chances = [chi_square_tail(excess, freedom) if freedom else 0.0 for excess, freedom in map(find_excess, others)]
+    i = int(np.argmax(chances))
+    if chances[i] < SIGNIFICANT:
+        return None
+    rest = pool(others[i]).parameters.phi
+    # of the others' mean only what scatters counts: what all runs have in common parts none of them
+    variance = np.array([run.own.std for run in others[i]]) ** 2
+    weight = np.nansum(1.0 / variance, axis=0)
+    std = np.sqrt(runs[i].own.std ** 2 + 1.0 / np.where(weight > 0.0, weight, np.nan))
+    difference = runs[i].own.phi - rest
+    times = np.nan_to_num(np.abs(difference / std))
+    k = int(np.argmax(times))
+    if times[k] == 0.0:
+        return None
+    return RunApart(run=names[i], parameter=PHI_NAMES[k], unit=PHI_UNITS[k], difference=float(difference[k]), std=float(std[k]))
 
 
 def _verdict(count: int, pooled: Pooled, chance: float | None, *, differ: bool) -> Message:

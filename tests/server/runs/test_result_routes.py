@@ -115,6 +115,9 @@ def test_a_series_of_runs_is_answered_with_its_scatter(service: Service, run: st
     found = viewer.get("/api/series", params={"run": runs, "condition": ["a", "a", "b", "b"]}).json()
     series, mass = found["series"], found["series"]["parameters"][0]
     assert (found["frame"], series["runs"], series["differ"]) == ("sensor", runs, True)
+    assert series["apart"] is None
+    one_off = viewer.get("/api/series", params={"run": runs[:3]}).json()["series"]["apart"]
+    assert (one_off["run"], one_off["parameter"]) == (runs[2], "m")
     assert mass["repeatability_std"] == pytest.approx(0.0, abs=1e-9)
     assert mass["reproducibility_std"] == pytest.approx(0.2 / np.sqrt(2.0))
     assert mass["mean"] == pytest.approx(np.mean(mass["values"]), abs=1e-3)
