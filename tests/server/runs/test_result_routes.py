@@ -15,13 +15,11 @@ from core.export.exports import TARGETS
 from core.requirement.verdict import judge_estimate
 from core.robot.model import RobotModel
 from server.people.roles import Role
-from server.runs import ledger as run_ledger
-from server.runs.packml import Command
-from server.runs.schemas import RunCreate
 from server.service import Service
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
 from tests.core.export.test_exports import READERS
+from tests.server.finished_run import finished_run
 from tests.server.made_people import As, Clock
 
 CELL, OTHER = "lwr4_bench", "ur5e_line"
@@ -29,12 +27,7 @@ CELL, OTHER = "lwr4_bench", "ur5e_line"
 
 def ended_run(service: Service, result: Result | None, cell: str = CELL, payload: str = "gripper") -> str:
     """A run that is Complete with this result; Stopped where there is none."""
-    path = [Command.STOP, None] if result is None else [None, Command.START, None, None, None]
-    with service.store.write() as db:
-        row = run_ledger.add_run(db, RunCreate(cell=cell, payload=payload), "account:anna", service.now())
-        run_ledger.keep_steps(db, row, path, service.now())
-        row.result = None if result is None else result.model_dump_json()
-        return row.id
+    return finished_run(service.store, service.now(), result, cell=cell, payload=payload)
 
 
 def heavier(by_kg: float) -> Result:
