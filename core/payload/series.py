@@ -128,15 +128,16 @@ def compare_series(
     pooled = pool(runs, prior)
     chance = chi_square_tail(pooled.excess, pooled.excess_freedom) if pooled.excess_freedom else None
     differ = chance is not None and chance < SIGNIFICANT
+    pairs = _pairs(names, runs)
     return Series(
         runs=list(names),
         conditions=under,
         parameters=[_scatter(k, runs, under, pooled) for k in range(10)],
         covariance=[[_number(v) for v in row] for row in pooled.parameters.covariance],
-        pairs=_pairs(names, runs),
+        pairs=pairs,
         chance=chance,
         differ=differ,
-        apart=find_run_apart(names, runs) if differ else None,
+        apart=find_run_apart(names, runs, pairs) if differ else None,
         prior_used=prior is not None,
         prior=prior_source if prior is not None else None,
         verdict=_verdict(len(runs), pooled, chance, differ=differ),
@@ -224,21 +225,26 @@ def _pairs(names: Sequence[str], runs: Sequence[Measured]) -> list[PairOfRuns]:
     return found
 
 
-def find_run_apart(names: Sequence[str], runs: Sequence[Measured]) -> RunApart | None:
-    """The run without which the others agree best, if they agree then; of two runs nobody can say which is off."""
+def find_run_apart(names: Sequence[str], runs: Sequence[Measured], pairs: Sequence[PairOfRuns]) -> RunApart | None:
+    """The run that most others differ from, if they agree without it; of two runs nobody can say which is off.
+
+    Args:
+        pairs: every two of the runs.
+    """
     if len(runs) < 3:
         return None
-    others = [[*runs[:i], *runs[i + 1 :]] for i in range(len(runs))]
-    chances = [chi_square_tail(excess, freedom) if freedom else 0.0 for excess, freedom in map(find_excess, others)]
-    i = int(np.argmax(chances))
-    if chances[i] < SIGNIFICANT:
+    of_run = [[pair for pair in pairs if name in (pair.first, pair.second)] for name in names]
+    i = max(range(len(runs)), key=lambda k: (sum(pair.differ for pair in of_run[k]), -sum(pair.chance or 0.0 for pair in of_run[k])))
+    others = [*runs[:i], *runs[i + 1 :]]
+    excess, freedom = find_excess(others)
+    if not freedom or chi_square_tail(excess, freedom) < SIGNIFICANT:
         return None
-    rest = pool(others[i]).parameters.phi
-    # of the others' mean only what scatters counts: what all runs have in common parts none of them
-    variance = np.array([run.own.std for run in others[i]]) ** 2
-    weight = np.nansum(1.0 / variance, axis=0)
-    std = np.sqrt(runs[i].own.std ** 2 + 1.0 / np.where(weight > 0.0, weight, np.nan))
-    difference = runs[i].own.phi - rest
+    # only what scatters counts: what all runs have in common parts none of them
+    information = np.array([run.own.std for run in others]) ** -2.0
+    total = np.nansum(information, axis=0)
+    known = np.where(total > 0.0, total, np.nan)
+    difference = runs[i].own.phi - np.nansum(information * np.array([run.own.phi for run in others]), axis=0) / known
+    std = np.sqrt(runs[i].own.std ** 2 + 1.0 / known)
     times = np.nan_to_num(np.abs(difference / std))
     k = int(np.argmax(times))
     if times[k] == 0.0:
