@@ -80,12 +80,12 @@ def test_the_run_that_differs_is_named_first_with_what_it_differs_in(at: Tablet,
 
 def test_conditions_add_the_reproducibility_and_the_address_keeps_them(at: Tablet, alike: list[str]) -> None:
     page = show(at, "series", *alike)
-    expect(page.get_by_role("columnheader", name="Reproducibility")).to_have_count(0)
+    expect(page.get_by_role("columnheader", name="s_R", exact=True)).to_have_count(0)
     page.get_by_label("Conditions").select_option("By day")
-    expect(page.get_by_role("columnheader", name="Reproducibility")).to_have_count(1)
+    expect(page.get_by_role("columnheader", name="s_R", exact=True)).to_have_count(1)
     assert "conditions=day" in page.url
     page.reload()
-    expect(page.get_by_role("columnheader", name="Reproducibility")).to_have_count(1)
+    expect(page.get_by_role("columnheader", name="s_R", exact=True)).to_have_count(1)
 
 
 def test_without_a_reference_cad_is_refused_in_words_and_the_series_stays(at: Tablet, alike: list[str]) -> None:
