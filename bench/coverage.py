@@ -11,6 +11,7 @@ import os
 import sys
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -65,6 +66,7 @@ def varied(seed: int) -> Trial:
     return trial_of(identify_recording(record(run, body, rng, how)), body)
 
 
+@lru_cache
 def table_2(name: str, seed: int, imperfect: bool) -> Trial:
     """The paper's payload with the noise of Table 2; `imperfect` adds 0.5 deg of tilt, 4 ms of delay and 0.3 N of drift."""
     rng = np.random.default_rng([seed, 2])

@@ -24,7 +24,7 @@ def main() -> None:
     run = run_of("lwr4_bench", 0)
     recording = record(run, payload("steel_block"), np.random.default_rng(0))
     assert recording.q is not None and recording.wrench is not None
-    estimator = OnlineEstimator(run.robot, GRAVITY, period=1e-3, noise_std=NOISE_STD)
+    estimator = OnlineEstimator(run.robot, GRAVITY, period=1e-3, noise_std=NOISE_STD, encoder_std=2e-6)
     bare = KalmanFilter(dim_x=18, dim_z=6)
     bare.H[:6, :6] = np.eye(6)
     z = np.zeros(6)

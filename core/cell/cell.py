@@ -101,6 +101,9 @@ class Robot(Model):
         description="Standard uncertainty of each joint's zero, rad; 0.05 deg is assumed, and said to be, where null.",
         examples=[0.0005],
     )
+    encoder_std_rad: Positive = Field(
+        default=2e-6, description="Noise of one reading of a joint's position, standard deviation, rad.", examples=[0.000002]
+    )
     payload_limit_kg: Positive | None = Field(
         default=None, description="What the arm may carry by its maker's word, kg; null where nobody has said.", examples=[7.0]
     )

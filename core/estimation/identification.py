@@ -10,6 +10,7 @@ from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, near
 from core.estimation.determination import find_determined, reasons
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT
+from core.estimation.kinematic_filter import ALPHA_VARIANCE, filter_motion, find_pose_noise, steady_std
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
 from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
 from core.estimation.nuisances import nuisances_of
@@ -31,7 +32,7 @@ from core.words.message import Message
 Bools = NDArray[np.bool_]
 
 SMOOTHING_S = 0.05
-"""Window of the local cubics behind the paper's regressions and the charts."""
+"""Window of the local cubics behind segments and charts."""
 SLOWEST_PERIOD_S = 0.02
 """Recordings sampled more slowly than this are taken as poses, not as motion."""
 FEWEST_ROWS = 6
@@ -72,7 +73,7 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
     estimate = _estimate(corrected, motion, static=rows_only, turned=turned)
     estimate = refute(estimate, setup.weighed)
-    paper = _paper(wrench - change, motion, speed, still, found.noise)
+    paper = _paper(recording, poses, wrench - change, still, found.noise, static=static)
     series = None if rows_only else _series(poses, wrench, motion, corrected)
     said = warnings_of(recording, estimate, found, static=rows_only)
     left_out = () if effects is None else _warn_of_effects_left_out(effects)
@@ -147,11 +148,17 @@ def _estimate(corrected: Corrected, motion: Motion, *, static: bool, turned: str
     )
 
 
-def _paper(wrench: Array, motion: Motion, speed: Array, still: Bools, noise: WrenchNoise) -> PaperEstimate:
-    """Algorithms 1-5 on the smoothed motion; thresholds from what its noise is at rest."""
+def _paper(recording: Recording, poses: Poses, wrench: Array, still: Bools, noise: WrenchNoise, *, static: bool) -> PaperEstimate:
+    """Algorithms 1-5 on the motion of the paper's Kalman filter, its noise from the cell, thresholds from the filter's noise."""
+    if static:
+        motion, speed, alpha_std = Motion.still(poses.g), np.zeros(len(poses.t)), float(np.sqrt(ALPHA_VARIANCE))
+    else:
+        position_std, orientation_std = find_pose_noise(poses, recording.encoder_std_rad)
+        motion, speed, settled = filter_motion(poses, position_std=position_std, orientation_std=orientation_std)
+        motion.alpha[~settled] = 0.0
+        still = still & settled
+        alpha_std = float(steady_std(poses.period, position_std=position_std, orientation_std=orientation_std)[1])
     offset = offset_of_opposed_poses(motion.g[still], wrench[still]) if still.any() else np.full(6, np.nan)
-    quiet = motion.alpha[still]
-    alpha_std = float(np.median(np.abs(quiet)) * 1.4826) if quiet.size and quiet.any() else 0.03
     thresholds = Thresholds.of_noise(0.0, 0.0, alpha_std)
     found = regression(motion, speed, wrench, still, thresholds=thresholds, variance=noise.std**2)
     phi, std = found.parameters(offset, torque_std=noise.std[3:], alpha_std=alpha_std)

@@ -1,18 +1,11 @@
-"""Kinematics of the sensor frame: poses of a recording, smoothed motion without lag, and the Kalman filter for use on line.
-
-The only user of filterpy. Orientation is an error state of our own: the filter's vector holds a small rotation that is moved into
-the rotation matrix after every step, so that a linear filter with constant matrices is enough.
-"""
+"""Kinematics of the sensor frame: poses of a recording and smoothed motion without lag."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
-from filterpy.kalman import KalmanFilter
 from numpy.typing import NDArray
-from scipy.linalg import solve_discrete_are
 from scipy.ndimage import convolve1d
 from scipy.optimize import nnls
 from scipy.signal import savgol_coeffs
@@ -21,7 +14,6 @@ from core.array import Array
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
-from core.robot.rotations import exponential, logarithm
 
 TWIST_S = 0.05
 """Window of the local cubics behind the speed that jitter goes with."""
@@ -228,101 +220,3 @@ def axial(matrix: Array) -> Array:
 def _derivative(x: Array, length: int, order: int, period: float) -> Array:
     weights = savgol_coeffs(length, 3, deriv=order, delta=period)
     return np.asarray(convolve1d(x, weights, axis=0, mode="nearest"))
-
-
-class KinematicFilter:
-    """Orientation, angular velocity and acceleration, position, velocity and acceleration, from poses, sample by sample.
-
-    State of the linear filter, base frame: `[dtheta, omega, alpha, p, v, a]`, 18 values, with white jerk; `dtheta` is the small rotation
-    that has not yet been moved into the rotation matrix and is zero between calls.
-
-    Args:
-        period: s.
-        position_std, orientation_std: noise of one measured pose, m and rad.
-        bandwidth: rad/s, of the third-order filter: lag against noise. The jerk that it allows is `noise bandwidth^3 sqrt(period)`.
-    """
-
-    def __init__(self, period: float, *, position_std: float, orientation_std: float, bandwidth: float = 60.0) -> None:
-        self.period = period
-        self._bandwidth = bandwidth
-        self._std = orientation_std, position_std
-        kf = KalmanFilter(dim_x=18, dim_z=6)
-        kf.H = np.zeros((6, 18))
-        kf.H[:3, :3] = kf.H[3:, 9:12] = np.eye(3)
-        kf.F = np.kron(np.eye(2), np.kron(_chain(period), np.eye(3)))
-        kf.R = np.diag(np.repeat([orientation_std**2, position_std**2], 3))
-        jerk = np.repeat([orientation_std**2, position_std**2], 3) * bandwidth**6 * period
-        noise = _jerk_noise(period)
-        kf.Q = np.zeros((18, 18))
-        for i in range(3):
-            for block, offset in ((0, 0), (1, 9)):
-                rows = offset + i + 3 * np.arange(3)
-                kf.Q[np.ix_(rows, rows)] = jerk[3 * block + i] * noise
-        kf.P = np.diag(np.repeat([orientation_std**2, 1.0, 100.0, position_std**2, 1.0, 100.0], 3))
-        kf.x = np.zeros(18)
-        self._filter = kf
-        self._rotation = np.eye(3)
-        self._started = False
-
-    def update(self, rotation: Array, position: Array) -> None:
-        """Takes the pose of the next period: rotation (3, 3) and position (3,) of the sensor in the base frame."""
-        kf = self._filter
-        if not self._started:
-            self._started = True
-            self._rotation = rotation.copy()
-            kf.x[9:12] = position
-            return
-        kf.predict()
-        self._absorb()
-        innovation = np.empty(3)
-        logarithm(rotation @ self._rotation.T, innovation)
-        kf.update(np.concatenate((innovation, position)))
-        self._absorb()
-
-    def _absorb(self) -> None:
-        """Moves the small rotation into the rotation matrix."""
-        x = self._filter.x
-        turned = np.empty((3, 3))
-        exponential(np.ascontiguousarray(x[:3]), turned)
-        self._rotation = turned @ self._rotation
-        x[:3] = 0.0
-
-    @property
-    def rotation(self) -> Array:
-        """(3, 3), sensor axes in the base frame."""
-        return self._rotation
-
-    @property
-    def twist(self) -> Array:
-        """(6,), linear then angular velocity of the sensor, sensor axes."""
-        x, R = self._filter.x, self.rotation
-        return np.concatenate((x[12:15] @ R, x[3:6] @ R))
-
-    def motion(self, gravity: Array) -> Motion:
-        """One row: the filtered motion in the sensor frame, for gravity (3,) in the base frame."""
-        x, R = self._filter.x, self.rotation
-        return Motion((gravity @ R)[None], (x[15:18] @ R)[None], (x[3:6] @ R)[None], (x[6:9] @ R)[None])
-
-    @property
-    def alpha(self) -> Array:
-        """(3,), angular acceleration, sensor axes."""
-        return np.asarray(self._filter.x[6:9] @ self.rotation)
-
-    @cached_property
-    def steady_std(self) -> Array:
-        """(4,), of omega, alpha, v and a when the filter has settled."""
-        F, H = _chain(self.period), np.array([[1.0, 0.0, 0.0]])
-        # solved for unit noise, then scaled
-        P = solve_discrete_are(F.T, H.T, self._bandwidth**6 * self.period * _jerk_noise(self.period), np.eye(1))
-        settled = P - P @ H.T @ H @ P / (P[0, 0] + 1.0)
-        rate, acceleration = np.sqrt(np.diag(settled)[1:])
-        orientation_std, position_std = self._std
-        return np.array([orientation_std * rate, orientation_std * acceleration, position_std * rate, position_std * acceleration])
-
-
-def _chain(T: float) -> Array:
-    return np.array([[1.0, T, T * T / 2.0], [0.0, 1.0, T], [0.0, 0.0, 1.0]])
-
-
-def _jerk_noise(T: float) -> Array:
-    return np.array([[T**5 / 20, T**4 / 8, T**3 / 6], [T**4 / 8, T**3 / 3, T**2 / 2], [T**3 / 6, T**2 / 2, T]])

@@ -6,7 +6,7 @@ import numpy as np
 
 from core.array import Array
 from core.estimation.estimate import PaperEstimate
-from core.estimation.kinematics import KinematicFilter
+from core.estimation.kinematic_filter import SETTLING_S, KinematicFilter, pose_noise_std
 from core.estimation.offset import OpposedPoses
 from core.estimation.regression import RecursiveRegression, Thresholds
 from core.estimation.still_poses import StillPoses
@@ -21,22 +21,22 @@ class OnlineEstimator:
         robot: kinematics; gravity (3,) is in the same frame as its poses.
         period: control period, s.
         noise_std: (6,), of the wrench's samples, N and N m.
-        encoder_std: of one joint position, rad; with the arm's reach it gives the noise of the measured pose.
+        encoder_std: of one reading of a joint's position, rad.
     """
 
-    def __init__(self, robot: RobotModel, gravity: Array, *, period: float, noise_std: Array, encoder_std: float = 2e-6) -> None:
+    def __init__(self, robot: RobotModel, gravity: Array, *, period: float, noise_std: Array, encoder_std: float) -> None:
         self._robot = robot
         self._gravity = gravity
         self._noise_std = noise_std
-        orientation_std = encoder_std * float(np.sqrt(robot.n))
-        self._filter = KinematicFilter(period, position_std=orientation_std, orientation_std=orientation_std)
+        pose_std = pose_noise_std(encoder_std, robot.n)
+        self._filter = KinematicFilter(period, position_std=pose_std, orientation_std=pose_std)
         omega_std, alpha_std, v_std, _ = self._filter.steady_std
         self._alpha_std = float(alpha_std)
         thresholds = Thresholds.of_noise(float(omega_std), float(v_std), self._alpha_std)
         self._regression = RecursiveRegression(thresholds, noise_std**2)
         self._opposed = OpposedPoses()
         self._still = StillPoses(noise_std)
-        self._settling = round(0.3 / period)
+        self._settling = round(SETTLING_S / period)
 
     def update(self, q: Array, wrench: Array) -> None:
         """Takes the sample of the next period: joint positions (n,) and raw wrench (6,), paper's sign."""

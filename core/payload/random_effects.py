@@ -107,6 +107,12 @@ def pool(runs: Sequence[Measured], prior: UncertainParameters | None = None) -> 
     )
 
 
+def find_excess(runs: Sequence[Measured]) -> tuple[float, int]:
+    """Chi-square of what scatters about the mean beyond what the runs state, and its degrees of freedom."""
+    problem = _Problem(runs)
+    return problem.scatter(problem.covariance(np.zeros(len(GROUPS)))), problem.freedom
+
+
 def _prior_information(prior: UncertainParameters | None, known: Array) -> tuple[Array, Array]:
     n = len(known)
     if prior is None:

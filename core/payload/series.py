@@ -13,7 +13,7 @@ from core.array import Array
 from core.errors import BadInput
 from core.payload.comparison import SIGNIFICANT, chance_of, chi_square_tail
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
-from core.payload.random_effects import GROUPS, Measured, Pooled, difference_covariance, pool
+from core.payload.random_effects import GROUPS, Measured, Pooled, difference_covariance, find_excess, pool
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
@@ -71,6 +71,16 @@ class PairOfRuns(SeriesPart):
     differ: bool = Field(description="Whether that is too small to believe, given how many pairs there are.")
 
 
+class RunApart(SeriesPart):
+    """The one run without which the others agree, and in which parameter it is off most clearly."""
+
+    run: str = Field(description="Name of the run.", examples=["monday-2"])
+    parameter: str = Field(description="Name of the parameter in which it differs most clearly.", examples=["m"])
+    unit: str = Field(description="Unit of `difference` and `std`.", examples=["kg"])
+    difference: float = Field(description="This run less the mean of the others.", examples=[0.031])
+    std: float = Field(description="Its standard uncertainty, from what the runs state of their own scatter.", examples=[0.0008])
+
+
 class Series(SeriesPart):
     """Several identifications side by side, in one frame."""
 
@@ -84,6 +94,9 @@ class Series(SeriesPart):
         examples=[0.22],
     )
     differ: bool = Field(description="Whether that is too small to believe (below 0.01).")
+    apart: RunApart | None = Field(
+        default=None, description="The one run that differs from the others, which agree; null where none does, or more than one."
+    )
     prior_used: bool = Field(default=False, description="Whether something that was known before has a share in the means.")
     prior: str | None = Field(default=None, description="Where the prior is from; null where nobody has said.", examples=["CAD"])
     verdict: Message = Field(description="The same in a sentence.")
@@ -115,14 +128,16 @@ def compare_series(
     pooled = pool(runs, prior)
     chance = chi_square_tail(pooled.excess, pooled.excess_freedom) if pooled.excess_freedom else None
     differ = chance is not None and chance < SIGNIFICANT
+    pairs = _pairs(names, runs)
     return Series(
         runs=list(names),
         conditions=under,
         parameters=[_scatter(k, runs, under, pooled) for k in range(10)],
         covariance=[[_number(v) for v in row] for row in pooled.parameters.covariance],
-        pairs=_pairs(names, runs),
+        pairs=pairs,
         chance=chance,
         differ=differ,
+        apart=find_run_apart(names, runs, pairs) if differ else None,
         prior_used=prior is not None,
         prior=prior_source if prior is not None else None,
         verdict=_verdict(len(runs), pooled, chance, differ=differ),
@@ -208,6 +223,33 @@ def _pairs(names: Sequence[str], runs: Sequence[Measured]) -> list[PairOfRuns]:
         chance = chance_of(second.own.phi - first.own.phi, difference_covariance(first, second))
         found.append(PairOfRuns(first=names[i], second=names[j], chance=chance, differ=chance is not None and chance < SIGNIFICANT / count))
     return found
+
+
+def find_run_apart(names: Sequence[str], runs: Sequence[Measured], pairs: Sequence[PairOfRuns]) -> RunApart | None:
+    """The run that most others differ from, if they agree without it; of two runs nobody can say which is off.
+
+    Args:
+        pairs: every two of the runs.
+    """
+    if len(runs) < 3:
+        return None
+    of_run = [[pair for pair in pairs if name in (pair.first, pair.second)] for name in names]
+    i = max(range(len(runs)), key=lambda k: (sum(pair.differ for pair in of_run[k]), -sum(pair.chance or 0.0 for pair in of_run[k])))
+    others = [*runs[:i], *runs[i + 1 :]]
+    excess, freedom = find_excess(others)
+    if not freedom or chi_square_tail(excess, freedom) < SIGNIFICANT:
+        return None
+    # only what scatters counts: what all runs have in common parts none of them
+    information = np.array([run.own.std for run in others]) ** -2.0
+    total = np.nansum(information, axis=0)
+    known = np.where(total > 0.0, total, np.nan)
+    difference = runs[i].own.phi - np.nansum(information * np.array([run.own.phi for run in others]), axis=0) / known
+    std = np.sqrt(runs[i].own.std ** 2 + 1.0 / known)
+    times = np.nan_to_num(np.abs(difference / std))
+    k = int(np.argmax(times))
+    if times[k] == 0.0:
+        return None
+    return RunApart(run=names[i], parameter=PHI_NAMES[k], unit=PHI_UNITS[k], difference=float(difference[k]), std=float(std[k]))
 
 
 def _verdict(count: int, pooled: Pooled, chance: float | None, *, differ: bool) -> Message:

@@ -139,7 +139,7 @@ class Encoders:
         q: Array,
         *,
         period: float,
-        noise_std: float = 2e-6,
+        noise_std: float,
         resolution: float = 2 * math.pi / 2**22,
         cut_off: float = 50.0,
     ) -> None:

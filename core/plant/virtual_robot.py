@@ -110,7 +110,7 @@ class VirtualRobot:
             amplify=_present(fault.amplify(machine) for fault in faults),
             digitize=_present(fault.digitize(machine) for fault in faults),
         )
-        self._encoders = Encoders(self.home, period=PERIOD)
+        self._encoders = Encoders(self.home, period=PERIOD, noise_std=cell.robot.encoder_std_rad)
         self._noise = WhiteNoise(rng, 6 + 2 * self.arm.n)
         self._torque_noise = TORQUE_NOISE * self.arm.effort
         self._tick = 0

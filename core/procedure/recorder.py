@@ -44,4 +44,6 @@ class Recorder:
 
 def build_estimator(log: SampleLog, period: float) -> OnlineEstimator:
     """What estimates along the way from samples of a log's robot, one every `period` s."""
-    return OnlineEstimator(log.robot, log.cell.gravity, period=period, noise_std=np.array(log.cell.sensor.noise_std))
+    cell = log.cell
+    noise_std = np.array(cell.sensor.noise_std)
+    return OnlineEstimator(log.robot, cell.gravity, period=period, noise_std=noise_std, encoder_std=cell.robot.encoder_std_rad)

@@ -81,6 +81,7 @@ def read_recording(folder: Path) -> Recording:
         friction=manifest.robot.friction.description if manifest.robot and manifest.robot.friction else None,
         sensor=manifest.sensor.description,
         zero_std_rad=manifest.robot.zero_std_rad if manifest.robot else None,
+        encoder_std_rad=manifest.robot.encoder_std_rad if manifest.robot else None,
         site=manifest.site,
         reference=reference.parameters if reference else None,
         reference_source=reference.source if reference else None,

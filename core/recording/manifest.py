@@ -61,6 +61,7 @@ class RobotPart(ManifestPart):
     sensor_frame: str
     friction: FrictionPart | None = None
     zero_std_rad: NotNegative | None = None
+    encoder_std_rad: NotNegative | None = None
 
 
 class SensorPart(ManifestPart):
@@ -189,6 +190,7 @@ def manifest_of(recording: Recording) -> Manifest:
             "base_frame": robot.base_frame,
             "sensor_frame": robot.sensor_frame,
             "zero_std_rad": recording.zero_std_rad,
+            "encoder_std_rad": recording.encoder_std_rad,
             "friction": friction and {"coulomb_n_m": tuple(friction.coulomb.tolist()), "viscous_n_m_s": tuple(friction.viscous.tolist())},
         },
         "sensor": {

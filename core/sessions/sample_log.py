@@ -98,6 +98,7 @@ class SampleLog:
                 name=sensor.name,
             ),
             zero_std_rad=self.cell.robot.zero_std_rad,
+            encoder_std_rad=self.cell.robot.encoder_std_rad,
             site=self.cell.site,
             reference=None if self.reference is None else self.reference.parameters,
             reference_source=None if self.reference is None else self.reference.source,

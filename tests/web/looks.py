@@ -59,7 +59,7 @@ TARGETS = """() => [...document.querySelectorAll('button, a[href], input, select
 
 ABNORMAL = (
     ".abnormal, .state-abnormal, .state-aborted, .line-lost, .notice, .warnings, .in-the-way, .flaw, [aria-invalid=true], "
-    ".bell-marked, .severity-high, .severity-medium"
+    ".bell-marked, .severity-high, .severity-medium, .not-good-enough"
 )
 """Where something is said to be abnormal."""
 

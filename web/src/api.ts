@@ -7111,6 +7111,13 @@ export interface components {
              */
             zero_std_rad?: number | null;
             /**
+             * Encoder Std Rad
+             * @description Noise of one reading of a joint's position, standard deviation, rad.
+             * @default 0.000002
+             * @example 0.000002
+             */
+            encoder_std_rad?: number;
+            /**
              * Payload Limit Kg
              * @description What the arm may carry by its maker's word, kg; null where nobody has said.
              * @example 7
@@ -7230,6 +7237,42 @@ export interface components {
          * @enum {string}
          */
         Role: "viewer" | "operator" | "engineer" | "mes" | "admin";
+        /**
+         * RunApart
+         * @description The one run without which the others agree, and in which parameter it is off most clearly.
+         */
+        RunApart: {
+            /**
+             * Run
+             * @description Name of the run.
+             * @example monday-2
+             */
+            run: string;
+            /**
+             * Parameter
+             * @description Name of the parameter in which it differs most clearly.
+             * @example m
+             */
+            parameter: string;
+            /**
+             * Unit
+             * @description Unit of `difference` and `std`.
+             * @example kg
+             */
+            unit: string;
+            /**
+             * Difference
+             * @description This run less the mean of the others.
+             * @example 0.031
+             */
+            difference: number;
+            /**
+             * Std
+             * @description Its standard uncertainty, from what the runs state of their own scatter.
+             * @example 0.0008
+             */
+            std: number;
+        };
         /**
          * RunCommand
          * @description What may be asked of a run.
@@ -8227,6 +8270,8 @@ export interface components {
              * @description Whether that is too small to believe (below 0.01).
              */
             differ: boolean;
+            /** @description The one run that differs from the others, which agree; null where none does, or more than one. */
+            apart?: components["schemas"]["RunApart"] | null;
             /**
              * Prior Used
              * @description Whether something that was known before has a share in the means.
@@ -13893,6 +13938,7 @@ export type Robot = components['schemas']['Robot'];
 export type RobotOutline = components['schemas']['RobotOutline'];
 export type RobotStopped = components['schemas']['RobotStopped'];
 export type Role = components['schemas']['Role'];
+export type RunApart = components['schemas']['RunApart'];
 export type RunCommand = components['schemas']['RunCommand'];
 export type RunCreate = components['schemas']['RunCreate'];
 export type RunOrder = components['schemas']['RunOrder'];

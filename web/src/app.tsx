@@ -30,6 +30,7 @@ const newCellScreen = screenLater(async () => {
   await fetchLaterMessages();
   return (await import('./new-cell/new-cell-page')).newCellScreen;
 });
+const seriesScreen = screenLater(async () => (await import('./history/series-page')).seriesScreen);
 const toolsScreen = screenLater(async () => {
   await fetchLaterMessages();
   return (await import('./tools/tools-page')).toolsScreen;
@@ -46,6 +47,7 @@ const SCREENS = new Map<string, () => Screen>([
   ['gap', gapScreen],
   ['trials', trialsScreen],
   ['history', historyScreen],
+  ['series', seriesScreen],
   ['tools', toolsScreen],
   ['cells', cellsScreen],
   ['new-cell', newCellScreen],

@@ -1,4 +1,4 @@
-"""Poses, motion without lag, and the Kalman filter."""
+"""Poses and motion without lag."""
 
 from __future__ import annotations
 
@@ -7,14 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.estimation.kinematics import (
-    KinematicFilter,
-    find_jitter,
-    poses_of,
-    smooth_motion,
-    white_noise_std,
-)
-from tests.synthetic import GRAVITY, payload, record, run_of
+from core.estimation.kinematics import find_jitter, poses_of, smooth_motion, white_noise_std
+from tests.synthetic import payload, record, run_of
 
 
 def test_the_noise_of_the_encoders_is_found_under_the_motion() -> None:
@@ -67,40 +61,3 @@ def test_orientations_and_positions_serve_instead_of_joints() -> None:
     assert poses is not None
     np.testing.assert_array_equal(poses.g, joints.g)
     assert poses_of(replace(logged, orientation=None)) is None
-
-
-@pytest.fixture(scope="module")
-def filtered() -> tuple[np.ndarray, np.ndarray, KinematicFilter]:
-    run = run_of("lwr4_bench", 0)
-    rows = slice(0, 9000)
-    noisy = run.robot.sensor_poses(run.q[rows] + 2e-6 * np.random.default_rng(0).normal(size=run.q[rows].shape))
-    kf = KinematicFilter(1e-3, position_std=5e-6, orientation_std=5e-6)
-    found, true = [], []
-    for k in range(9000):
-        kf.update(noisy.rotation[k], noisy.position[k])
-        motion = kf.motion(GRAVITY)
-        found.append(np.concatenate((motion.omega[0], motion.alpha[0], motion.a[0])))
-        true.append(np.concatenate((run.omega[k], run.alpha[k], run.rotation[k].T @ run.a[k])))
-    return np.array(found), np.array(true), kf
-
-
-def test_the_filter_follows_the_motion_with_a_lag_of_its_bandwidth(
-    filtered: tuple[np.ndarray, np.ndarray, KinematicFilter],
-) -> None:
-    found, true, _ = filtered
-    error = (found - true)[500:]
-    assert np.sqrt(np.mean(error[:, :3] ** 2)) < 0.02
-    signal = np.sqrt(np.mean(true[500:, 3:6] ** 2))
-    assert np.sqrt(np.mean(error[:, 3:6] ** 2)) < 0.4 * signal
-
-
-def test_at_rest_the_filter_is_quieter_than_it_says_of_itself_for_motion(
-    filtered: tuple[np.ndarray, np.ndarray, KinematicFilter],
-) -> None:
-    found, _, kf = filtered
-    at_rest = found[500:1400]
-    omega_std, alpha_std, _, a_std = kf.steady_std
-    for rows, std in ((slice(0, 3), omega_std), (slice(3, 6), alpha_std), (slice(6, 9), a_std)):
-        # what it says counts the jerk that it allows for, the thresholds are built on it
-        assert 0.02 * std < at_rest[:, rows].std() < std
-    np.testing.assert_allclose(kf.rotation @ kf.rotation.T, np.eye(3), atol=1e-9)

@@ -12,7 +12,7 @@ def test_on_line_estimates_appear_as_the_motion_allows_them() -> None:
     run, body = run_of("lwr4_bench", 0), payload("steel_block")
     recording = record(run, body, np.random.default_rng(0))
     assert recording.q is not None and recording.wrench is not None
-    estimator = OnlineEstimator(run.robot, GRAVITY, period=1e-3, noise_std=NOISE_STD)
+    estimator = OnlineEstimator(run.robot, GRAVITY, period=1e-3, noise_std=NOISE_STD, encoder_std=2e-6)
     half_way = early = None
     for k in range(len(recording)):
         estimator.update(recording.q[k], recording.wrench[k])

@@ -44,6 +44,22 @@ def test_a_series_that_scatters_as_it_says_agrees_and_one_that_does_not_says_by_
     assert "kg" in differs.verdict.text and differs.verdict.say("de").startswith("Die 6 Läufe")
 
 
+def test_one_run_that_is_off_is_named_with_the_parameter_and_of_two_none_is() -> None:
+    made = runs(5, 0.0)
+    heavier = made[2].own.phi + np.array([0.031, *[0.0] * 9])
+    made[2] = Measured(UncertainParameters(heavier, made[2].own.covariance))
+    found = compare_series(list("abcde"), made)
+    assert found.differ and found.apart is not None
+    assert (found.apart.run, found.apart.parameter, found.apart.unit) == ("c", "m", "kg")
+    # a mean of four with one of its own: five quarters of one run's variance
+    assert found.apart.std == pytest.approx(1e-4 * np.sqrt(1.25))
+    assert found.apart.difference == pytest.approx(0.031, abs=5 * found.apart.std)
+    assert compare_series(list("ab"), made[1:3]).apart is None
+    assert compare_series(list("abc"), [made[0], *made[3:]]).apart is None
+    two_off = [*made, Measured(UncertainParameters(made[0].own.phi - 0.05, made[0].own.covariance))]
+    assert compare_series(list("abcdef"), two_off).apart is None
+
+
 def test_conditions_of_another_number_of_runs_are_refused() -> None:
     with pytest.raises(BadInput, match="one for each of the 2 runs"):
         compare_series(["a", "b"], runs(2, 0.0), conditions=["x"])

@@ -94,7 +94,7 @@ def test_encoders_are_noisy_by_microradians_and_their_velocity_follows_with_a_sh
     N, speed = 8000, 0.7
     rng = np.random.default_rng(4)
     q = np.outer(PERIOD * np.arange(N), [speed, 0.0])
-    encoders = Encoders(q[0], period=PERIOD)
+    encoders = Encoders(q[0], period=PERIOD, noise_std=2e-6)
     read = [encoders.read(row, rng.standard_normal(2)) for row in q]
     error = np.array([r.q for r in read]) - q
     dq = np.array([r.dq for r in read])

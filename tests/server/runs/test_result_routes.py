@@ -15,13 +15,11 @@ from core.export.exports import TARGETS
 from core.requirement.verdict import judge_estimate
 from core.robot.model import RobotModel
 from server.people.roles import Role
-from server.runs import ledger as run_ledger
-from server.runs.packml import Command
-from server.runs.schemas import RunCreate
 from server.service import Service
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
 from tests.core.export.test_exports import READERS
+from tests.server.finished_run import finished_run
 from tests.server.made_people import As, Clock
 
 CELL, OTHER = "lwr4_bench", "ur5e_line"
@@ -29,12 +27,7 @@ CELL, OTHER = "lwr4_bench", "ur5e_line"
 
 def ended_run(service: Service, result: Result | None, cell: str = CELL, payload: str = "gripper") -> str:
     """A run that is Complete with this result; Stopped where there is none."""
-    path = [Command.STOP, None] if result is None else [None, Command.START, None, None, None]
-    with service.store.write() as db:
-        row = run_ledger.add_run(db, RunCreate(cell=cell, payload=payload), "account:anna", service.now())
-        run_ledger.keep_steps(db, row, path, service.now())
-        row.result = None if result is None else result.model_dump_json()
-        return row.id
+    return finished_run(service.store, service.now(), result, cell=cell, payload=payload)
 
 
 def heavier(by_kg: float) -> Result:
@@ -115,6 +108,9 @@ def test_a_series_of_runs_is_answered_with_its_scatter(service: Service, run: st
     found = viewer.get("/api/series", params={"run": runs, "condition": ["a", "a", "b", "b"]}).json()
     series, mass = found["series"], found["series"]["parameters"][0]
     assert (found["frame"], series["runs"], series["differ"]) == ("sensor", runs, True)
+    assert series["apart"] is None
+    one_off = viewer.get("/api/series", params={"run": runs[:3]}).json()["series"]["apart"]
+    assert (one_off["run"], one_off["parameter"]) == (runs[2], "m")
     assert mass["repeatability_std"] == pytest.approx(0.0, abs=1e-9)
     assert mass["reproducibility_std"] == pytest.approx(0.2 / np.sqrt(2.0))
     assert mass["mean"] == pytest.approx(np.mean(mass["values"]), abs=1e-3)

@@ -49,6 +49,9 @@ function Comparison() {
               {'AB'[k]}: {said.first(when[k] ?? '')}
             </a>
           ))}
+          <a class="download" href={to('series', ...found.runs.map(({ run }) => run))}>
+            {said.asSeries}
+          </a>
         </p>
       </section>
       <ComparisonTable title={said.payload} rows={comparedPayload(found)} when={when} />

@@ -16,8 +16,8 @@ import {
   historyTools,
   isCutOff,
   mayHaveEarlier,
-  pair,
   pickCell,
+  picked,
   pickTool,
   search,
   showEarlier,
@@ -124,12 +124,12 @@ function toolOptions(): [string, string][] {
 }
 
 function Actions() {
-  const [one, other] = pair.value;
+  const count = picked.value.length;
   return (
     <Press
       kind="primary"
-      disabled={one === undefined || other === undefined}
-      act={() => go('history', ...pair.value)}
+      disabled={count < 2}
+      act={() => go(count > 2 ? 'series' : 'history', ...picked.value)}
     >
       {words.value.history.compare}
     </Press>
@@ -138,7 +138,8 @@ function Actions() {
 
 function next(): string {
   const said = words.value.history;
-  return [said.next, said.nextOne, said.nextTwo][pair.value.length] ?? said.next;
+  const count = picked.value.length;
+  return count > 2 ? said.nextMore(count) : ([said.next, said.nextOne, said.nextTwo][count] ?? said.next);
 }
 
 const history: Screen = { Page: History, Actions, next };

@@ -44,8 +44,10 @@ export const found = computed(() => {
 export const mayHaveEarlier = computed(() => past.value?.length === limit.value && limit.value < MOST);
 /** Whether there may be runs in which the console's own words were not searched for. */
 export const isCutOff = computed(() => past.value?.length === MOST);
-/** The runs picked to be compared: at most two, in the order in which they were picked. */
-export const pair = signal<string[]>([]);
+/** The runs picked to be compared, in the order in which they were picked. */
+export const picked = signal<string[]>([]);
+/** As many as the service takes for one series. */
+const MOST_PICKED = 50;
 
 export function pickCell(name: string): void {
   setFilter('tool', '');
@@ -63,17 +65,17 @@ export function pickTool(name: string): void {
 
 function begin(): void {
   length.value = PAGE;
-  pair.value = [];
+  picked.value = [];
 }
 
 export function showEarlier(): void {
   length.value = Math.min(MOST, length.value + PAGE);
 }
 
-/** Picks a run to be compared, or takes it back; a third one takes the place of the first. */
+/** Picks a run to be compared, or takes it back; one too many takes the place of the first. */
 export function pick(run: string): void {
-  const others = pair.value.filter((each) => each !== run);
-  pair.value = others.length < pair.value.length ? others : [...others.slice(-1), run];
+  const others = picked.value.filter((each) => each !== run);
+  picked.value = others.length < picked.value.length ? others : [...others.slice(1 - MOST_PICKED), run];
 }
 
 interface HistoryTool {

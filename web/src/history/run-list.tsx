@@ -6,11 +6,11 @@ import { StateMark } from '../ui/state-mark';
 import { Told } from '../ui/told';
 import { moment } from '../ui/units';
 import { words } from '../words';
-import { pair, pick } from './history';
+import { pick, picked } from './history';
 import { type Column, order, sortBy, sorted } from './run-order';
 import { identifiersOf } from './run-text';
 
-/** Runs with what they found, in the order that a tap on a column chooses; two of them can be picked. */
+/** Runs with what they found, in the order that a tap on a column chooses; two or more of them can be picked. */
 export function RunList({ runs }: { runs: RunPublic[] }) {
   const said = words.value.history;
   const has = (name: 'serial_number' | 'order_id' | 'work_order') =>
@@ -72,7 +72,7 @@ function Listed({ run, shown }: { run: RunPublic; shown: Column[] }) {
           class="pick"
           aria-label={said.pick(when)}
           disabled={found?.mass_kg == null}
-          checked={pair.value.includes(run.run)}
+          checked={picked.value.includes(run.run)}
           onChange={() => pick(run.run)}
         />
       </td>

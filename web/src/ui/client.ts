@@ -95,7 +95,9 @@ export function socketAddress(path: string): string {
 
 /** Whatever is not there does not go out. */
 function entries(of: object = {}): [string, string][] {
-  return Object.entries(of).flatMap(([name, value]) => (value == null ? [] : [[name, String(value)]]));
+  return Object.entries(of).flatMap(([name, value]) =>
+    [value].flat().flatMap((each): [string, string][] => (each == null ? [] : [[name, String(each)]])),
+  );
 }
 
 async function reached(address: string, request: RequestInit): Promise<Response> {

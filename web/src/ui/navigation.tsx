@@ -20,7 +20,7 @@ export function Navigation() {
       <a href={to('gap')} aria-current={here === 'gap' || here === 'trials' ? 'page' : undefined}>
         {words.value.gap.nav}
       </a>
-      <a href={to('history')} aria-current={here === 'history' ? 'page' : undefined}>
+      <a href={to('history')} aria-current={here === 'history' || here === 'series' ? 'page' : undefined}>
         {said.history}
       </a>
       <a href={to('tools')} aria-current={here === 'tools' ? 'page' : undefined}>

@@ -2,9 +2,10 @@ import type * as en from './en-history';
 
 export const history: typeof en.history = {
   title: 'Verlauf',
-  next: 'Öffnen Sie einen Lauf, oder wählen Sie zwei zum Vergleichen.',
-  nextOne: 'Wählen Sie noch einen Lauf, um beide zu vergleichen.',
+  next: 'Öffnen Sie einen Lauf, oder wählen Sie zwei oder mehr zum Vergleichen.',
+  nextOne: 'Wählen Sie noch einen Lauf, um beide zu vergleichen, oder mehrere für eine Reihe.',
   nextTwo: 'Vergleichen Sie die beiden gewählten Läufe.',
+  nextMore: (count) => `Sehen Sie sich die ${count} gewählten Läufe als Reihe an.`,
   compare: 'Vergleichen',
   cell: 'Zelle',
   tool: 'Werkzeug',
@@ -67,4 +68,5 @@ export const comparison: typeof en.comparison = {
   flange: 'Die Läufe stammen aus zwei Zellen: Sie werden am Flansch verglichen.',
   earlier: 'Verglichen mit dem vorigen Lauf',
   whole: 'Vollständiger Vergleich',
+  asSeries: 'Wiederholbarkeit und gemeinsamer Wert',
 };

@@ -1,9 +1,10 @@
 /** The history of runs, and two of them side by side. */
 export const history = {
   title: 'History',
-  next: 'Open a run, or choose two to compare them.',
-  nextOne: 'Choose one more run to compare the two.',
+  next: 'Open a run, or choose two or more to compare them.',
+  nextOne: 'Choose one more run to compare the two, or several for a series.',
   nextTwo: 'Compare the two chosen runs.',
+  nextMore: (count: number) => `Look at the ${count} chosen runs as a series.`,
   compare: 'Compare',
   cell: 'Cell',
   tool: 'Tool',
@@ -66,4 +67,5 @@ export const comparison = {
   flange: 'The runs are from two cells: they are compared at the flange.',
   earlier: 'Compared with the previous run',
   whole: 'Full comparison',
+  asSeries: 'Repeatability and value together',
 };
