@@ -2,9 +2,10 @@
 
 Solved is, for the windowed wrench y and the windowed regressor V(delay, tilt),
 
-    min over (phi, offset, tilt, delay, drift, b) of
-        sum over channels |y - V(delay, tilt) phi - offset - drift - G(phi) b|^2 in the metric C^-1  +  priors,
-    C = noise of the wrench * Gram of the windows  +  noise of the kinematics * Gram of their second differences,
+    min over (phi, offset, tilt, delay, b) of
+        sum over channels |y - V(delay, tilt) phi - offset - G(phi) b|^2 in the metric C^-1  +  priors,
+    C = noise of the wrench * Gram of the windows  +  noise of the kinematics * Gram of their second differences
+        +  random walk of the offset (`core.estimation.drift`),
 
 by damped Gauss-Newton. The noise of the kinematics enters the wrench through the payload's own spatial inertia, as
 `M(phi) (da, dalpha)`. It also sits in the regressor and in the columns of gains and cross-talk, where it would shrink the parameters; that
@@ -20,10 +21,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
-from core.estimation.banded import factorise, invert, whiten
+from core.estimation.banded import difference, factorise, invert, of_differences, whiten
 from core.estimation.budget import Budget, Source
 from core.estimation.determination import SIZE_M, find_determined
-from core.estimation.drift import STEP_STD, drift_basis, improve_variance, parts_of, steps_between
+from core.estimation.drift import Channel, Levelled, level_offsets, slope_of, walk_in
 from core.estimation.noise import WrenchNoise, find_noise_factor
 from core.estimation.noisy_columns import Solution, compensate
 from core.estimation.nuisances import (
@@ -41,16 +42,22 @@ from core.payload.inertia import InertialParameters, spatial_inertia
 TILT = slice(10, 12)
 DELAY = 12
 OFFSET = slice(13, 19)
+FIRST_WALK, LEAST_WALK = 0.03, 1e-4
+"""Times the noise of a sample that the offset walks in a second: where the search begins, and what counts as no walk."""
 LEAST_SENSOR_SHARE = 5e-7
 """Of the sensor's noise in a window, beside that of the poses."""
 SHARED = 13
-"""phi, tilt and delay; then come offsets, drift and nuisances."""
+"""phi, tilt and delay; then come offsets and nuisances."""
 
 PRIOR_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0), np.full(2, 0.05), [0.02], np.full(6, 1e3)))
 """Of phi, tilt (rad), delay (s), offsets: so wide that they matter only where the data are silent."""
-ITERATIONS = 20
-UNDAMPED = 6
-"""Iterations that go the whole way; what has not come to rest by then goes half of it."""
+ITERATIONS = 30
+AT_REST = 0.02
+"""Largest change of an unknown, in its standard uncertainty, and of that uncertainty, as a share, of an iteration that has converged."""
+UNDAMPED = 10
+"""Iterations that go the whole way after the model has changed; what has not come to rest by then goes half of it."""
+SETTLED = 2
+"""Iterations before the residuals are those of a payload, from which a walk can be told."""
 VARIANCE_STEPS = 12
 LARGEST_DELAY_S = 0.05
 LARGEST_TILT_RAD = 0.3
@@ -63,15 +70,16 @@ class Fit:
     Args:
         x: (19 + b,), `[phi, tilt, delay, offset]`, then the nuisances in units of their standard uncertainty.
         covariance: (19 + b, 19 + b), with drift marginalised and each nuisance as uncertain as its strength says.
-        repeatability: (19, 19), covariance with the nuisances as they are.
-        directions: (19, b), how far `x` is off when a nuisance is off by its standard uncertainty and the fit goes on as it did.
+        repeatability: (10, 10), covariance of phi with the nuisances as they are.
+        directions: (10, b), how far phi is off when a nuisance is off by its standard uncertainty and the fit goes on as it did.
         drift: (K, 6), at the windows' centres; `drift_std`: (6,), of its range.
+        walk: (6,), N²/s and N² m²/s, rate of the random walk of each channel's offset.
         whitened: (6, K), residuals with unit variance when the model holds.
         scale: (6,), factor on the noise variance that the residuals asked for, 1 where the model holds.
         noise: of one sample.
         nuisances: that were fitted; None where nothing was.
         strength: (b,), variance of each nuisance that the data ask for, 1 for what is stated.
-        converged: whether the iteration came to rest.
+        converged: whether the iteration came to rest, and not at a bound.
     """
 
     x: Array
@@ -81,6 +89,7 @@ class Fit:
     centres: Array
     drift: Array
     drift_std: Array
+    walk: Array
     whitened: Array
     scale: Array
     noise: WrenchNoise
@@ -102,8 +111,8 @@ class Fit:
     def budget(self) -> Budget:
         """Of phi, with all nuisances as uncertain as they are stated to be, whatever their strength in the fit."""
         groups = () if self.nuisances is None else self.nuisances.groups
-        sources = (Source(group.name, group.stated, self.directions[:10, group.rows]) for group in groups)
-        return Budget(self.repeatability[:10, :10], tuple(sources))
+        sources = (Source(group.name, group.stated, self.directions[:, group.rows]) for group in groups)
+        return Budget(self.repeatability, tuple(sources))
 
 
 def fit(form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances | None = None) -> Fit:
@@ -128,9 +137,9 @@ def refit(form: WeakForm, wrench: Array, found: Fit) -> Array:
     """`x` (19 + b,) for a wrench (N, 6) that differs little from the fitted one: one step from what was found, with its weights."""
     problem = _Problem(form, wrench, found.noise, found.nuisances)
     problem.strength[:], problem.fitted, problem.std = found.strength, [], np.sqrt(np.diag(found.covariance)[:10])
-    ramps = np.zeros(problem.drift.stop - problem.drift.start)
-    _, x, _ = problem.step(np.concatenate((found.x[: OFFSET.stop], ramps, found.b)), found.scale)
-    return np.delete(x, problem.drift)
+    problem.rate[:] = found.walk
+    covariance, x = problem.step(found.x, found.scale)
+    return problem.level(covariance, x).x
 
 
 _UNIT_REGRESSORS = np.stack([spatial_inertia(unit).T for unit in np.eye(10)], axis=2)
@@ -162,72 +171,75 @@ class _Problem:
         self.noise = noise
         self.y = form.average(wrench)
         self.wrench_gram, self.pose_gram = form.gram
-        t = form.poses.t
-        parts = [] if form.static else parts_of(t)
-        walk, steps = drift_basis(form.centres, parts), steps_between(form.centres, parts)
-        self.ramps = np.concatenate((walk, steps), axis=1)
-        """(K, n): what the offset does, first the walk, then a step for each pause."""
-        self.walk = walk.shape[1]
-        self.drift = slice(OFFSET.stop, OFFSET.stop + 6 * self.ramps.shape[1])
-        self.drift_variance = (0.1 * noise.std) ** 2
-        self.drift_floor = (2e-4 * noise.std) ** 2
+        self.walk = walk_in(form)
+        self.rate = np.minimum((FIRST_WALK * noise.std) ** 2, noise.fastest_walk)
+        """(6,), of the walk."""
         self.nuisances = None if nuisances is None else NuisanceColumns(form, nuisances)
-        self.size = self.drift.stop + (0 if nuisances is None else nuisances.size)
-        self.strength = np.ones(self.size - self.drift.stop)
+        self.size = OFFSET.stop + (0 if nuisances is None else nuisances.size)
+        self.strength = np.ones(self.size - OFFSET.stop)
         self.fitted = [] if nuisances is None else list(nuisances.groups)
         self.prior = np.concatenate((PRIOR_STD**-2.0, np.zeros(self.size - OFFSET.stop)))
         self.system = np.zeros((0, 0)), np.zeros(0), np.zeros((0, 0))
         """Of the last linearisation: normal matrix, right-hand side, and how much of the former is noise of the poses."""
         self.std = PRIOR_STD[:10]
         """Of phi, after the last linearisation."""
-        self.solution = Solution(*np.zeros((3, self.size, self.size)))
+        self.solution = Solution(*np.zeros((4, self.size, self.size)))
+        self.start = np.zeros(self.size)
+        """Where the iteration begins."""
+        self.channels: list[Channel] = []
+        """Of the last linearisation."""
 
     def solve(self, scale: Array) -> Fit:
         """Gauss-Newton with the noise variance multiplied by `scale` (6,)."""
-        x, converged = np.zeros(self.size), False
+        converged, undamped = False, UNDAMPED
+        x = self.start
         for k in range(ITERATIONS):
-            previous = x
-            covariance, x, whitened = self.step(x, scale)
+            previous, before = x, self.std
+            covariance, x = self.step(x, scale)
             moved = np.abs(x[:SHARED] - previous[:SHARED])
-            converged = bool((moved < 0.01 * np.sqrt(np.diag(covariance))[:SHARED]).all())
+            rests = bool((np.abs(self.std - before) < AT_REST * before).all())
+            converged = k > SETTLED and rests and bool((moved < AT_REST * np.sqrt(np.diag(covariance))[:SHARED]).all())
             if converged and not self._leave_out(x, covariance):
                 break
-            if k >= UNDAMPED:
+            if converged:
+                undamped = k + UNDAMPED
+            if k >= undamped:
                 x = 0.5 * (x + previous)
-        drift = np.column_stack([self.ramps @ x[self._drift_rows(c)] for c in range(6)])
-        spread = np.array([self._range_std(covariance, c) for c in range(6)])
-        kept = np.delete(np.arange(self.size), self.drift)
+            if k >= SETTLED:
+                self._improve_rates(scale)
+        self.start, within = x, abs(x[DELAY]) < LARGEST_DELAY_S and bool((np.abs(x[TILT]) < LARGEST_TILT_RAD).all())
         held = None if self.nuisances is None else self.nuisances.nuisances
         repeatability, directions = self._split_uncertainty()
+        level = self.level(covariance, x)
+        whitened = np.array([at.residual for at in self.channels])
         return Fit(
-            x[kept], covariance[np.ix_(kept, kept)], repeatability, directions,
-            self.form.centres, drift, spread, whitened, np.ones(6), self.noise,
-            nuisances=held, strength=self.strength.copy(), converged=converged,
+            level.x, level.covariance, repeatability, directions,
+            self.form.centres, level.drift, level.drift_std, self.rate.copy(), whitened, np.ones(6), self.noise,
+            nuisances=held, strength=self.strength.copy(), converged=converged and within,
         )  # fmt: skip
 
-    def _drift_rows(self, channel: int) -> slice:
-        n = self.ramps.shape[1]
-        return slice(OFFSET.stop + channel * n, OFFSET.stop + (channel + 1) * n)
+    def _improve_rates(self, scale: Array) -> None:
+        """One step towards the rates of the walk that maximise the restricted likelihood, where the model holds."""
+        for c, channel in enumerate(self.channels if self.walk.bands.any() else ()):
+            if scale[c] == 1.0:
+                slope = slope_of(self.rate[c], self.walk.bands, channel, self.solution.plain)
+                least = (LEAST_WALK * self.noise.std[c]) ** 2
+                self.rate[c] = slope.improve(self.rate[c], least, max(least, self.noise.fastest_walk[c]))
 
-    def _walk_rows(self, channel: int) -> slice:
-        first = self._drift_rows(channel).start
-        return slice(first, first + self.walk)
-
-    def _range_std(self, covariance: Array, channel: int) -> float:
-        rows = self._drift_rows(channel)
-        ends = self.ramps[-1:] - self.ramps[:1]
-        return float(np.sqrt(ends @ covariance[rows, rows] @ ends.T).item()) if self.ramps.shape[1] else 0.0
+    def level(self, covariance: Array, x: Array) -> Levelled:
+        """The drift, and the unknowns with the offsets' mean over the recording, where the last linearisation has their first value."""
+        return level_offsets(x, covariance, self.channels, self.walk, self.rate, OFFSET)
 
     def _rows_of_channel(self, c: int) -> NDArray[np.intp]:
         """Which unknowns show in one channel, in the order of its columns."""
-        rows = [np.arange(SHARED), np.array([OFFSET.start + c]), np.arange(self.size)[self._drift_rows(c)]]
+        rows = [np.arange(SHARED), np.array([OFFSET.start + c])]
         if self.nuisances is not None:
             held = self.nuisances.nuisances
-            rows += [self.drift.stop + np.arange(held.of_loads, held.size), self.drift.stop + held.rows_of_channel(c)]
+            rows += [OFFSET.stop + np.arange(held.of_loads, held.size), OFFSET.stop + held.rows_of_channel(c)]
         return np.concatenate(rows)
 
-    def step(self, x: Array, scale: Array) -> tuple[Array, Array, Array]:
-        """One linearisation at x: covariance, new x, whitened residuals."""
+    def step(self, x: Array, scale: Array) -> tuple[Array, Array]:
+        """One linearisation at x: covariance and new x; the whitened equations are in `channels`."""
         seen = self._linearise(x)
         M = spatial_inertia(seen.likely)
         normal, right, bias = np.zeros((self.size, self.size)), np.zeros(self.size), np.zeros((self.size, self.size))
@@ -236,25 +248,27 @@ class _Problem:
             # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
             kinematic = self.pose_gram.find_variance_through(M[c])
             sensor = max(self.noise.variance[c] * scale[c], LEAST_SENSOR_SHARE * float((kinematic[0] / self.wrench_gram[0]).max()))
-            factor = factorise(sensor * self.wrench_gram + kinematic)
-            own = [seen.shared[:, c], np.ones((len(self.y), 1)), self.ramps]
+            walk = self.walk.covariance(self.rate[c], c)
+            factor = factorise(difference(sensor * self.wrench_gram + kinematic) + walk)
+            own = [seen.shared[:, c], np.ones((len(self.y), 1))]
             if self.nuisances is not None:
                 own += [seen.beside[:, c], self.nuisances.of_channel(c, seen.load)]
-            w, rows = whiten(factor, np.column_stack((*own, seen.target[:, c]))), self._rows_of_channel(c)
-            white.append((w, rows))
+            changes = np.diff(np.column_stack((*own, seen.target[:, c])), axis=0, prepend=0.0)
+            w, rows = whiten(factor, changes), self._rows_of_channel(c)
+            white.append((factor, w, rows))
             normal[np.ix_(rows, rows)] += w[:, :-1].T @ w[:, :-1]
             right[rows] += w[:, :-1].T @ w[:, -1]
-            self._add_bias(bias, c, seen.likely, self.pose_gram.trace_with(invert(factor)))
+            self._add_bias(bias, c, seen.likely, self.pose_gram.trace_with(of_differences(invert(factor))))
         self.system = normal, right, bias
         covariance, x = self._with_priors()
         self.std = np.sqrt(np.diag(covariance)[:10])
-        residuals = [w[:, -1] - w[:, :-1] @ x[rows] for w, rows in white]
+        self.channels = [Channel(factor, w[:, :-1], rows, w[:, -1] - w[:, :-1] @ x[rows]) for factor, w, rows in white]
         x[DELAY] = np.clip(x[DELAY], -LARGEST_DELAY_S, LARGEST_DELAY_S)
         x[TILT] = np.clip(x[TILT], -LARGEST_TILT_RAD, LARGEST_TILT_RAD)
-        return covariance, x, np.array(residuals)
+        return covariance, x
 
     def _linearise(self, x: Array) -> _Linearised:
-        phi, tilt, delay, b = x[:10], x[TILT], float(x[DELAY]), x[self.drift.stop :]
+        phi, tilt, delay, b = x[:10], x[TILT], float(x[DELAY]), x[OFFSET.stop :]
         features, rate = self.form.features(delay)
         held = None if self.nuisances is None else self.nuisances.nuisances
         if held is not None:
@@ -284,45 +298,39 @@ class _Problem:
         if self.nuisances is not None:
             held = self.nuisances.nuisances
             noisy = np.hstack((noisy, self.nuisances.of_channel(c, _UNIT_REGRESSORS @ phi)))
-            rows = np.concatenate((rows, self.drift.stop + held.rows_of_channel(c)))
+            rows = np.concatenate((rows, OFFSET.stop + held.rows_of_channel(c)))
         bias[np.ix_(rows, rows)] += noisy.T @ passed @ noisy
 
     def _with_priors(self) -> tuple[Array, Array]:
-        """Solves the last linearisation with the priors; the strengths of drift and nuisances are improved along the way."""
+        """Solves the last linearisation with the priors; the strengths of the nuisances are improved along the way."""
         normal, right, bias = self.system
         prior = self.prior
-        for _ in range(VARIANCE_STEPS if self.walk or self.nuisances else 1):
-            for c in range(6):
-                prior[self._drift_rows(c)] = STEP_STD[c] ** -2.0
-                prior[self._walk_rows(c)] = 1.0 / self.drift_variance[c]
-            prior[self.drift.stop :] = 1.0 / self.strength
+        for _ in range(VARIANCE_STEPS if self.nuisances else 1):
+            prior[OFFSET.stop :] = 1.0 / self.strength
             self.solution = compensate(normal, bias, prior)
             covariance, x, strength = self.solution.covariance, self.solution.gain @ right, self.strength.copy()
-            self._improve_variances(x, covariance)
+            self._improve_strengths(x, covariance)
         # the covariance is that of the strengths that it was made with
         self.strength = strength
         return covariance, x
 
     def _split_uncertainty(self) -> tuple[Array, Array]:
-        """(19, 19) covariance with the nuisances as they are, and (19, b) what each of them does to the solution."""
-        covariance, told, n = self.solution.covariance[: OFFSET.stop], self.solution.told, OFFSET.stop
+        """(10, 10) covariance of phi with the nuisances as they are, and (10, b) what each of them does to phi."""
+        covariance, told, n = self.solution.covariance[:10], self.solution.told, 10
         error = covariance @ told - np.eye(n, self.size)
         """What the solution is off by, through its prior, per unit of each unknown."""
-        random, variance = error[:, : self.drift.stop], 1.0 / self.prior[: self.drift.stop]
+        random, variance = error[:, : OFFSET.stop], 1.0 / self.prior[: OFFSET.stop]
         repeatability = covariance @ told @ covariance.T + (random * variance) @ random.T
-        return repeatability, error[:, self.drift.stop :]
+        return repeatability, error[:, OFFSET.stop :]
 
-    def _improve_variances(self, x: Array, covariance: Array) -> None:
-        """One step towards the variances of drift and nuisances that maximise the restricted likelihood."""
-        for c in range(6 if self.walk else 0):
-            rows = self._walk_rows(c)
-            self.drift_variance[c] = improve_variance(self.drift_variance[c], x[rows], covariance[rows, rows], self.drift_floor[c])
+    def _improve_strengths(self, x: Array, covariance: Array) -> None:
+        """One step towards the strengths of the nuisances that maximise the restricted likelihood."""
         for group in self.fitted:
             b, spread = self._nuisances_in(group, x, covariance)
             self.strength[group.rows] = improve_strength(float(self.strength[group.rows][0]), b, spread)
 
     def _nuisances_in(self, group: NuisanceGroup, x: Array, covariance: Array) -> tuple[Array, Array]:
-        rows = slice(self.drift.stop + group.rows.start, self.drift.stop + group.rows.stop)
+        rows = slice(OFFSET.stop + group.rows.start, OFFSET.stop + group.rows.stop)
         return x[rows], covariance[rows, rows]
 
     def _leave_out(self, x: Array, covariance: Array) -> bool:

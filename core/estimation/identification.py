@@ -12,6 +12,7 @@ from core.estimation.estimate import DriftEstimate, Estimate, Identification, Pa
 from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT
 from core.estimation.kinematic_filter import ALPHA_VARIANCE, filter_motion, find_pose_noise, steady_std
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
+from core.estimation.lateness import advance_wrench, find_lateness
 from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
 from core.estimation.nuisances import nuisances_of
 from core.estimation.offset import offset_of_opposed_poses
@@ -50,17 +51,25 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
         twin: of the cell; what its effects do to the wrench is accounted for.
     """
     poses = poses_of(recording)
-    wrench = recording.wrench
-    if wrench is None or poses is None:
+    if recording.wrench is None or poses is None:
         return torque_only(recording, poses)
-    setup = check_setup(recording)
     static = poses.period > SLOWEST_PERIOD_S or len(recording) < 50
     motion, speed = _motion(poses, static)
+    # a twin that states a delay means the wrench as it was recorded
+    late_s = 0.0 if static or "time_delay" in twin.ids else find_lateness(recording.t, motion, recording.wrench)
+    if late_s:
+        recording, late_s = advance_wrench(recording, late_s)
+        poses = poses_of(recording)
+        assert poses is not None
+        motion, speed = _motion(poses, static)
+    wrench = recording.wrench
+    assert wrench is not None
+    setup = check_setup(recording)
     segments = _segments(recording, motion, speed, static)
     if setup.contradiction is not None:
         return _nothing(segments, setup.contradiction)
     still = _find_labelled_still(recording, segments) if static else motionless(recording.t, segments)
-    noise = sensor_noise(wrench, still, segments, nominal_std=recording.sensor.noise_std)
+    noise = sensor_noise(recording.t, wrench, still, segments, nominal_std=recording.sensor.noise_std)
     rows_only = static or (poses.position is None) or not bool((~still).any())
     if rows_only and int(still.sum()) < FEWEST_ROWS:
         return _nothing(segments, Message.of("estimation-too-few-still"))
@@ -71,7 +80,7 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     corrected = fit_with_effects(form, wrench, noise or unknown_noise(), effects, nuisances_of(recording, poses.joints, twin))
     found, change = corrected.found, corrected.change
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
-    estimate = _estimate(corrected, motion, static=rows_only, turned=turned)
+    estimate = _estimate(corrected, motion, late_s, static=rows_only, turned=turned)
     estimate = refute(estimate, setup.weighed)
     paper = _paper(recording, poses, wrench - change, still, found.noise, static=static)
     series = None if rows_only else _series(poses, wrench, motion, corrected)
@@ -111,7 +120,7 @@ def _find_labelled_still(recording: Recording, segments: tuple[Segment, ...]) ->
     return still
 
 
-def _estimate(corrected: Corrected, motion: Motion, *, static: bool, turned: str | None) -> Estimate:
+def _estimate(corrected: Corrected, motion: Motion, late_s: float, *, static: bool, turned: str | None) -> Estimate:
     found, covariance, budget = corrected.found, corrected.covariance, corrected.budget
     phi, S = found.phi.copy(), budget.covariance
     std = np.sqrt(np.diag(budget.repeatability))  # what the recording shows; what no recording can show is in the budget
@@ -143,7 +152,7 @@ def _estimate(corrected: Corrected, motion: Motion, *, static: bool, turned: str
         drift=DriftEstimate(found.centres, found.drift, found.drift_std),
         base_tilt_rad=found.x[TILT] if tilt_known else None,
         base_tilt_std=tilt_std if tilt_known else None,
-        delay_s=float(found.x[DELAY]) if delay_known else None,
+        delay_s=late_s + float(found.x[DELAY]) if delay_known else None,
         delay_std=delay_std if delay_known else None,
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,14 @@ from core.estimation.segments import Segment
 
 SHORTEST = 50
 """Samples that a hold needs for its variance to count."""
+PIECE_S, LONGEST_PIECES = 0.15, 8
+"""Shortest pieces that a hold is cut into to see how its mean moves, and how many at most."""
+MEDIAN_OF_SQUARE = 0.455
+"""Of chi-square with one degree of freedom."""
+CAUTION = 8.0
+"""Over the root of the number of squares: by how much their median may be too small."""
+FASTEST_WALK = 2.0
+"""Times the noise of a sample that the offset may move in a second where no hold has shown how it moves."""
 
 
 @dataclass(frozen=True)
@@ -22,11 +30,14 @@ class WrenchNoise:
         std: (6,), N and N m.
         long_run: (6,), factor on the variance of a mean over many samples that correlation between them causes; 1 for white noise.
         measured: whether the recording's motionless parts gave it; the sensor's nominal figure, or a residual, otherwise.
+        fastest_walk: (6,), N²/s and N² m²/s, largest rate of a random walk of the offset that the motionless parts allow: what moves more
+            than that while the robot moves is no walk of the sensor.
     """
 
     std: Array
     long_run: Array
     measured: bool
+    fastest_walk: Array = field(default_factory=lambda: np.full(6, np.inf))
 
     @property
     def variance(self) -> Array:
@@ -35,13 +46,13 @@ class WrenchNoise:
 
 
 def sensor_noise(
-    wrench: Array, still: NDArray[np.bool_], segments: tuple[Segment, ...], *, nominal_std: Array | None = None
+    t: Array, wrench: Array, still: NDArray[np.bool_], segments: tuple[Segment, ...], *, nominal_std: Array | None = None
 ) -> WrenchNoise | None:
     """Noise after a straight line is taken out of every hold; the median over the holds, so that a disturbed one does not decide.
 
     Returns the nominal figure where no hold is long enough, and None where there is neither.
     """
-    variances, products = [], []
+    variances, products, rates = [], [], []
     for part in segments:
         rows = np.flatnonzero(still[part.rows]) + part.start
         if not part.is_hold or len(rows) < SHORTEST:
@@ -49,13 +60,30 @@ def sensor_noise(
         x = _without_line(wrench[rows])
         variances.append((x**2).sum(axis=0) / (len(rows) - 2))
         products.append((x[1:] * x[:-1]).sum(axis=0) / (len(rows) - 2))
+        rates.append(_rates_between_pieces(t[rows], wrench[rows]))
     if variances:
         variance = np.maximum(np.median(variances, axis=0), 1e-18)
         correlation = np.median(products, axis=0) / variance
         samples = len(variances) * SHORTEST
         seen = np.where(correlation > 4.0 / np.sqrt(samples), np.minimum(correlation, 0.98), 0.0)
-        return WrenchNoise(np.sqrt(variance), (1.0 + seen) / (1.0 - seen), True)
-    return None if nominal_std is None else WrenchNoise(np.asarray(nominal_std, dtype=float), np.ones(6), False)
+        return WrenchNoise(np.sqrt(variance), (1.0 + seen) / (1.0 - seen), True, _largest_rate(np.concatenate(rates)))
+    if nominal_std is None:
+        return None
+    std = np.asarray(nominal_std, dtype=float)
+    return WrenchNoise(std, np.ones(6), False, (FASTEST_WALK * std) ** 2)
+
+
+def _rates_between_pieces(t: Array, x: Array) -> Array:
+    """(p, 6), rate of the walk that the change between two neighbouring pieces of a hold would be, noise included."""
+    pieces = np.array_split(np.arange(len(t)), max(2, min(LONGEST_PIECES, int((t[-1] - t[0]) / PIECE_S))))
+    means, at = np.array([x[k].mean(axis=0) for k in pieces]), np.array([t[k].mean() for k in pieces])
+    # the means of two pieces of equal length T of a walk differ by 2/3 T
+    return np.asarray(np.diff(means, axis=0) ** 2 / (2.0 / 3.0 * np.diff(at)[:, None]))
+
+
+def _largest_rate(rates: Array) -> Array:
+    """(6,), bound on the rate from squares of one degree of freedom each (p, 6); the median, so that a disturbed hold does not decide."""
+    return np.asarray(np.median(rates, axis=0) / MEDIAN_OF_SQUARE * (1.0 + CAUTION / np.sqrt(len(rates))))
 
 
 def _without_line(x: Array) -> Array:
@@ -85,7 +113,7 @@ def find_noise_factor(whitened: Array, noise: WrenchNoise) -> Array:
         if not noise.measured or mean_square > 1.0 + limit:
             scale[c] = mean_square * spectrum
         elif spectrum > 1.3:
-            scale[c] = spectrum
+            scale[c] = max(1.0, mean_square * spectrum)
     return scale
 
 

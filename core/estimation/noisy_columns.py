@@ -17,12 +17,13 @@ class Solution:
     """Least squares whose columns are noisy: the gain (n, n) times the right-hand side is the solution.
 
     Args:
-        covariance: (n, n), with priors. told: (n, n), information without them.
+        covariance: (n, n), with priors. told: (n, n), information without them. plain: (n, n), covariance as if no column were noisy.
     """
 
     covariance: Array
     gain: Array
     told: Array
+    plain: Array
 
 
 def compensate(normal: Array, bias: Array, prior: Array) -> Solution:
@@ -47,7 +48,7 @@ def compensate(normal: Array, bias: Array, prior: Array) -> Solution:
     damping = np.eye(len(normal))
     damping[rows] -= (lean * ((1.0 - trust) / share)) @ lean.T @ plain[rows]
     covariance = _inverse(told + np.diag(prior + np.where(np.arange(len(prior)) < 10, prior, 0.0)))
-    return Solution(covariance, covariance @ damping, told)
+    return Solution(covariance, covariance @ damping, told, plain)
 
 
 def _inverse(matrix: Array) -> Array:

@@ -15,6 +15,8 @@ Bools = NDArray[np.bool_]
 
 SETTLING_S = 0.15
 """A hold's first moments, in which an arm still swings, are not called motionless."""
+LEAVING_S = 0.06
+"""A hold's last moments, in which an arm that speeds up is slow and yet accelerates, are not called so either."""
 SHORTEST_HOLD_S = 0.3
 GAP_S = 0.04
 """Longer than what holds and lost samples leave open; what lies on both sides of a longer gap is not averaged together."""
@@ -97,12 +99,13 @@ def segments_of_motion(t: Array, omega: Array, speed: Array, g: Array, *, thresh
 
 
 def motionless(t: Array, segments: tuple[Segment, ...]) -> Bools:
-    """(N,), rows of the holds without their first moments."""
+    """(N,), rows of the holds without their first and last moments."""
     mask = np.zeros(len(t), dtype=bool)
     for part in segments:
         if part.is_hold:
-            settled = t[part.rows] - t[part.start] >= min(SETTLING_S, 0.25 * (t[part.stop - 1] - t[part.start]))
-            mask[part.rows] = settled
+            first, last = t[part.start], t[part.stop - 1]
+            settled = t[part.rows] - first >= min(SETTLING_S, 0.25 * (last - first))
+            mask[part.rows] = settled & (last - t[part.rows] >= min(LEAVING_S, 0.1 * (last - first)))
     return mask
 
 

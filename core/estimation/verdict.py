@@ -18,8 +18,8 @@ from core.words.message import Message
 INTERVAL = 1.96
 LARGE_RESIDUAL = 2.0
 """Times the noise that the residual may be before something is said: where an effect becomes material for a diagnosis, too."""
-DRIFT_SHARE = 0.01
-"""Share of the weight, and of its torque, by which the offset may drift before it is worth a sentence."""
+DRIFT_SHARE = 0.05
+"""Share of the weight, and of its torque, by which the offset may drift before it is worth a warning; it is in the result anyway."""
 
 
 def verdict_of(estimate: Estimate, *, static: bool) -> Message:
@@ -60,8 +60,10 @@ def warnings_of(recording: Recording, estimate: Estimate, found: Fit, *, static:
             said.append(Message.of("estimation-base-tilt", angle_rad=size))
     delay, delay_std = estimate.delay_s, estimate.delay_std
     if delay is not None and delay_std is not None and abs(delay) > max(4.0 * delay_std, 1e-3):
-        late = Message.of("estimation-wrench-late", late_s=delay) if delay > 0 else Message.of("estimation-wrench-early", early_s=-delay)
-        said.append(late)
+        half = INTERVAL * delay_std
+        late = Message.of("estimation-wrench-late", late_s=delay, half_width_s=half)
+        early = Message.of("estimation-wrench-early", early_s=-delay, half_width_s=half)
+        said.append(late if delay > 0 else early)
     least = np.maximum(4.0 * estimate.drift.std, np.maximum(2.0 * estimate.noise_std, DRIFT_SHARE * _load(estimate, recording)))
     if (estimate.drift.range > least).any():
         said.append(Message.of("estimation-drift-accounted", drift=estimate.drift.description))

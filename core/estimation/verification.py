@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.array import Array
+from core.estimation.drift import variance_between
 from core.estimation.estimate import Verification
 from core.estimation.generalised_least_squares import DELAY, OFFSET, TILT, Fit, fit
 from core.estimation.kinematics import Poses
@@ -77,7 +78,9 @@ def prediction(form: WeakForm, found: Fit) -> tuple[Array, Array]:
         others[found.nuisances.mount] = 0.0
     J = np.concatenate((V, features.tilt_columns(found.phi, tilt), late[..., None], constant, beside), axis=2)
     drift = np.column_stack([np.interp(form.centres, found.centres, found.drift[:, c]) for c in range(6)])
-    return V @ found.phi + found.x[OFFSET] + drift + beside @ others, np.einsum("kci,ij,kcj->kc", J, found.covariance, J, optimize=True)
+    walked = variance_between(found.walk, found.noise.variance * form.poses.period, form.centres, found.centres)
+    uncertainty = np.einsum("kci,ij,kcj->kc", J, found.covariance, J, optimize=True) + walked
+    return V @ found.phi + found.x[OFFSET] + drift + beside @ others, uncertainty
 
 
 def estimate_window_variance(form: WeakForm, found: Fit) -> Array:

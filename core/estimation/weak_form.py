@@ -31,6 +31,8 @@ SMOOTH_S = 0.08
 """Window of the local cubics through the rotations that accelerations are turned with."""
 MARGIN_S = 0.06
 """Largest delay that the windows can be shifted by."""
+SAME_DELAY_S = 1e-7
+"""Two delays that differ by less see the same."""
 
 
 @dataclass(frozen=True)
@@ -78,9 +80,18 @@ def regressor_of(b: Array, B: Array) -> Array:
     V[:, :3, 0] = b
     V[:, :3, 1:4] = B
     V[:, 3:, 1:4] = -skew(b)
-    S = 0.5 * (B + np.swapaxes(B, 1, 2))
-    V[:, 3:, 4:] = inertia_columns(axial(B)) - 2.0 * np.moveaxis(axial(S[:, None] @ symmetric(np.eye(6))), 1, 2)
+    V[:, 3:, 4:] = (B.reshape(-1, 9) @ _TORQUE_OF_B).reshape(-1, 3, 6)
     return V
+
+
+def _torque_columns(B: Array) -> Array:
+    """(K, 3, 6), of the torque, for the moments of inertia."""
+    S = 0.5 * (B + np.swapaxes(B, 1, 2))
+    return np.asarray(inertia_columns(axial(B)) - 2.0 * np.moveaxis(axial(S[:, None] @ symmetric(np.eye(6))), 1, 2))
+
+
+_TORQUE_OF_B = _torque_columns(np.eye(9).reshape(9, 3, 3)).reshape(9, 18)
+"""They are linear in B."""
 
 
 def tilt_axes(gravity: Array) -> Array:
@@ -130,6 +141,8 @@ class WeakForm:
             self._step = max(STEP_S, 8.0 * poses.period)
             self.centres = self._centres(t)
         self._samples = self._samples_of(poses)
+        self._features: tuple[Features, Features] | None = None
+        self._delay = 0.0
 
     def _samples_of(self, poses: Poses) -> Array:
         """(N, 21), what the windows average: acceleration, R^T and `R^T R''`."""
@@ -141,6 +154,11 @@ class WeakForm:
 
     def __len__(self) -> int:
         return len(self.centres)
+
+    @property
+    def spacing(self) -> float:
+        """s, of the knots; the windows stand on them."""
+        return self._step
 
     def _centres(self, t: Array) -> Array:
         """Centres of the windows that lie inside the recording, with room for a delay, and hold no gap."""
@@ -184,7 +202,12 @@ class WeakForm:
         return np.asarray((W @ x) / (W.sum(axis=1))[:, None])
 
     def features(self, delay: float) -> tuple[Features, Features]:
-        """Features at the times `centres - delay`, and their derivative by the delay."""
+        """Features at the times `centres - delay`, and their derivative by the delay; those of before where it has hardly changed."""
+        if self._features is None or abs(delay - self._delay) > SAME_DELAY_S:
+            self._features, self._delay = self._find_features(delay), delay
+        return self._features
+
+    def _find_features(self, delay: float) -> tuple[Features, Features]:
         gravity = self.poses.gravity
         if self.static:
             values = self._samples[self._rows]

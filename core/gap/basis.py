@@ -58,7 +58,7 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     motion, speed = smooth_motion(poses, window_s=SMOOTHING_S)
     segments = cut_at_gaps(segments_of(recording, motion, speed), recording.t)
     still = motionless(recording.t, segments)
-    noise = sensor_noise(wrench, still, segments, nominal_std=recording.sensor.noise_std) or unknown_noise()
+    noise = sensor_noise(recording.t, wrench, still, segments, nominal_std=recording.sensor.noise_std) or unknown_noise()
     raw = RawFeatures(poses)
     grid = max(GRID_S, poses.period)
     narrow = max(NARROW_S, 4.0 * poses.period)

@@ -16,7 +16,7 @@ def test_the_motionless_phases_give_the_variances_of_table_2() -> None:
     recording = record(run_of("lwr4_bench", 0), payload("steel_block"), np.random.default_rng(2), how)
     assert recording.wrench is not None and recording.phase is not None
     parts = segments_of_phase(recording.phase)
-    noise = sensor_noise(recording.wrench, motionless(recording.t, parts), parts)
+    noise = sensor_noise(recording.t, recording.wrench, motionless(recording.t, parts), parts)
     assert noise is not None and noise.measured
     # the resolution of 1/16 N and 1/752 N m adds a twelfth of its square
     np.testing.assert_allclose(noise.std**2, VARIANCE + RESOLUTION**2 / 12, rtol=0.06)

@@ -8,7 +8,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.sparse import csr_array
 
-from core.estimation.banded import BAND, bands_of, factorise, invert, trace, whiten
+from core.estimation.banded import (
+    BAND,
+    bands_of,
+    difference,
+    factorise,
+    invert,
+    multiply,
+    of_differences,
+    solve_transposed,
+    trace,
+    whiten,
+)
 
 
 def covariance(seed: int, n: int) -> np.ndarray:
@@ -40,3 +51,25 @@ def test_what_is_whitened_has_unit_covariance() -> None:
     C = covariance(0, 12)
     half = whiten(factorise(bands_of(csr_array(C))), np.eye(12))
     np.testing.assert_allclose(half @ C @ half.T, np.eye(12), atol=1e-9)
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(1, 30))
+def test_the_differences_of_neighbours_have_the_bands_of_the_dense_product(seed: int, n: int) -> None:
+    C, D = covariance(seed, n), np.eye(n) - np.eye(n, k=-1)
+    found, dense = difference(bands_of(csr_array(C))), D @ C @ D.T
+    for k in range(min(BAND + 1, n)):
+        np.testing.assert_allclose(found[k, : n - k], np.diag(dense, -k), atol=1e-9 * np.abs(dense).max())
+        assert not found[k, n - k :].any()
+    inverse, dense = of_differences(invert(factorise(found))), np.linalg.inv(C)
+    for k in range(min(BAND, n)):
+        np.testing.assert_allclose(inverse[k, : n - k], np.diag(dense, -k), rtol=1e-5, atol=1e-7 * np.abs(dense).max())
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(1, 30))
+def test_products_and_the_way_back_are_those_of_the_dense_matrices(seed: int, n: int) -> None:
+    C, x = covariance(seed, n), np.random.default_rng(seed).normal(size=(n, 3))
+    bands = bands_of(csr_array(C))
+    np.testing.assert_allclose(multiply(bands, x), C @ x, atol=1e-9 * np.abs(C).max())
+    L = np.linalg.cholesky(C)
+    expected = np.linalg.solve(L.T, x)
+    np.testing.assert_allclose(solve_transposed(factorise(bands), x), expected, rtol=1e-6, atol=1e-6 * np.abs(expected).max())

@@ -52,7 +52,7 @@ def swinging(period: float, lasts_s: float, pace: float) -> tuple[np.ndarray, np
 
 @pytest.mark.parametrize("measured", [True, False])
 def test_noise_that_lasts_longer_than_a_window_widens_the_uncertainty_to_the_scatter(measured: bool) -> None:
-    """It keeps 0.98 from sample to sample, and the fit is told that it is white: residuals have to say that it is not.
+    """It keeps 0.98 from sample to sample, and the fit is told that it is white and does not walk: residuals have to say that it is not.
 
     Without the widening the parameters are off by ten of the standard uncertainties stated, with the residuals' size alone by three.
     """
@@ -63,7 +63,7 @@ def test_noise_that_lasts_longer_than_a_window_widens_the_uncertainty_to_the_sca
         fresh = np.random.default_rng(seed).normal(size=wrench.shape) * np.sqrt(1.0 - 0.98**2)
         fresh[0] /= np.sqrt(1.0 - 0.98**2)
         noise = lfilter([1.0], [1.0, -0.98], fresh, axis=0)
-        found = fit(form, wrench + STD * noise, WrenchNoise(STD, np.ones(6), measured))
+        found = fit(form, wrench + STD * noise, WrenchNoise(STD, np.ones(6), measured, np.zeros(6)))
         z.append((found.phi - true_phi()) / np.sqrt(np.diag(found.covariance)[:10]))
     assert 0.6 < np.sqrt(np.mean(np.square(z))) < 1.8
 

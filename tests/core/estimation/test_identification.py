@@ -104,7 +104,8 @@ def test_tilt_delay_and_drift_are_found_and_do_not_reach_the_payload() -> None:
     np.testing.assert_allclose(estimate.drift.range[:3], 0.3, rtol=0.1)
     assert (np.abs((estimate.phi - body.phi) / estimate.repeatability.std) < 4.0).all()
     said = " ".join(warning.text for warning in found.warnings)
-    assert "not level" in said and "4.0 ms late" in said and "drifted" in said
+    assert "not level" in said and "4.0 ms late" in said and "drifted" not in said
+    assert estimate.drift.description.code == "estimation-drift"
 
 
 def test_coarse_encoders_do_not_shrink_the_inertia() -> None:
@@ -135,7 +136,9 @@ def test_misfit_widens_the_uncertainty_and_is_said(clean: tuple[Recording, Ident
     found = identify_recording(replace(recording, wrench=touched))
     assert found.estimate is not None
     assert "exceeds the sensor's noise, most in fx" in found.warnings[0].text
-    assert found.estimate.repeatability.std[0] > 2 * plain.estimate.repeatability.std[0]
+    # the mass rests on the other two channels
+    assert found.estimate.repeatability.std[0] > 1.2 * plain.estimate.repeatability.std[0]
+    assert abs(found.estimate.phi[0] - plain.estimate.phi[0]) < 2 * found.estimate.repeatability.std[0]
 
 
 def test_transfers_and_holds_alone_leave_the_inertia_about_some_axis_open_or_uncertain() -> None:

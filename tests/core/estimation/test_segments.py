@@ -34,12 +34,13 @@ def test_without_labels_the_motion_tells_holds_and_rotations() -> None:
     assert {p.phase for p in found} >= {"hold:x+", "hold:x-", "hold:z+", "rotate:x", "rotate:y", "rotate:z", "transfer"}
 
 
-def test_the_first_moments_of_a_hold_do_not_count_as_motionless() -> None:
+def test_the_first_and_last_moments_of_a_hold_do_not_count_as_motionless() -> None:
     t = 1e-3 * np.arange(3000)
     parts = (Segment(0, 1000, "transfer"), Segment(1000, 3000, "hold:x+"))
     still = motionless(t, parts)
     assert not still[:1140].any()
-    assert still[1160:].all()
+    assert still[1160:2930].all()
+    assert not still[2945:].any()
 
 
 def test_a_gap_in_time_parts_a_recording_and_its_motions_but_a_lost_sample_does_not():
