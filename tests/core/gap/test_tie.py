@@ -33,19 +33,19 @@ def fitted(seed: int, gain: float) -> tuple[Windows, dict[str, EffectFit]]:
     return windows, fit_each(windows)
 
 
-def fit_each(windows: Windows) -> dict[str, EffectFit]:
-    """The effects one by one."""
+def fit_each(windows: Windows, names: tuple[str, ...] = NAMES) -> dict[str, EffectFit]:
+    """Effects one by one."""
     nominal = fit_nominal(windows)
     scene = windows.basis.scene.with_phi(nominal.phi)
     still = np.zeros((len(scene), 6))
-    return {name: fit_effects(windows, (BY_ID[name],), nominal, BY_ID[name].starts(scene, still)) for name in NAMES}
+    return {name: fit_effects(windows, (BY_ID[name],), nominal, BY_ID[name].starts(scene, still)) for name in names}
 
 
 def chi_square(fit: EffectFit) -> float:
     return float((fit.residual**2).sum())
 
 
-@pytest.mark.parametrize("seed", [4, 5, 6])
+@pytest.mark.parametrize("seed", [4, 5])
 def test_a_sensor_that_shows_one_percent_too_much_is_named_or_declared_with_what_bends_to_it(seed: int):
     windows, fits = fitted(seed, 1.01)
     ranked = sorted((fits["sensor_gain"], fits["sensor_nonlinearity"]), key=chi_square)  # the noise decides which bends better
@@ -58,10 +58,10 @@ def test_the_distance_is_what_recordings_with_other_noise_tell_in_the_mean():
     expected = distance_sigma(windows, first, rival)
     rng = np.random.default_rng(7)
     worse = []
-    for _ in range(12):
+    for _ in range(6):
         drawn = Windows(windows.basis)
         drawn.target = windows.target - first.residual + rng.standard_normal(windows.target.shape)
-        again = fit_each(drawn)
+        again = fit_each(drawn, (first.name, rival.name))
         worse.append(chi_square(again[rival.name]) - chi_square(again[first.name]))
     assert np.mean(worse) == pytest.approx(expected**2, abs=3.0 * (2.0 * expected + 2.0) / np.sqrt(len(worse)))
 
@@ -74,4 +74,4 @@ def test_an_explanation_follows_itself():
 def test_what_explains_far_less_is_no_rival():
     windows, fits = fitted(4, 1.05)
     assert distance_sigma(windows, fits["sensor_gain"], fits["time_delay"]) > 3.0 * INSEPARABLE_SIGMA
-    assert not [tie for tie in find_ties(windows, [fits["sensor_gain"], fits["time_delay"]], 1.0)]
+    assert find_ties(windows, [fits["sensor_gain"], fits["time_delay"]], 1.0) == ()
