@@ -23,7 +23,7 @@ from core.gap.answer import (
     Verdict,
     Where,
 )
-from core.gap.attribution import LAPSE, Tie
+from core.gap.attribution import LAPSE
 from core.gap.closure import closure_of, gap_of
 from core.gap.effect_fit import EffectFit
 from core.gap.evidence import EXPLAINED, Evidence
@@ -32,6 +32,7 @@ from core.gap.materiality import payload_shift
 from core.gap.proposal import Proposal
 from core.gap.residual import Residual
 from core.gap.symptoms import find_leading, observe_symptoms
+from core.gap.tie import Tie
 from core.gap.windows import OFFSET
 from core.payload.channels import CHANNELS
 from core.recording.recording import Recording

@@ -15,9 +15,9 @@ from scipy.special import expit, softmax
 
 from core.array import Array
 from core.gap.effect_fit import EffectFit
+from core.gap.tie import Tie, find_ties
 from core.gap.windows import Windows
 
-INSEPARABLE_SIGMA = 3.0
 NONE_PRIOR = 3.0
 """Of no effect, against each single one."""
 PAIR_PRIOR = 0.001
@@ -39,28 +39,12 @@ BENT_LAPSE = 0.4
 BENT_HALF = 0.005
 """Share of the excess left over half way from the one to the other. These three, and `UNKNOWN_MOST`, were chosen on 119 blind trials with a
 gap (seeds 20000-20305) for what is left over by single effects."""
-BENDS = 3
-"""A rival with this many parameters more than the first is its generalisation, not its rival."""
 UNEXPLAINED_HALF = 0.1
 """Share of the excess that the best model leaves over half way to `unknown`. Two effects bend twice: together they may leave its square."""
 UNKNOWN_MOST = 0.65
 """Probability of `unknown` where nothing explains the gap: the rest are effects of the library in another shape than its models."""
 WIDTH = 0.5
 """Of these transitions, in the logarithm of the share."""
-
-
-@dataclass(frozen=True)
-class Tie:
-    """Two explanations that this recording cannot tell apart.
-
-    Args:
-        first, second: the fits.
-        distance_sigma: between their best versions, orthogonal to payload, offsets and small imperfections.
-    """
-
-    first: EffectFit
-    second: EffectFit
-    distance_sigma: float
 
 
 @dataclass(frozen=True)
@@ -86,7 +70,8 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> At
     best = _best(nominal, fits)
     none, unknown, shares = probabilities(nominal, fits)
     explained = tuple(sorted(zip(fits, shares, strict=True), key=lambda pair: -pair[1]))
-    return Attribution(none, unknown, explained, _ties(windows, nominal, explained, best), leftover(nominal, best))
+    unit = max(1.0, float(np.sqrt(best.held_out.mean())))
+    return Attribution(none, unknown, explained, find_ties(windows, [fit for fit, _ in explained], unit), leftover(nominal, best))
 
 
 def probabilities(nominal: EffectFit, fits: list[EffectFit]) -> tuple[float, float, list[float]]:
@@ -157,21 +142,3 @@ def leftover(nominal: EffectFit, fit: EffectFit) -> float:
 def beyond_chance(fit: EffectFit) -> float:
     """Chi-square per row that is left over, less what chance may leave."""
     return float(fit.held_out.mean()) - 1.0 - CHANCE_SIGMA * float(np.sqrt(2.0 / fit.held_out.size))
-
-
-def _ties(windows: Windows, nominal: EffectFit, explained: tuple[tuple[EffectFit, float], ...], best: EffectFit) -> tuple[Tie, ...]:
-    """Rivals of the most probable single effect, their distance in units of what the best model gets wrong."""
-    singles = [fit for fit, _ in explained if len(fit.effects) == 1]
-    if not singles:
-        return ()
-    first, unit = singles[0], max(1.0, float(np.sqrt(best.held_out.mean())))
-    rivals = [fit for fit in singles[1:] if len(fit.theta) <= len(first.theta) + BENDS]
-    ties = [Tie(first, fit, distance_sigma(windows, nominal, first, fit) / unit) for fit in rivals]
-    return tuple(sorted((tie for tie in ties if tie.distance_sigma < INSEPARABLE_SIGMA), key=lambda tie: tie.distance_sigma))
-
-
-def distance_sigma(windows: Windows, nominal: EffectFit, a: EffectFit, b: EffectFit) -> float:
-    """Distance of two predictions, after payload, offsets and small imperfections have made up for what they can."""
-    difference = (a.change - b.change).ravel()
-    seen = windows.X.reshape(len(difference), -1).T @ difference
-    return float(np.sqrt(max(0.0, float(difference @ difference - seen @ nominal.covariance @ seen))))

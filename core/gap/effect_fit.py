@@ -80,20 +80,21 @@ def fit_nominal(windows: Windows) -> EffectFit:
     problem = Problem(windows, ())
     beta = find_bounded_minimum(problem.XX + np.diag(problem.precision), problem.X.T @ problem.target, problem.bounds)
     if problem.held:  # they depend on the payload
-        _, beta, _ = _descend(problem, beta, np.zeros(0), iterations=ITERATIONS)
+        _, beta, _ = descend(problem, beta, np.zeros(0), iterations=ITERATIONS)
     return _finish(problem, beta, np.zeros(0))
 
 
 def fit_effects(windows: Windows, effects: tuple[Effect, ...], start: EffectFit, thetas: list[Array]) -> EffectFit:
     """The best fit from several starting values of theta, payload and offsets starting from another fit."""
     problem = Problem(windows, effects)
-    candidates = [_descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
+    candidates = [descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
     _, beta, theta = min(candidates, key=lambda found: found[0])
-    _, beta, theta = _descend(problem, beta, theta, iterations=ITERATIONS)
+    _, beta, theta = descend(problem, beta, theta, iterations=ITERATIONS)
     return _finish(problem, beta, theta)
 
 
-def _descend(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> tuple[float, Array, Array]:
+def descend(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> tuple[float, Array, Array]:
+    """Least cost (Levenberg-Marquardt), with the beta and theta at which it is."""
     cost, damping = problem.cost(beta, theta), 1e-6
     for _ in range(iterations):
         new_beta, new_theta = problem.step(beta, theta, damping)

@@ -8,12 +8,13 @@ from functools import cached_property
 
 from core.effects.effect import Effect
 from core.gap.answer import Verdict
-from core.gap.attribution import Attribution, Tie, attribute, distance_sigma, leftover, probabilities
+from core.gap.attribution import Attribution, attribute, leftover, probabilities
 from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.materiality import is_material
 from core.gap.partners import partners
 from core.gap.proposal import Proposal
+from core.gap.tie import Tie, distance_sigma
 from core.gap.windows import Windows
 from core.words.message import Message
 
@@ -78,7 +79,7 @@ class Evidence:
         if self.attribution.ties or len(singles) < 2:
             return self.attribution.ties
         first, second = singles[:2]
-        return (Tie(first, second, distance_sigma(self.windows, self.nominal, first, second)),)
+        return (Tie(first, second, distance_sigma(self.windows, first, second)),)
 
 
 def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all_cores) -> Evidence:

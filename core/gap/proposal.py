@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.gap.answer import Experiment
-from core.gap.attribution import INSEPARABLE_SIGMA, Tie
 from core.gap.candidate_motions import CandidateMotion, candidates, second_payload
 from core.gap.prediction import Prediction
 from core.gap.rehearsal import rehearse
+from core.gap.tie import INSEPARABLE_SIGMA, Tie
 from core.gap.windows import Windows
 from core.recording.recording import Recording
 

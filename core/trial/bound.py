@@ -20,8 +20,12 @@ from core.gap.evidence import Evidence
 from core.gap.fit_all import pair_of
 from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
 from core.gap.materiality import is_material
+from core.gap.tie import distance_sigma
 from core.gap.windows import PHI, Windows
 from core.recording.recording import Recording
+
+RIVALS = 4
+"""The nearest rival is among so many that explain the recording best."""
 
 
 class Bound(BaseModel):
@@ -32,7 +36,7 @@ class Bound(BaseModel):
     Args:
         fault_sigma: from "nothing". Below about 3 nothing can find the fault.
         material_sigma: the `fault_sigma` at which this fault, were it made larger or smaller in proportion, becomes material.
-        nearest_rival_sigma: from the fit of the true effect to the nearest other effect's; 0 where that one fits better.
+        nearest_rival_sigma: what the nearest other effect cannot follow of the true one's prediction (`core.gap.tie`).
         undescribed_sigma: what the library's best single effect leaves over beyond the run without the fault.
         second_sigma: two faults: what the weaker one adds to the fit of the other.
         second_material: two faults: whether leaving out the weaker one matters.
@@ -121,8 +125,9 @@ def _derive_bound(ids: tuple[str, ...], evidence: Evidence, clean_cost: float | 
     best = min((fit.cost for fit in fits.values()), default=evidence.nominal.cost)
     undescribed = None if clean_cost is None else _root(best - clean_cost)
     if len(ids) == 1 and true:
-        nearest = min((fit.cost for fit in fits.values() if fit is not true[0]), default=evidence.nominal.cost)
-        return Bound(undescribed_sigma=undescribed, nearest_rival_sigma=_root(nearest - true[0].cost))
+        rivals = sorted((fit for fit in fits.values() if fit is not true[0]), key=lambda fit: fit.cost)[:RIVALS]
+        nearest = min((distance_sigma(evidence.windows, true[0], fit) for fit in rivals), default=None)
+        return Bound(undescribed_sigma=undescribed, nearest_rival_sigma=nearest)
     if len(true) == 2:
         sigma, material = _second(evidence.windows, true)
         return Bound(undescribed_sigma=undescribed, second_sigma=sigma, second_material=material)

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
-from scipy.special import expit, ndtr
+from scipy.special import expit
 
 from core.array import Array
 from core.gap.limits import sizes
-from core.trial.judgement import CLEAR_SIGMA, SIZED_SIGMA, TIE_SIGMA, counts, forecast, is_beside, right, truth_class
+from core.trial.judgement import CLEAR_SIGMA, SIZED_SIGMA, TIE_SIGMA, counts, forecast, is_beside, names_truth_alone, right, truth_class
 from core.trial.outcome import TrialOutcome
 
 Z95 = 1.959964
@@ -61,19 +61,13 @@ def share_right(outcomes: Sequence[TrialOutcome], kind: str) -> Share:
     return Share.among(right(o) for o in outcomes if o.sealed.kind == kind and counts(o))
 
 
-def best_share(distances: Iterable[float | None]) -> float:
-    """Mean share that the best possible test decides rightly between two hypotheses at these distances; NaN of none."""
-    known = [d for d in distances if d is not None]
-    return float(np.mean(ndtr(0.5 * np.array(known)))) if known else float("nan")
-
-
 def tie_honesty(outcomes: Sequence[TrialOutcome]) -> tuple[Share, Share]:
     """Truth in the declared set where the nearest rival is inseparable; one name, the right one, where it is far."""
     singles = [o for o in outcomes if o.sealed.kind == "single" and counts(o) and o.bound.nearest_rival_sigma is not None]
     near = [o for o in singles if (o.bound.nearest_rival_sigma or 0.0) < TIE_SIGMA]
     far = [o for o in singles if (o.bound.nearest_rival_sigma or 0.0) > CLEAR_SIGMA]
-    declared = Share.among(bool(({o.first} | o.tied) & set(o.sealed.ids)) for o in near)
-    return declared, Share.among(not o.ties and o.first in o.sealed.ids for o in far)
+    declared = Share.among(right(o) for o in near)
+    return declared, Share.among(not o.ties and names_truth_alone(o) for o in far)
 
 
 def first_answers(outcomes: Sequence[TrialOutcome]) -> tuple[Array, NDArray[np.bool_]]:

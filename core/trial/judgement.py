@@ -90,8 +90,8 @@ def find_named_effects(outcome: TrialOutcome) -> frozenset[str]:
 def right(outcome: TrialOutcome) -> bool:
     """Whether the answer is right, counted or not.
 
-    None: no gap, and nothing that matters beside. One fault: its name first, or a declared tie that holds it; one that is read off the
-    recording stands beside the verdict, which names nothing; where it is immaterial, the same as none. Unknown: "unknown"; where it is
+    None: no gap, and nothing that matters beside. One fault: its name and no other, or a declared tie that holds it; one that is read off
+    the recording stands beside the verdict, which names nothing; where it is immaterial, the same as none. Unknown: "unknown"; where it is
     immaterial, the same as none. Two: exactly those; where the weaker one does not count, either of them.
     """
     kind, ids = outcome.sealed.kind, set(outcome.sealed.ids)
@@ -106,12 +106,21 @@ def right(outcome: TrialOutcome) -> bool:
     if kind == "double" and counts(outcome):
         return exact_pair(outcome)
     tied = outcome.tied if outcome.verdict in NAMED else frozenset()
-    return bool((find_named_effects(outcome) | tied | set(outcome.also)) & ids)
+    named = find_named_effects(outcome)
+    return (bool(named) and named <= ids) or bool((tied | set(outcome.also)) & ids)
 
 
-def names_truth_first(outcome: TrialOutcome) -> bool:
-    """Whether the truth is the first name, ties or not."""
-    return right(outcome) if is_beside(outcome) else outcome.first in outcome.sealed.ids
+def names_truth_alone(outcome: TrialOutcome) -> bool:
+    """Whether the verdict names what was planted and nothing else, ties or not: `unknown` with the right name in the list is not right,
+    nor is a pair with a wrong second."""
+    return right(outcome) if is_beside(outcome) else find_named_effects(outcome) == set(outcome.sealed.ids)
+
+
+def gives_right_verdict(outcome: TrialOutcome) -> bool:
+    """Whether the verdict is of the right kind, whatever it names: no gap, a name, or unknown."""
+    if outcome.sealed.kind == "none" or is_beside(outcome) or not material(outcome):
+        return outcome.verdict == NO_GAP
+    return outcome.verdict == UNKNOWN if outcome.sealed.kind == "unknown" else outcome.verdict in NAMED
 
 
 def is_beside(outcome: TrialOutcome) -> bool:

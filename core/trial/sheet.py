@@ -16,7 +16,6 @@ from core.trial import charts
 from core.trial.figures import (
     Share,
     all_answers,
-    best_share,
     calibration_error,
     closure_ratios,
     first_answers,
@@ -27,7 +26,17 @@ from core.trial.figures import (
     share_right,
     tie_honesty,
 )
-from core.trial.judgement import CLEAR_SIGMA, NAMED_SIGMA, TIE_SIGMA, counts, find_named_effects, material, names_truth_first, right
+from core.trial.judgement import (
+    CLEAR_SIGMA,
+    NAMED_SIGMA,
+    TIE_SIGMA,
+    counts,
+    find_named_effects,
+    gives_right_verdict,
+    material,
+    names_truth_alone,
+    right,
+)
 from core.trial.outcome import TrialOutcome
 from core.words.catalogue import Language
 from core.words.wording import Wording
@@ -147,35 +156,34 @@ def _figures(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:
     closures = [first / true for true, first in closure_ratios(outcomes)]
     first, every = (reliability(*answers) for answers in (first_answers(outcomes), all_answers(outcomes, LEAST)))
     alarms = Share.among(not right(o) for o in counted["none"])
-    rivals = [o.bound.nearest_rival_sigma for o in counted["single"]]
-    clear = [distance for distance in rivals if distance is not None and distance > CLEAR_SIGMA]
-    unknown, second = [o.bound.undescribed_sigma for o in counted["unknown"]], [o.bound.second_sigma for o in counted["double"]]
-    single = Share.among(names_truth_first(o) for o in counted["single"])
+    verdicts = Share.among(gives_right_verdict(o) for part in counted.values() for o in part)
+    single = Share.among(names_truth_alone(o) for o in counted["single"])
     seconds = [o.seconds for o in outcomes if o.stopped is None]
     asked = sum(o.second is not None for o in counted["single"])
     say, share = words.say, partial(_say_share, words)
     percent, number = partial(_percent, words), partial(_number, words)
     rows = [
-        (say("sheet-false-alarms"), "<= 0.5 %", share(alarms), "-"),
-        (say("sheet-one-fault-or-tie"), ">= 93 %", share(share_right(outcomes, "single")), "-"),
-        (say("sheet-one-fault"), "-", share(single), percent(best_share(rivals))),
-        (say("sheet-one-fault-after", count=asked), ">= 98 %", share(share_right([o.final for o in outcomes], "single")), "-"),
-        (say("sheet-near-rival", sigma=TIE_SIGMA), ">= 99 %", share(near), "-"),
-        (say("sheet-far-rival", sigma=CLEAR_SIGMA), ">= 95 %", share(far), percent(best_share(clear))),
-        (say("sheet-calibration-first"), "<= 0.02", number(calibration_error(first)), "-"),
-        (say("sheet-calibration-all"), "<= 0.02", number(calibration_error(every)), "-"),
-        (say("sheet-unknown-as-unknown"), ">= 95 %", share(share_right(outcomes, "unknown")), percent(best_share(unknown))),
-        (say("sheet-exact-pair"), ">= 92 %", share(share_right(outcomes, "double")), percent(best_share(second))),
-        (say("sheet-parameter-error", count=len(errors)), "<= 3 %", percent(_median(errors)), "-"),
-        (say("sheet-parameters-covered"), "94-96 %", share(covered), "95 %"),
-        (say("sheet-closure-ratio"), ">= 0.98", number(_median(closures)), "1"),
-        (say("sheet-payload-before"), "-", percent(payload.before), "-"),
-        (say("sheet-payload-after"), say("sheet-the-noise"), percent(payload.after), percent(payload.stated)),
-        (say("sheet-payload-covered"), "95 %", share(payload.covered), "95 %"),
-        (say("sheet-seconds"), say("sheet-two-cores", time_s=15), f"{number(_median(seconds))} s", "-"),
+        (say("sheet-false-alarms"), "<= 0.5 %", share(alarms)),
+        (say("sheet-one-fault"), ">= 88 %", share(single)),
+        (say("sheet-one-fault-or-tie"), ">= 94 %", share(share_right(outcomes, "single"))),
+        (say("sheet-one-fault-after", count=asked), ">= 97 %", share(share_right([o.final for o in outcomes], "single"))),
+        (say("sheet-verdicts"), "-", share(verdicts)),
+        (say("sheet-near-rival", sigma=TIE_SIGMA), ">= 98 %", share(near)),
+        (say("sheet-far-rival", sigma=CLEAR_SIGMA), ">= 97 %", share(far)),
+        (say("sheet-calibration-first"), "<= 0.02", number(calibration_error(first))),
+        (say("sheet-calibration-all"), "<= 0.02", number(calibration_error(every))),
+        (say("sheet-unknown-as-unknown"), ">= 93 %", share(share_right(outcomes, "unknown"))),
+        (say("sheet-exact-pair"), ">= 85 %", share(share_right(outcomes, "double"))),
+        (say("sheet-parameter-error", count=len(errors)), "<= 3 %", percent(_median(errors))),
+        (say("sheet-parameters-covered"), "94-96 %", share(covered)),
+        (say("sheet-closure-ratio"), ">= 0.98", number(_median(closures))),
+        (say("sheet-payload-before"), "-", percent(payload.before)),
+        (say("sheet-payload-after"), say("sheet-the-noise", stated=percent(payload.stated)), percent(payload.after)),
+        (say("sheet-payload-covered"), "94-96 %", share(payload.covered)),
+        (say("sheet-seconds"), say("sheet-two-cores", time_s=15), f"{number(_median(seconds))} s"),
     ]
-    head = (say("sheet-figure"), say("sheet-wanted"), say("sheet-here"), say("sheet-bound"))
-    return _table(head, [(name, words.mark(wanted), here, bound) for name, wanted, here, bound in rows])
+    head = (say("sheet-figure"), say("sheet-wanted"), say("sheet-here"))
+    return _table(head, [(name, words.mark(wanted), here) for name, wanted, here in rows])
 
 
 def _kinds(outcomes: Sequence[TrialOutcome], words: Wording) -> list[str]:

@@ -4,7 +4,7 @@ sheet-command = `heft trial --seeds { $seeds }` ({ $count ->
         [one] 1 Versuch
        *[other] { $count } Versuche
     }, Heft { $versions }).
-sheet-how = Die Fehler baut ein Programm ein, das mit den Effekten nichts gemeinsam hat; jede Antwort wurde vor der ersten Diagnose versiegelt (ihr Hash ausgegeben). Anteile stehen mit ihrem 95-%-Intervall (Wilson). Ein Fehler zählt, wenn er von Belang ist und mindestens { FIXED($sigma, digits: 0) } Sigma von nichts entfernt (`core/trial/judgement.py`). Die Schranke ist, was das bestmögliche Verfahren an denselben Aufzeichnungen erreichen könnte; die Entfernungen, auf denen sie beruht, stammen aus einer zweiten Simulation jedes Laufs ohne seinen Fehler.
+sheet-how = Die Fehler baut ein Programm ein, das mit den Effekten nichts gemeinsam hat; jede Antwort wurde vor der ersten Diagnose versiegelt (ihr Hash ausgegeben). Anteile stehen mit ihrem 95-%-Intervall (Wilson). Ein Fehler zählt, wenn er von Belang ist und mindestens { FIXED($sigma, digits: 0) } Sigma von nichts entfernt (`core/trial/judgement.py`). Wie weit ein Fehler von nichts entfernt ist, zeigt derselbe Lauf ohne ihn, noch einmal simuliert; wie weit von seinem nächsten Rivalen, eine Anpassung der Rivalen an das, was der wahre Effekt vorhersagt.
 sheet-by-kind = Nach Art
 sheet-by-effect = Nach Effekt
 sheet-not-right = Nicht richtig
@@ -15,14 +15,14 @@ sheet-confusion-numbers = Verwechslungen in Zahlen
 sheet-figure = Kennzahl
 sheet-wanted = gewünscht
 sheet-here = hier
-sheet-bound = Schranke
 sheet-share = { FIXED($percent, digits: 1) } % ({ $hits } von { $of }; { FIXED($low_percent, digits: 0) }-{ FIXED($high_percent, digits: 0) } %)
 sheet-none-drawn = keiner gezogen
 sheet-none = keine
 sheet-false-alarms = falscher Alarm bei Läufen ohne Effekt
-sheet-one-fault-or-tie = ein Fehler: erster Name richtig, erklärter Gleichstand zählt
-sheet-one-fault = ein Fehler: erster Name richtig, mit oder ohne Gleichstand
+sheet-one-fault = ein Fehler: genannt, und nichts sonst
+sheet-one-fault-or-tie = dasselbe mit erklärten Gleichständen
 sheet-one-fault-after = dasselbe nach der vorgeschlagenen Bewegung ({ $count } verlangten eine)
+sheet-verdicts = Befund der richtigen Art: keine Abweichung, ein Name oder unbekannt
 sheet-near-rival = nächster Rivale unter { FIXED($sigma, digits: 0) } Sigma: die Wahrheit unter den genannten
 sheet-far-rival = nächster Rivale über { FIXED($sigma, digits: 0) } Sigma: ein Name, der richtige
 sheet-calibration-first = Kalibrierfehler der ersten Antwort
@@ -36,7 +36,7 @@ sheet-payload-before = Fehler der Last vorher, Median der beantworteten Versuche
 sheet-payload-after = Fehler der Last nachher
 sheet-payload-covered = 95-%-Intervalle der Last enthalten die Wahrheit
 sheet-seconds = Diagnose auf einem Prozessorkern, Median
-sheet-the-noise = das Rauschen
+sheet-the-noise = das Rauschen: { $stated }
 sheet-two-cores = { $time_s } s (2 Kerne)
 
 # Nach Art und nach Effekt

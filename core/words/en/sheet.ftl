@@ -4,7 +4,7 @@ sheet-command = `heft trial --seeds { $seeds }` ({ $count ->
         [one] 1 trial
        *[other] { $count } trials
     }, Heft { $versions }).
-sheet-how = Faults are planted by code that shares nothing with the effects; every answer was sealed (its hash printed) before the first diagnosis. Shares stand with their 95 % intervals (Wilson). A fault counts when it is material and at least { FIXED($sigma, digits: 0) } sigma from nothing (`core/trial/judgement.py`). The bound is what the best possible method could reach on the same recordings; the distances that it rests on come from simulating each run again without its fault.
+sheet-how = Faults are planted by code that shares nothing with the effects; every answer was sealed (its hash printed) before the first diagnosis. Shares stand with their 95 % intervals (Wilson). A fault counts when it is material and at least { FIXED($sigma, digits: 0) } sigma from nothing (`core/trial/judgement.py`). How far a fault is from nothing comes from simulating each run again without it; how far from its nearest rival, from fitting the rivals to what the true effect predicts.
 sheet-by-kind = By kind
 sheet-by-effect = By effect
 sheet-not-right = Not right
@@ -15,14 +15,14 @@ sheet-confusion-numbers = Confusion in numbers
 sheet-figure = figure
 sheet-wanted = wanted
 sheet-here = here
-sheet-bound = bound
 sheet-share = { FIXED($percent, digits: 1) } % ({ $hits } of { $of }; { FIXED($low_percent, digits: 0) }-{ FIXED($high_percent, digits: 0) } %)
 sheet-none-drawn = none drawn
 sheet-none = none
 sheet-false-alarms = false alarms on runs without effect
-sheet-one-fault-or-tie = one fault: first name right, declared ties count
-sheet-one-fault = one fault: first name right, ties or not
+sheet-one-fault = one fault: named, and nothing else
+sheet-one-fault-or-tie = the same with declared ties
 sheet-one-fault-after = the same after the proposed motion ({ $count } asked for one)
+sheet-verdicts = verdict of the right kind: no gap, a name or unknown
 sheet-near-rival = nearest rival below { FIXED($sigma, digits: 0) } sigma: truth in the declared set
 sheet-far-rival = nearest rival above { FIXED($sigma, digits: 0) } sigma: one name, the right one
 sheet-calibration-first = calibration error of the first answer
@@ -36,7 +36,7 @@ sheet-payload-before = payload error before, median over answered trials
 sheet-payload-after = payload error after
 sheet-payload-covered = 95 % intervals of the payload hold the truth
 sheet-seconds = diagnosis on one core, median
-sheet-the-noise = the noise
+sheet-the-noise = the noise: { $stated }
 sheet-two-cores = { $time_s } s (2 cores)
 
 # By kind and by effect

@@ -12,13 +12,13 @@ from core.cell.folder import find_cell, load_cell
 from core.effects.library import library
 from core.estimation.kinematics import Poses, axial, poses_of
 from core.estimation.segments import segments_of_phase
-from core.gap.attribution import Tie, distance_sigma
 from core.gap.basis import build_unchecked_basis
 from core.gap.candidate_motions import candidates
 from core.gap.effect_fit import EffectFit, fit_effects, fit_nominal
 from core.gap.prediction import Prediction
 from core.gap.proposal import proposals
 from core.gap.rehearsal import rehearse
+from core.gap.tie import Tie, distance_sigma
 from core.gap.windows import Windows
 from core.payload.inertia import Motion
 from core.payload.rigid_wrench import wrench
@@ -70,7 +70,7 @@ def recorded() -> Recording:
     return made(FIRST, np.random.default_rng(2))
 
 
-def fitted(recording: Recording) -> tuple[Windows, EffectFit, tuple[EffectFit, EffectFit]]:
+def fitted(recording: Recording) -> tuple[Windows, tuple[EffectFit, EffectFit]]:
     """Delay and filter."""
     windows = Windows(build_unchecked_basis(recording, poses_of(recording), recording.wrench))
     nominal = fit_nominal(windows)
@@ -78,7 +78,7 @@ def fitted(recording: Recording) -> tuple[Windows, EffectFit, tuple[EffectFit, E
     still = np.zeros((len(scene), 6))
     by_id = {effect.id: effect for effect in library()}
     fits = [fit_effects(windows, (by_id[name],), nominal, by_id[name].starts(scene, still)) for name in ("time_delay", "sensor_lowpass")]
-    return windows, nominal, (fits[0], fits[1])
+    return windows, (fits[0], fits[1])
 
 
 def gravity(recording: Recording) -> tuple[Poses, np.ndarray]:
@@ -122,20 +122,20 @@ def test_another_posture_has_the_same_attitude_with_other_joints():
 
 
 def test_the_distance_that_is_predicted_is_the_one_that_is_reached():
-    windows, nominal, fits = fitted(recorded())
+    windows, fits = fitted(recorded())
     path = rehearse(recorded(), poses_of(recorded()), (SHAKEN,))
-    before = distance_sigma(windows, nominal, *fits)
+    before = distance_sigma(windows, *fits)
     predicted = np.hypot(before, Prediction(windows, path, fits[0]).distance_sigma(*fits))
     both = append_recording(recorded(), made((SHAKEN,), np.random.default_rng(3)))
-    windows, nominal, fits = fitted(both)
+    windows, fits = fitted(both)
     reached = np.sqrt(fits[1].cost - fits[0].cost)  # twice the logarithm of the likelihood ratio, the truth being a delay
     assert predicted == pytest.approx(reached, abs=2.0 + 0.1 * reached)
     assert predicted > 1.3 * before
 
 
 def test_the_proposal_settles_the_worst_tie_and_standing_still_does_not():
-    windows, nominal, fits = fitted(recorded())
-    tie = Tie(*fits, distance_sigma(windows, nominal, *fits))
+    windows, fits = fitted(recorded())
+    tie = Tie(*fits, distance_sigma(windows, *fits))
     best = proposals(recorded(), windows, [tie])[0]
     still = rehearse(recorded(), poses_of(recorded()), (Stop(down=DOWN["x"]),))
     assert Prediction(windows, still, fits[0]).distance_sigma(*fits) < 0.5
@@ -145,7 +145,7 @@ def test_the_proposal_settles_the_worst_tie_and_standing_still_does_not():
 
 
 def test_where_no_motion_helps_a_second_payload_is_asked_for():
-    windows, _, (delay, _) = fitted(recorded())
+    windows, (delay, _) = fitted(recorded())
     same = proposals(recorded(), windows, [Tie(delay, delay, 0.0)])  # two names for one thing
     assert [proposal.motion.id for proposal in same] == ["second_payload"]
     assert same[0].after == pytest.approx(0.0, abs=1e-6)

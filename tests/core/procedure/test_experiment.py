@@ -15,11 +15,11 @@ from core.errors import BadInput
 from core.estimation.identification import identify_recording
 from core.events import drive
 from core.gap.answer import Diagnosis
-from core.gap.attribution import INSEPARABLE_SIGMA, distance_sigma
 from core.gap.choice import Choice, choose_experiment
 from core.gap.diagnosis import examine
 from core.gap.evidence import Evidence
 from core.gap.fit_all import one_by_one
+from core.gap.tie import INSEPARABLE_SIGMA, distance_sigma
 from core.planning.stop import Stop
 from core.planning.stops import Stops
 from core.procedure.identify import identify
@@ -80,7 +80,7 @@ def test_both_recordings_together_give_the_right_name(story):
 def test_the_distance_reached_is_the_one_that_was_predicted_along_the_plan(story):
     _, evidence = story.second
     fits = {fit.name: fit for fit in evidence.singles}
-    reached = distance_sigma(evidence.windows, evidence.nominal, fits["time_delay"], fits["sensor_lowpass"])
+    reached = distance_sigma(evidence.windows, fits["time_delay"], fits["sensor_lowpass"])
     assert story.choice.proposal.after == pytest.approx(reached, abs=1.5 + 0.15 * reached)  # a distance has a standard deviation of 1
 
 

@@ -9,7 +9,6 @@ from core.trial.bound import Bound
 from core.trial.figures import (
     Share,
     all_answers,
-    best_share,
     calibration_error,
     closure_ratios,
     first_answers,
@@ -39,12 +38,6 @@ def test_only_trials_that_count_enter_a_share():
     assert (found.hits, found.of) == (1, 2)
     assert share_right([unknown(0), unknown(1, "explained")], "unknown").value == 0.5
     assert share_right([double(0, ("base_tilt", "time_delay"))], "double").value == 1.0
-
-
-def test_the_best_possible_test_errs_by_the_normal_tail_at_half_the_distance():
-    assert best_share([0.0]) == 0.5
-    assert best_share([2 * 1.959964]) == pytest.approx(0.975, abs=1e-6)
-    assert best_share([0.0, None, 100.0]) == pytest.approx(0.75)
 
 
 def test_ties_are_to_be_declared_below_three_sigma_and_not_above_six():

@@ -5,7 +5,18 @@ from __future__ import annotations
 import pytest
 
 from core.trial.bound import Bound
-from core.trial.judgement import counts, exact_pair, find_named_effects, forecast, mark, material, names_truth_first, right, truth_class
+from core.trial.judgement import (
+    counts,
+    exact_pair,
+    find_named_effects,
+    forecast,
+    gives_right_verdict,
+    mark,
+    material,
+    names_truth_alone,
+    right,
+    truth_class,
+)
 from core.trial.outcome import Named, ParameterEstimate, TrialOutcome
 from tests.core.trial.synthetic_outcomes import double, estimates, none, payload, sealed, single, unknown
 
@@ -25,6 +36,37 @@ def test_the_first_name_or_a_declared_tie_that_holds_the_truth_is_right():
     assert not right(single(0, "time_delay", "sensor_lowpass"))
     assert right(single(0, "time_delay", "sensor_lowpass", verdict="ambiguous", ties=((("sensor_lowpass", "time_delay"), 1.2),)))
     assert not right(single(0, "time_delay", "time_delay", verdict="unknown"))
+
+
+def test_a_verdict_of_unknown_with_the_right_name_in_its_list_is_not_right_nor_is_a_pair_with_a_wrong_second():
+    pair = single(0, "time_delay", "time_delay", pairs=((("sensor_gain", "time_delay"), 0.95),))
+    assert not right(single(0, "time_delay", "time_delay", verdict="unknown"))
+    assert not names_truth_alone(single(0, "time_delay", "time_delay", verdict="unknown"))
+    assert not right(pair)
+    assert not names_truth_alone(pair)
+    assert names_truth_alone(single(0, "time_delay", "time_delay"))
+
+
+def test_a_declared_tie_that_holds_the_truth_does_not_name_it():
+    tied = single(0, "time_delay", "sensor_lowpass", verdict="ambiguous", ties=((("sensor_lowpass", "time_delay"), 1.2),))
+    assert right(tied)
+    assert not names_truth_alone(tied)
+
+
+@pytest.mark.parametrize(
+    ("outcome", "is_right"),
+    [
+        (none(0), True),
+        (none(0, "unknown"), False),
+        (single(0, "time_delay", "sensor_lowpass"), True),
+        (single(0, "time_delay", "time_delay", verdict="unknown"), False),
+        (single(0, "time_delay", "time_delay", bound=SMALL), False),
+        (unknown(0), True),
+        (unknown(0, "explained"), False),
+    ],
+)
+def test_a_verdict_is_of_the_right_kind_whatever_it_names(outcome: TrialOutcome, is_right: bool):
+    assert gives_right_verdict(outcome) is is_right
 
 
 def test_an_immaterial_fault_is_rightly_passed_over_and_does_not_count():
@@ -86,8 +128,8 @@ def test_what_is_read_off_is_right_where_it_stands_beside_with_its_parameters_an
 def test_another_name_in_the_verdict_is_not_right_for_what_is_read_off():
     creep = (Named(id="sensor_creep", probability=0.9, closure=1.0),)
     assert not right(beside(verdict="explained", effects=creep))
-    assert not names_truth_first(beside(verdict="explained", effects=creep))
-    assert names_truth_first(beside())
+    assert not names_truth_alone(beside(verdict="explained", effects=creep))
+    assert names_truth_alone(beside())
 
 
 def test_noise_that_does_not_matter_is_rightly_passed_over():

@@ -37,7 +37,7 @@ def test_the_sheet_says_how_it_was_made_and_stands_against_what_was_wanted():
     sheet = score_sheet(SOME)
     assert "`heft trial --seeds 0-4,7,44` (7 trials" in sheet
     assert "| false alarms on runs without effect | <= 0.5 % | 0.0 % (0 of 1;" in sheet
-    assert "| unknown called unknown | >= 95 % | 100.0 % (1 of 1;" in sheet
+    assert "| unknown called unknown | >= 93 % | 100.0 % (1 of 1;" in sheet
 
 
 def test_confusions_and_detections_are_counted_by_effect():
