@@ -27,6 +27,7 @@ from core.planning.summary import PlanTorques
 from core.planning.throw import ThrowCheck
 from core.planning.transfer import Transfer, plan_transfer
 from core.planning.wave import fit_wave
+from core.planning.ways_home import add_ways_home
 from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile, predict_inertia, repetitions_for
 from core.robot.model import RobotModel
@@ -53,6 +54,7 @@ def plan_stops(
     seed: int = 0,
     load: Load | None = None,
     effort: int = 1,
+    ways_home: bool = False,
 ) -> Generator[Event, None, Plan]:
     """Plans from joint positions `start` (n,) through all stops back to home.
 
@@ -61,6 +63,7 @@ def plan_stops(
         mass_guess_kg: what those repetitions are planned for.
         load: what the joints' torques are judged with; `guess_load` where nothing is known of it.
         effort: how much is searched before a plan is refused, see `core.planning.effort`.
+        ways_home: whether a way home is wanted from every stop, for a run that may end there.
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
@@ -80,6 +83,8 @@ def plan_stops(
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
     legs = _repeat_rotations(legs, back, timing, search, mass_guess_kg)
     found = confirm_plan(cell, robot, collision, payload_box, legs, back, torques)
+    if ways_home:
+        legs = add_ways_home(cell, robot, collision, payload_box, legs, back, torques, planner=planner, seed=seed)
     plan = Plan(tuple(legs), back, timing, time.perf_counter() - began, found.opinion, found.torques, found.commanded)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan

@@ -49,6 +49,7 @@ class Stops:
     Args:
         timing: holds, accuracy and robot time.
         mass_guess_kg: what repetitions are planned for.
+        ways_home: whether the run may end at every stop, so that a way home is wanted from each.
 
     Raises:
         BadInput: there are none.
@@ -57,13 +58,16 @@ class Stops:
     stops: tuple[Stop, ...]
     timing: Timing = field(default_factory=Timing)
     mass_guess_kg: float = 1.0
+    ways_home: bool = False
 
     def __post_init__(self) -> None:
         if not self.stops:
             raise BadInput(Message.of("experiment-name"), "experiment-without-stops")
 
     @classmethod
-    def of_procedure(cls, scope: Scope = WHOLE, timing: Timing | None = None, mass_guess_kg: float = 1.0) -> Self:
+    def of_procedure(
+        cls, scope: Scope = WHOLE, timing: Timing | None = None, mass_guess_kg: float = 1.0, *, ways_home: bool = False
+    ) -> Self:
         """The poses of the procedure (Fig. 2), all or a part: each sensor axis against gravity, then along it, where it is turned about.
 
         Against gravity first: the rotation then starts where the hold along gravity has just been measured.
@@ -74,7 +78,7 @@ class Stops:
             if axis in scope.axes:
                 rotation = Swings(about=axis, excursion_rad=timing.swing_rad, repetitions=None) if scope.rotations else None
                 stops += [Stop(down=_along(axis, -1.0)), Stop(down=_along(axis, 1.0), swings=rotation)]
-        return cls(tuple(stops), timing, mass_guess_kg)
+        return cls(tuple(stops), timing, mass_guess_kg, ways_home)
 
     def __len__(self) -> int:
         return len(self.stops)
@@ -120,6 +124,7 @@ class Stops:
             seed=asked.seed,
             load=asked.load,
             effort=asked.effort,
+            ways_home=self.ways_home,
         )
 
     def _axes_with_room(self, refusal: Refused, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> str:

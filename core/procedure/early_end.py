@@ -87,6 +87,15 @@ class EarlyEnd:
         self._saved_s += sum(left_s)
         return sum(left_s)
 
+    def skip_legs(self, plan: Plan, k: int) -> None:
+        """Counts what is left out where the robot takes the way home of leg `k`."""
+        for leg in plan.legs[k + 1 :]:
+            self._saved_s += leg.transfer.trajectory.duration
+            self.skip_rest(leg, plan.timing, 0)
+        way = plan.legs[k].home
+        if way is not None:
+            self._saved_s += plan.home.trajectory.duration - way.transfer.trajectory.duration
+
     def answer_target(self, estimate: Estimate | None) -> TargetPart | None:
         """How far the run's estimate meets its target, with what was left out; None where it has none."""
         return None if self.watch is None else hold_against_target(self.watch.check, estimate, self.left_out)

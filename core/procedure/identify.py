@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Generator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -84,7 +85,10 @@ def identify(
         payload = payload or before.payload
     log = SampleLog(cell, robot, payload=payload, reference=reference, before=before)
     recorder = Recorder(log, build_estimator(log, session.period))
-    planning = Planning(stops or PROCEDURE, planner, seed, effort, find_known_load(cell, payload))
+    stops = stops or PROCEDURE
+    planning = Planning(
+        replace(stops, ways_home=True) if target is not None else stops, planner, seed, effort, find_known_load(cell, payload)
+    )
     check = None if target is None else TargetCheck(target, CellRequirement(cell, robot))
     watch = None if check is None else WatchHere(check, twin, clock_waits=clock_waits)
     run = Run(cell, robot, session, payload_box, planning, recorder, watch=watch)

@@ -154,23 +154,27 @@ class Run:
         self.cell = self.cell.with_zone(name, shape)
 
     def _follow(self, plan: Plan) -> Generator[Event, None, None]:
-        """Leg after leg, then home. Where the target is reached, home along what is left of the way, without holds and rotations."""
-        left_s = plan.robot_s
-        for leg in plan.legs:
+        """Leg after leg, then home. Where the target is reached, home on the stop's own way, or along what is left of the plan."""
+        left_s, home = plan.robot_s, plan.home.trajectory
+        for k, leg in enumerate(plan.legs):
             made = -1  # without the transfer
             for motion in self._motions(leg, plan):
                 left_s -= motion.lasts_s
                 yield from self._move(motion, left_s, self.done + 1)
                 made += 1
             left_s -= self.early_end.skip_rest(leg, plan.timing, made)
-            if not self.early_end.reached:
+            reached = self.early_end.reached
+            if not reached:
                 self.done += 1
                 yield StepFinished(step=self.done, steps=self.steps)
             elif self.done < self.steps - 1:
                 self.done = self.steps - 1
                 yield TargetReached(made=self.early_end.made, message=Message.of("target-reached-home"))
                 yield StepFinished(step=self.done, steps=self.steps)
-        home = plan.home.trajectory
+            if reached and leg.home is not None:
+                self.early_end.skip_legs(plan, k)
+                home = leg.home.transfer.trajectory
+                break
         yield from self._move(_Motion("transfer", Playback(home), home.duration, "home"), 0.0, self.steps)
 
     def _motions(self, leg: Leg, plan: Plan) -> Generator[_Motion, None, None]:

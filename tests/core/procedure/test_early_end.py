@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,7 @@ from scipy.spatial import cKDTree
 
 from core.cell.folder import load_cell
 from core.events import Event, PhaseStarted, Planned, Progress, StepFinished, TargetReached, drive
-from core.planning.plan import Plan
+from core.planning.plan import Plan, plan_digest
 from core.planning.settings import Timing
 from core.planning.stops import Stops
 from core.procedure.identify import identify, move_and_estimate
@@ -96,6 +97,28 @@ def test_a_target_that_is_reached_ends_the_run_and_the_robot_goes_home_along_the
     assert left_out.repetitions == all_swings - 2  # the one that was under way when the answer came is finished
     assert left_out.saved_s == pytest.approx(whole[1].robot_s - outcome.robot_s, abs=0.05)
     assert outcome.result().target.message.code == "target-reached-early"
+
+
+def test_from_a_stop_with_a_way_home_of_its_own_the_robot_takes_that(plan, whole):
+    wanted = make_run(None)
+    with_ways = drive(
+        replace(STOPS, ways_home=True).plan(wanted.planning.request(wanted, np.array(CELL.robot.home_rad)), wanted.robot, wanted.collision)
+    )
+    assert plan_digest(with_ways) != plan_digest(plan), "what is released holds the ways home"
+    way = with_ways.legs[1].home
+    assert way is not None
+    assert way.opinion.passes
+    rest_s = with_ways.home.trajectory.duration + sum(leg.transfer.trajectory.duration for leg in with_ways.legs[2:])
+    assert way.transfer.trajectory.duration < rest_s
+    events, outcome = carry_out(with_ways, Scripted(OPEN, OPEN, REACHED))
+    toward = [event.toward for event in events if isinstance(event, PhaseStarted) and event.toward]
+    assert toward == ["x-", "x+", "home"]
+    going = outcome.recording.q_cmd[-round(way.transfer.trajectory.duration / 0.001) :]
+    away, _ = cKDTree(way.transfer.trajectory.q).query(going)
+    assert away.max() < 1e-3, "rad, from what was released"
+    np.testing.assert_allclose(going[-1], CELL.robot.home_rad, atol=1e-4)
+    assert outcome.target.left_out.saved_s == pytest.approx(with_ways.robot_s - outcome.robot_s, abs=0.05)
+    assert [event.step for event in events if isinstance(event, StepFinished)] == [1, 6]
 
 
 def test_time_left_only_ever_falls(plan):
