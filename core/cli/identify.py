@@ -56,5 +56,5 @@ def identify_command(
     required = None if made_in is None or robot is None else CellRequirement(made_in, robot)
     met = None if wanted is None else hold_against_target(TargetCheck(wanted, required), identification.estimate)
     if report is not None:
-        write_report(report, recording=loaded, identification=identification, requirement=enough, language=language)
+        write_report(report, recording=loaded, identification=identification, requirement=enough, target=met, language=language)
     print_answer(result_of(identification, loaded, seconds=seconds, requirement=enough, target=met, folder=recording), json)

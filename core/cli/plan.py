@@ -61,7 +61,7 @@ def plan(
     collision = CollisionModel(loaded, robot, box)
     load = find_known_load(loaded, payload)
     asked = PlanRequest(loaded, box, starting_point(start, loaded, robot), 0, PERIOD, planner.value, seed, load, effort)
-    stops = Stops.of_procedure(scope, ways_home=target is not None and parse_target(target) is not None)
+    stops = Stops.of_procedure(scope, target=None if target is None else parse_target(target))
     found = watch(stops.plan(asked, robot, collision), messages)
     if trajectory is not None:
         write_set_points(trajectory, set_points_of(loaded, robot, collision, found, period_s=period))

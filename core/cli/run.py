@@ -108,6 +108,7 @@ def run(
         identification=outcome.identification,
         run=outcome.summary,
         requirement=outcome.requirement,
+        target=outcome.target,
         at=at,
         language=language,
     )

@@ -86,9 +86,7 @@ def identify(
     log = SampleLog(cell, robot, payload=payload, reference=reference, before=before)
     recorder = Recorder(log, build_estimator(log, session.period))
     stops = stops or PROCEDURE
-    planning = Planning(
-        replace(stops, ways_home=True) if target is not None else stops, planner, seed, effort, find_known_load(cell, payload)
-    )
+    planning = Planning(stops if target is None else replace(stops, target=target), planner, seed, effort, find_known_load(cell, payload))
     check = None if target is None else TargetCheck(target, CellRequirement(cell, robot))
     watch = None if check is None else WatchHere(check, twin, clock_waits=clock_waits)
     run = Run(cell, robot, session, payload_box, planning, recorder, watch=watch)

@@ -32,7 +32,7 @@ INTERVAL = 1.96
 REQUIREMENT: Final = "requirement"
 EXHAUSTED = 1.0 / 3.0
 """Repeatability over type B from which repetitions make the whole narrower by less than 6 %."""
-_FROBENIUS = np.sqrt([1.0, 2.0, 2.0, 1.0, 2.0, 1.0])
+FROBENIUS = np.sqrt([1.0, 2.0, 2.0, 1.0, 2.0, 1.0])
 """What stands off the diagonal of an inertia stands there twice."""
 _AMOUNT = re.compile(r"(?P<number>\d+(?:\.\d*)?|\.\d+)\s*(?P<unit>%|mm|m)")
 _FIELDS = {"mass": "mass_share", "com": "centre_of_mass_m", "inertia": "inertia_share"}
@@ -192,9 +192,9 @@ class TargetCheck:
             widths = [_find_half_width(propagate(found.com_jacobian, each)) for each in kinds]
             parts.append(QuantityStanding(PayloadQuantity.COM, share * target.centre_of_mass_m, *widths))
         if target.inertia_share is not None:
-            J = found.inertia_com_jacobian * _FROBENIUS[:, None]
+            J = found.inertia_com_jacobian * FROBENIUS[:, None]
             widths = [_find_half_width(propagate(J, each)) for each in kinds]
-            size = float(np.linalg.norm(found.inertia_com * _FROBENIUS))
+            size = float(np.linalg.norm(found.inertia_com * FROBENIUS))
             parts.append(QuantityStanding(PayloadQuantity.INERTIA, share * target.inertia_share * size, *widths))
         if target.requirement:
             parts.append(self._hold_against_requirement(found.phi, kinds, share))

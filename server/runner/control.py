@@ -77,7 +77,7 @@ def _report_failure(error: HeftError) -> Failed:
 
 def _stops_of(order: Order) -> Stops:
     if order.continues is None or order.continues.stops is None:
-        return Stops.of_procedure(order.scope, order.timing, order.mass_guess_kg, ways_home=order.target is not None)
+        return Stops.of_procedure(order.scope, order.timing, order.mass_guess_kg, target=order.target)
     return Stops(order.continues.stops)
 
 
@@ -130,6 +130,7 @@ def _carry_out(
             identification=identification,
             run=outcome.summary,
             requirement=outcome.requirement,
+            target=outcome.target,
             at=at,
             language=language,
         )

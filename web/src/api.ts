@@ -6472,6 +6472,12 @@ export interface components {
              * @example 4.1
              */
             rotation_s: number | null;
+            /**
+             * Home S
+             * @description Time of the way home from there, for a run that has met its target, s; null where it goes along the rest of the plan.
+             * @example 3.2
+             */
+            home_s?: number | null;
         };
         /**
          * Pose

@@ -12,6 +12,7 @@ target-beside-experiment =
     .found = ein Ziel neben einem Experiment
     .expected = eines von beiden: Ein Experiment läuft ab wie vorgeschlagen
 # How far it is met
+target-title = Was verlangt war
 target-requirement = was die Zelle verlangt
 target-reached-home = Ziel erreicht: Der Roboter fährt nach Hause.
 target-reached = Ziel erreicht.

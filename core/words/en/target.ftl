@@ -12,6 +12,7 @@ target-beside-experiment =
     .found = a target beside an experiment
     .expected = one of them: an experiment is made as it was proposed
 # How far it is met
+target-title = What was asked for
 target-requirement = what the cell requires
 target-reached-home = Target reached: the robot goes home.
 target-reached = Target reached.

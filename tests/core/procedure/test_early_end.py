@@ -101,9 +101,8 @@ def test_a_target_that_is_reached_ends_the_run_and_the_robot_goes_home_along_the
 
 def test_from_a_stop_with_a_way_home_of_its_own_the_robot_takes_that(plan, whole):
     wanted = make_run(None)
-    with_ways = drive(
-        replace(STOPS, ways_home=True).plan(wanted.planning.request(wanted, np.array(CELL.robot.home_rad)), wanted.robot, wanted.collision)
-    )
+    request = wanted.planning.request(wanted, np.array(CELL.robot.home_rad))
+    with_ways = drive(replace(STOPS, target=MASS.target).plan(request, wanted.robot, wanted.collision))
     assert plan_digest(with_ways) != plan_digest(plan), "what is released holds the ways home"
     way = with_ways.legs[1].home
     assert way is not None
