@@ -76,7 +76,7 @@ def main() -> None:
             try:
                 whole, early = (carry_out(calibrate(cell), asked.seed, each) for each in (None, target))
             except (Refused, Stopped) as error:
-                print(f"{name}: {type(error).__name__}: {error}", flush=True)
+                print(f"{name}: {type(error).__name__}: {str(error)[:100]}", flush=True)
                 continue
             ratio = early.robot_s / whole.robot_s
             of_whole = hold_against_target(TargetCheck(target), whole.identification.estimate)
