@@ -15,6 +15,7 @@ BENCHES = (
     ("procedure", "--seeds", "20"),
     ("coverage", "--count", "1000", "--seeds", "20"),
     ("conditions", "--count", "200"),
+    ("time_to_target", "--count", "10"),
     ("random_cells", "--count", "200", "--first", "1000"),
     ("real_robots", "--count", "300"),
     ("store", "--times", "20", "--at-once", "3"),

@@ -97,6 +97,14 @@ class StepFinished(Event):
     steps: int = Field(description="Steps of the plan, the way home included.", examples=[7])
 
 
+class TargetReached(Event):
+    """The payload is known as exactly as was asked for: holds and rotations that are left are left out, and the robot goes home."""
+
+    kind: Literal["target_reached"] = Field(default="target_reached", description="Tells which event it is.")
+    made: int = Field(description="Holds and rotations that are recorded.", examples=[6])
+    message: Message = Field(description="The same in words.")
+
+
 class RecordingWritten(Event):
     """The samples are on disk; also after an interruption."""
 

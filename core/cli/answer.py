@@ -42,10 +42,19 @@ def print_answer(result: Result, json: str | None) -> None:
     for warning in result.warnings:
         answers.print(words.say("result-warning", warning=words.quote(warning)), highlight=False)
     answers.print(words.quote(result.verdict), highlight=False)
+    _print_verdicts(result)
+
+
+def _print_verdicts(result: Result) -> None:
+    """Whether it is good enough for the cell, and as exact as was asked for."""
+    words = find_wording()
     if result.requirement is not None:
         answers.print(f"{verdict_sign(result.requirement)} {words.quote(result.requirement.message)}", highlight=False, markup=False)
         if result.requirement.assumed and result.requirement.adequacy is not None:
             answers.print(words.say("requirement-assumed"), highlight=False, markup=False)
+    if result.target is not None:
+        for said in (*(each.message for each in result.target.quantities), result.target.message):
+            answers.print(words.quote(said), highlight=False, markup=False)
 
 
 def write_json(text: str, target: str) -> None:

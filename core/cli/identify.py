@@ -11,10 +11,14 @@ from core.cell.folder import find_cell, load_cell
 from core.cli.answer import print_answer
 from core.cli.options import JsonOption, LanguageOption, check_new
 from core.cli.terminal import find_wording, messages
+from core.errors import BadInput
 from core.estimation.identification import identify_recording
 from core.estimation.result import SecondsPart, result_of
+from core.planning.options import TargetOption
 from core.recording.folder import read_recording
 from core.report.page import write_report
+from core.requirement.target import CellRequirement, TargetCheck, parse_target
+from core.requirement.target_answer import hold_against_target
 from core.requirement.verdict import judge_estimate
 from core.robot.model import RobotModel
 from core.twin.file import read_twin
@@ -31,19 +35,26 @@ def identify_command(
     cell: Annotated[
         str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin counts, its thresholds judge.")
     ] = None,
+    target: TargetOption = None,
     *,
     language: LanguageOption,
 ) -> None:
     """Identify the payload from a recording, of this program or from elsewhere. The recording is only read."""
     check_new(report, json)
     made_in = None if cell is None else load_cell(find_cell(cell))
+    wanted = None if target is None else parse_target(target)
+    if wanted is not None and wanted.requirement and made_in is None:
+        raise BadInput("--target", "target-without-cell")
     twin = NOMINAL if made_in is None else read_twin(made_in)
     loaded = read_recording(recording)
     began = time.perf_counter()
     with messages.status(find_wording().say("cli-estimating")) if messages.is_terminal else nullcontext():
         identification = identify_recording(loaded, twin)
     seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
-    enough = None if made_in is None else judge_estimate(made_in, RobotModel.of_cell(made_in), identification.estimate)
+    robot = None if made_in is None else RobotModel.of_cell(made_in)
+    enough = None if made_in is None or robot is None else judge_estimate(made_in, robot, identification.estimate)
+    required = None if made_in is None or robot is None else CellRequirement(made_in, robot)
+    met = None if wanted is None else hold_against_target(TargetCheck(wanted, required), identification.estimate)
     if report is not None:
-        write_report(report, recording=loaded, identification=identification, requirement=enough, language=language)
-    print_answer(result_of(identification, loaded, seconds=seconds, requirement=enough, folder=recording), json)
+        write_report(report, recording=loaded, identification=identification, requirement=enough, target=met, language=language)
+    print_answer(result_of(identification, loaded, seconds=seconds, requirement=enough, target=met, folder=recording), json)

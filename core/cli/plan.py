@@ -16,7 +16,7 @@ from core.cli.tables import (
 )
 from core.cli.terminal import answers, find_wording, messages
 from core.planning.joint_torques import find_known_load
-from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
+from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, TargetOption, scope_of
 from core.planning.plan import plan_summary
 from core.planning.set_points import check_set_points, set_points_of, write_set_points
 from core.planning.slow_run import limit_speed
@@ -24,6 +24,7 @@ from core.planning.starting_point import starting_point
 from core.planning.stops import PlanRequest, Stops
 from core.plant.mechanics import PERIOD
 from core.procedure.progress import watch
+from core.requirement.target import parse_target
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 
@@ -41,6 +42,7 @@ def plan(
     holds_only: HoldsOnlyOption = False,
     speed: SpeedOption = None,
     effort: EffortOption = 1,
+    target: TargetOption = None,
     json: JsonOption = None,
     trajectory: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write every set point, for one's own controller: .csv or .json.")
@@ -59,7 +61,8 @@ def plan(
     collision = CollisionModel(loaded, robot, box)
     load = find_known_load(loaded, payload)
     asked = PlanRequest(loaded, box, starting_point(start, loaded, robot), 0, PERIOD, planner.value, seed, load, effort)
-    found = watch(Stops.of_procedure(scope).plan(asked, robot, collision), messages)
+    stops = Stops.of_procedure(scope, target=None if target is None else parse_target(target))
+    found = watch(stops.plan(asked, robot, collision), messages)
     if trajectory is not None:
         write_set_points(trajectory, set_points_of(loaded, robot, collision, found, period_s=period))
     if json is not None:

@@ -22,7 +22,7 @@ from core.cli.options import (
 )
 from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput
-from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, scope_of
+from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, TargetOption, scope_of
 from core.planning.settings import WHOLE
 from core.planning.slow_run import limit_speed
 from core.planning.starting_point import starting_point
@@ -30,6 +30,7 @@ from core.planning.stops import Stops
 from core.procedure.identify import identify
 from core.procedure.progress import watch
 from core.report.page import write_report
+from core.requirement.target import parse_target
 from core.robot.model import RobotModel
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.simulated import SimulatedSession
@@ -49,6 +50,7 @@ def run(
     holds_only: HoldsOnlyOption = False,
     speed: SpeedOption = None,
     effort: EffortOption = 1,
+    target: TargetOption = None,
     out: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Folder to make, or an empty one, for recording, result.json and report.")
     ] = None,
@@ -66,6 +68,9 @@ def run(
     scope = scope_of(axes, holds_only=holds_only)
     if experiment is not None and (start is not None or scope != WHOLE):
         raise BadInput("--experiment", "cli-experiment-beside-others")
+    wanted = None if target is None else parse_target(target)
+    if experiment is not None and wanted is not None:
+        raise BadInput("--target", "target-beside-experiment")
     asked, before = (None, None) if experiment is None else read_request(experiment, recording, loaded)
     name, carried = choose_payload(loaded, payload or (asked.payload if asked else None))
     folder = out or Path("recordings") / f"{loaded.name}-{name}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
@@ -88,6 +93,8 @@ def run(
         effort=effort,
         out=folder,
         twin=twin,
+        target=wanted,
+        clock_waits=not real_time,
     )
     outcome = watch(steps, messages)
     at = datetime.now(UTC)
@@ -101,6 +108,7 @@ def run(
         identification=outcome.identification,
         run=outcome.summary,
         requirement=outcome.requirement,
+        target=outcome.target,
         at=at,
         language=language,
     )

@@ -83,6 +83,21 @@ class Rotation(Mover):
         """Share of the profile that has been done."""
         return min(1.0, self._elapsed / (len(self.profile.angle) - 1))
 
+    @property
+    def repetitions_done(self) -> int:
+        """How often it has come back to where it began."""
+        return int(np.count_nonzero(self.profile.rests <= self._elapsed))
+
+    def end_early(self) -> int:
+        """Ends with the repetition that is under way instead of at the end; how many repetitions that leaves out."""
+        rests = self.profile.rests
+        # the mean rate over the next period has been taken already, so what ends within two periods goes on
+        ahead = rests[rests >= self._elapsed + 2]
+        if not len(ahead):
+            return 0
+        self.profile = self.profile.cut(int(ahead[0]))
+        return len(ahead) - 1
+
     def next(self, state: RobotState) -> Array | None:
         """Joint positions (n,), rad, one period further along the profile, as fast as the limits allow; None once it rests at the end.
 

@@ -15,6 +15,7 @@ from core.recording.order_reference import OrderReference
 from core.recording.recording import Recording
 from core.recording.workpiece import workpiece_alone
 from core.requirement.answer import RequirementPart
+from core.requirement.target_answer import TargetPart
 from core.version import code_version
 from core.words.message import Message
 
@@ -202,6 +203,8 @@ class Result(ResultPart):
     verification: list[VerificationPart] = Field(default_factory=list)
     requirement: RequirementPart | None = None
     """Whether it is good enough for the cell; None where no cell was named, and in results of earlier versions."""
+    target: TargetPart | None = None
+    """How far it meets the target that it was asked for with; None where there was none."""
     workpiece: WorkpiecePart | None = None
     """None where there are no tools: then the whole is the workpiece."""
     order: OrderReference | None = None
@@ -220,6 +223,7 @@ def result_of(
     *,
     seconds: SecondsPart,
     requirement: RequirementPart | None = None,
+    target: TargetPart | None = None,
     safety: SafetyPart | None = None,
     folder: Path | None = None,
     plan_sha256: str | None = None,
@@ -245,6 +249,7 @@ def result_of(
         twin=[_twin_share_part(share, estimate) for share in identification.shares],
         verification=[_verification_part(each) for each in identification.verification],
         requirement=requirement,
+        target=target,
         workpiece=None if estimate is None or not recording.tools else _workpiece_part(estimate, recording),
         order=recording.order or None,
         version=code_version(),

@@ -31,12 +31,25 @@ from core.second_opinion.opinion import JointPath, Opinion
 
 
 @dataclass(frozen=True)
+class WayHome:
+    """A way home of its own, for a run that ends at a stop.
+
+    Args:
+        opinion: the second one, which it has passed.
+    """
+
+    transfer: Transfer
+    opinion: Opinion
+
+
+@dataclass(frozen=True)
 class Leg:
     """The way to one stop and what is done there: a hold, and one movement between two holds at most.
 
     Args:
         profile: of the stop's rotation, None where there is none.
         wave: the stop's wave as a joint trajectory from standstill to standstill, checked at every tick; None where there is none.
+        home: from the stop, where a run may end there; None where that goes home along the rest of the plan.
     """
 
     stop: Stop
@@ -44,6 +57,7 @@ class Leg:
     transfer: Transfer
     profile: AngularProfile | None = None
     wave: JointTrajectory | None = None
+    home: WayHome | None = None
 
     @property
     def axis(self) -> str:
@@ -93,8 +107,11 @@ class Plan:
         The planner's own on the transfers, and on all of the plan what the second opinion found: it measures links that only the first
         joint moves as well, which the planner leaves out where they cannot come too close.
         """
-        seen = [each.distance_m - each.required_m for each in self.opinion.approaches if not each.kind.is_close]
-        return min(*seen, *(transfer.least_margin_m for transfer in (self.home, *(leg.transfer for leg in self.legs))), math.inf)
+        ways = [leg.home for leg in self.legs if leg.home is not None]
+        opinions = (self.opinion, *(way.opinion for way in ways))
+        seen = [each.distance_m - each.required_m for opinion in opinions for each in opinion.approaches if not each.kind.is_close]
+        transfers = (self.home, *(leg.transfer for leg in self.legs), *(way.transfer for way in ways))
+        return min(*seen, *(transfer.least_margin_m for transfer in transfers), math.inf)
 
 
 def motions_of(legs: Sequence[Leg], home: Transfer) -> list[PlanPart]:
@@ -117,6 +134,8 @@ def plan_digest(plan: Plan) -> str:
             digest.update(leg.profile.rate.tobytes())
         if leg.wave is not None:
             digest.update(leg.wave.q.tobytes())
+        if leg.home is not None:
+            digest.update(leg.home.transfer.trajectory.q.tobytes())
     digest.update(plan.home.trajectory.q.tobytes())
     return digest.hexdigest()
 
@@ -134,6 +153,7 @@ def plan_summary(cell: Cell, plan: Plan) -> PlanSummary:
             transfer_s=leg.transfer.trajectory.duration,
             transfer_least_margin_m=leg.transfer.least_margin_m,
             rotation_s=None if leg.profile is None else leg.profile.duration,
+            home_s=None if leg.home is None else leg.home.transfer.trajectory.duration,
         )
         for leg in plan.legs
     ]

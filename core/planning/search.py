@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Generator, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -13,10 +14,11 @@ import numpy as np
 from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import widest_box
-from core.errors import NoPath
-from core.events import Event, Planned, StartConfigurationFound, TransferPlanned
+from core.errors import NoPath, Refused
+from core.events import Event, Planned, StartConfigurationFound, TransferPlanned, drive
 from core.planning.commanded_path import compute_joint_paths
 from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
+from core.planning.information import Worth, find_information, find_seconds
 from core.planning.joint_torques import JointTorques, Load, guess_load, refuse_too_heavy
 from core.planning.path import START, check_end, one_turn_away
 from core.planning.plan import Leg, Plan, motions_of
@@ -27,6 +29,8 @@ from core.planning.summary import PlanTorques
 from core.planning.throw import ThrowCheck
 from core.planning.transfer import Transfer, plan_transfer
 from core.planning.wave import fit_wave
+from core.planning.ways_home import add_ways_home
+from core.requirement.target import Target
 from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile, predict_inertia, repetitions_for
 from core.robot.model import RobotModel
@@ -34,6 +38,8 @@ from core.robot.trajectory import AngularProfile
 from core.second_opinion.opinion import JointPath, Opinion, second_opinion
 from core.second_opinion.refusal import refuse_disputed
 
+ALTERNATIVES = 3
+"""Ways to the same stops among which the most telling one is taken."""
 POSTURES = 4
 """Searches among which the posture farthest from another one is taken."""
 
@@ -53,6 +59,7 @@ def plan_stops(
     seed: int = 0,
     load: Load | None = None,
     effort: int = 1,
+    target: Target | None = None,
 ) -> Generator[Event, None, Plan]:
     """Plans from joint positions `start` (n,) through all stops back to home.
 
@@ -61,6 +68,8 @@ def plan_stops(
         mass_guess_kg: what those repetitions are planned for.
         load: what the joints' torques are judged with; `guess_load` where nothing is known of it.
         effort: how much is searched before a plan is refused, see `core.planning.effort`.
+        target: of a run that ends where it is reached: of several ways to each pair of stops the one is taken that tells most for each
+            second of robot time, and a way home is wanted from every stop. The paper's plan where None.
 
     Raises:
         NoStartConfiguration, NoPath: the cell leaves no safe way.
@@ -73,13 +82,16 @@ def plan_stops(
     search = _Search(cell, robot, collision, payload_box, period, planner, seed, torques, effort)
     legs: list[Leg] = []
     here = start
+    worth = None if target is None else Worth(target, torques.load.parameters)
     for group in _group_opposites(stops):
-        legs += yield from search.reach(group, here)
+        legs += yield from search.reach(group, here) if worth is None else search.reach_most_telling(group, here, legs, worth, timing)
         here = legs[-1].transfer.goal
     back = way_home(cell, robot, collision, here, period=period, planner=planner, seed=seed, effort=effort)
     yield TransferPlanned(axis="home", robot_s=back.trajectory.duration, least_margin_m=back.least_margin_m)
     legs = _repeat_rotations(legs, back, timing, search, mass_guess_kg)
     found = confirm_plan(cell, robot, collision, payload_box, legs, back, torques)
+    if target is not None:
+        legs = add_ways_home(cell, robot, collision, payload_box, legs, back, torques, planner=planner, seed=seed)
     plan = Plan(tuple(legs), back, timing, time.perf_counter() - began, found.opinion, found.torques, found.commanded)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
@@ -198,6 +210,23 @@ class _Search:
                 failure = error
         failure.axis = group[0].label
         raise failure
+
+    def reach_most_telling(
+        self, group: tuple[Stop, ...], here: Array, before: Sequence[Leg], worth: Worth, timing: Timing
+    ) -> Generator[Event, None, list[Leg]]:
+        """Of several ways to the same stops that which gains most for each second of robot time, after what the legs before have told."""
+        found = [(yield from self.reach(group, here))]
+        for k in range(1, ALTERNATIVES):
+            with suppress(Refused):
+                found.append(drive(replace(self, seed=self.seed + 1009 * k).reach(group, here)))
+        known = find_information(self.cell, self.robot, before, timing)
+        size = worth.find_size(known)
+
+        def find_gain_per_second(legs: list[Leg]) -> float:
+            told = find_information(self.cell, self.robot, legs, timing)
+            return (size - worth.find_size(known + told)) / find_seconds(legs, timing)
+
+        return max(found, key=find_gain_per_second)
 
     def repeat_as_needed(self, leg: Leg, budget: float, mass_guess_kg: float, inertia_std: float) -> Leg:
         """A leg with its rotation as often as the wanted relative uncertainty needs in `budget` s, if its stop leaves that open."""

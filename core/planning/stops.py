@@ -18,6 +18,7 @@ from core.planning.plan import Plan
 from core.planning.search import plan_stops
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.planning.stop import AXES, Axis, Direction, Stop, Swings
+from core.requirement.target import Target
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.words.message import Message
@@ -49,6 +50,7 @@ class Stops:
     Args:
         timing: holds, accuracy and robot time.
         mass_guess_kg: what repetitions are planned for.
+        target: of a run that ends where it is reached: a way home is wanted from every stop, and as much knowledge a second as may be.
 
     Raises:
         BadInput: there are none.
@@ -57,13 +59,16 @@ class Stops:
     stops: tuple[Stop, ...]
     timing: Timing = field(default_factory=Timing)
     mass_guess_kg: float = 1.0
+    target: Target | None = None
 
     def __post_init__(self) -> None:
         if not self.stops:
             raise BadInput(Message.of("experiment-name"), "experiment-without-stops")
 
     @classmethod
-    def of_procedure(cls, scope: Scope = WHOLE, timing: Timing | None = None, mass_guess_kg: float = 1.0) -> Self:
+    def of_procedure(
+        cls, scope: Scope = WHOLE, timing: Timing | None = None, mass_guess_kg: float = 1.0, *, target: Target | None = None
+    ) -> Self:
         """The poses of the procedure (Fig. 2), all or a part: each sensor axis against gravity, then along it, where it is turned about.
 
         Against gravity first: the rotation then starts where the hold along gravity has just been measured.
@@ -74,7 +79,7 @@ class Stops:
             if axis in scope.axes:
                 rotation = Swings(about=axis, excursion_rad=timing.swing_rad, repetitions=None) if scope.rotations else None
                 stops += [Stop(down=_along(axis, -1.0)), Stop(down=_along(axis, 1.0), swings=rotation)]
-        return cls(tuple(stops), timing, mass_guess_kg)
+        return cls(tuple(stops), timing, mass_guess_kg, target)
 
     def __len__(self) -> int:
         return len(self.stops)
@@ -120,6 +125,7 @@ class Stops:
             seed=asked.seed,
             load=asked.load,
             effort=asked.effort,
+            target=self.target,
         )
 
     def _axes_with_room(self, refusal: Refused, asked: PlanRequest, robot: RobotModel, collision: CollisionModel) -> str:

@@ -23,6 +23,11 @@ class PlannedPose(BaseModel):
     transfer_s: float = Field(description="Time of the way there, s.", examples=[3.8])
     transfer_least_margin_m: float = Field(description="Smallest distance beyond what is required on the way there, m.", examples=[0.021])
     rotation_s: float | None = Field(description="Time of the rotation, s; null where there is none.", examples=[4.1])
+    home_s: float | None = Field(
+        default=None,
+        description="Time of the way home from there, for a run that has met its target, s; null where it goes along the rest of the plan.",
+        examples=[3.2],
+    )
 
 
 class ClosestPair(BaseModel):

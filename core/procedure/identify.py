@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Generator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -24,8 +25,10 @@ from core.planning.stops import PROCEDURE, Stops
 from core.procedure.outcome import Outcome
 from core.procedure.recorder import Recorder, build_estimator
 from core.procedure.run import Planning, Run
+from core.procedure.target_watch import WatchHere
 from core.recording.folder import write_recording
 from core.recording.recording import Recording, check_same_robot
+from core.requirement.target import CellRequirement, Target, TargetCheck
 from core.requirement.verdict import judge_estimate
 from core.robot.model import RobotModel
 from core.sessions.sample_log import SampleLog
@@ -48,6 +51,8 @@ def identify(
     effort: int = 1,
     out: Path | None = None,
     twin: Twin = NOMINAL,
+    target: Target | None = None,
+    clock_waits: bool = True,
 ) -> Generator[Event, None, Outcome]:
     """Finds out what the robot carries: plans, carries the plan out, estimates.
 
@@ -65,6 +70,8 @@ def identify(
         effort: how much is searched before a plan is refused, see `core.planning.effort`.
         out: folder to make for the recording; nothing is written where absent.
         twin: of the cell; the estimate accounts for its effects.
+        target: how exactly; what is not needed for it is left out, and the robot goes home.
+        clock_waits: whether the session's clock stands while nobody asks it, so that estimating on the way costs no robot time.
 
     Raises:
         BadInput: the recording that is continued is not of this cell's robot as it stands.
@@ -78,8 +85,11 @@ def identify(
         payload = payload or before.payload
     log = SampleLog(cell, robot, payload=payload, reference=reference, before=before)
     recorder = Recorder(log, build_estimator(log, session.period))
-    planning = Planning(stops or PROCEDURE, planner, seed, effort, find_known_load(cell, payload))
-    run = Run(cell, robot, session, payload_box, planning, recorder)
+    stops = stops or PROCEDURE
+    planning = Planning(stops if target is None else replace(stops, target=target), planner, seed, effort, find_known_load(cell, payload))
+    check = None if target is None else TargetCheck(target, CellRequirement(cell, robot))
+    watch = None if check is None else WatchHere(check, twin, clock_waits=clock_waits)
+    run = Run(cell, robot, session, payload_box, planning, recorder, watch=watch)
     plan = yield from run.make_plan(np.array(cell.robot.home_rad) if start is None else start)
     return (yield from move_and_estimate(run, plan, twin, out))
 
@@ -132,6 +142,7 @@ def move_and_estimate(run: Run, plan: Plan, twin: Twin, out: Path | None) -> Gen
     identification = identify_recording(recording, twin)
     estimate_s = time.perf_counter() - began
     requirement = judge_estimate(run.cell, run.robot, identification.estimate)
+    target = run.early_end.answer_target(identification.estimate)
     yield Finished(verdict=identification.verdict)
     return Outcome(
         cell=run.cell,
@@ -140,6 +151,7 @@ def move_and_estimate(run: Run, plan: Plan, twin: Twin, out: Path | None) -> Gen
         recording=recording,
         identification=identification,
         requirement=requirement,
+        target=target,
         safety=run.guard.record,
         distances=np.array(run.guard.distances).reshape(-1, 2),
         restarts=run.restarts,

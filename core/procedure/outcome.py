@@ -17,6 +17,7 @@ from core.planning.plan import Plan, plan_digest
 from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
 from core.requirement.answer import RequirementPart
+from core.requirement.target_answer import TargetPart
 from core.robot.pair_group import Nearest
 
 
@@ -27,6 +28,7 @@ class Outcome:
     Args:
         plan: the last one, where the guard made it plan anew.
         requirement: whether the identification is good enough for the cell.
+        target: how far it meets the target, and what was left out; None where the run had none.
         distances: (K, 2), time (s) and smallest distance to obstacles and zones (m).
         restarts: how often the guard stopped the robot.
         plan_s, robot_s, estimate_s: where the time went.
@@ -38,6 +40,7 @@ class Outcome:
     recording: Recording
     identification: Identification
     requirement: RequirementPart
+    target: TargetPart | None
     safety: SafetyRecord
     distances: Array
     restarts: int
@@ -62,6 +65,7 @@ class Outcome:
             self.recording,
             seconds=seconds,
             requirement=self.requirement,
+            target=self.target,
             safety=safety,
             folder=folder,
             plan_sha256=plan_digest(self.plan),

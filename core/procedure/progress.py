@@ -54,6 +54,8 @@ class _View:
                 self.progress.update(self.task, completed=event.done_s, total=event.total_s)
             case events.RobotStopped():
                 self.console.print(f"[bold]{event.error}[/bold]: {event.message}")
+            case events.TargetReached():
+                self._tell(event.message.text)
             case events.RecordingWritten():
                 self._tell(f"Recording: {event.folder} ({event.samples} samples)")
             case _:

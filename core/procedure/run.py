@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,22 +15,41 @@ from core.control.guard import Guard
 from core.control.movers import Mover, Playback, StandStill
 from core.control.rotation import Rotation
 from core.errors import Held, Stopped
-from core.events import Event, PhaseStarted, Progress, RobotStopped, StepFinished
+from core.events import Event, PhaseStarted, Progress, RobotStopped, StepFinished, TargetReached
 from core.payload.shapes import Shape
 from core.planning.joint_torques import Load
 from core.planning.plan import Leg, Plan
 from core.planning.settings import Planner
 from core.planning.stops import PlanRequest, Stops
+from core.procedure.early_end import EarlyEnd, is_last_turn
 from core.procedure.recorder import Recorder
+from core.procedure.target_watch import TargetWatch
 from core.robot.collision import CollisionModel
 from core.robot.model import RobotModel
 from core.sessions.session import RobotSession, RobotState
+from core.words.message import Message
 
 MAX_RESTARTS = 3
 """How often the guard may stop a run before it is given up."""
 
 BATCH_S = 0.02
 """How often samples are handed on while the robot moves."""
+
+
+class _Motion(NamedTuple):
+    """One motion of a plan.
+
+    Args:
+        lasts_s: as planned, s.
+        toward: where it ends, of a transfer.
+        last: whether no rotation comes after it.
+    """
+
+    phase: str
+    mover: Mover
+    lasts_s: float
+    toward: str = ""
+    last: bool = False
 
 
 @dataclass(frozen=True)
@@ -69,6 +89,7 @@ class Run:
         recorder: takes the samples.
         done: steps that are finished already, by a run that this one goes on with.
         plan_s: time that planning has taken already, s.
+        watch: of the run's target, where it has one: what need not be done any more is left out, and the robot goes home.
     """
 
     def __init__(
@@ -82,6 +103,7 @@ class Run:
         *,
         done: int = 0,
         plan_s: float = 0.0,
+        watch: TargetWatch | None = None,
     ) -> None:
         self.cell, self.robot, self.session, self.payload_box = cell, robot, session, payload_box
         self.planning, self.recorder = planning, recorder
@@ -91,6 +113,7 @@ class Run:
         """All legs, and the way home."""
         self.done = done
         """Steps that are finished: of the plan, and of a run that this one goes on with."""
+        self.early_end = EarlyEnd(watch, recorder.log)
         self.restarts = 0
         self.plan_s = plan_s
         self._moved_s = 0.0
@@ -131,54 +154,71 @@ class Run:
         self.cell = self.cell.with_zone(name, shape)
 
     def _follow(self, plan: Plan) -> Generator[Event, None, None]:
-        """Leg after leg, then home."""
-        left_s = plan.robot_s
-        for leg in plan.legs:
-            for phase, toward, mover, lasts_s in self._motions(leg, plan):
-                left_s -= lasts_s
-                yield from self._move(phase, toward, mover, lasts_s, left_s, self.done + 1)
-            self.done += 1
-            yield StepFinished(step=self.done, steps=self.steps)
-        yield from self._move("transfer", "home", Playback(plan.home.trajectory), left_s, 0.0, self.steps)
+        """Leg after leg, then home. Where the target is reached, home on the stop's own way, or along what is left of the plan."""
+        left_s, home = plan.robot_s, plan.home.trajectory
+        for k, leg in enumerate(plan.legs):
+            made = -1  # without the transfer
+            for motion in self._motions(leg, plan):
+                left_s -= motion.lasts_s
+                yield from self._move(motion, left_s, self.done + 1)
+                made += 1
+            left_s -= self.early_end.skip_rest(leg, plan.timing, made)
+            reached = self.early_end.reached
+            if not reached:
+                self.done += 1
+                yield StepFinished(step=self.done, steps=self.steps)
+            elif self.done < self.steps - 1:
+                self.done = self.steps - 1
+                yield TargetReached(made=self.early_end.made, message=Message.of("target-reached-home"))
+                yield StepFinished(step=self.done, steps=self.steps)
+            if reached and leg.home is not None:
+                self.early_end.skip_legs(plan, k)
+                home = leg.home.transfer.trajectory
+                break
+        yield from self._move(_Motion("transfer", Playback(home), home.duration, "home"), 0.0, self.steps)
 
-    def _motions(self, leg: Leg, plan: Plan) -> Generator[tuple[str, str, Mover, float], None, None]:
-        """Transfer, motionless phase, and where there is one the movement and another motionless phase; each made when it is its turn.
-
-        With each how long it takes as planned, s.
-        """
+    def _motions(self, leg: Leg, plan: Plan) -> Generator[_Motion, None, None]:
+        """Transfer, motionless phase, and where there is one the movement and another motionless phase; each made when it is its turn."""
         hold = f"hold:{leg.axis}"
-        period = self.session.period
-        yield "transfer", leg.axis, Playback(leg.transfer.trajectory), leg.transfer.trajectory.duration
-        yield hold, "", StandStill(plan.timing.hold_s, period), plan.timing.hold_s
+        yield _Motion("transfer", Playback(leg.transfer.trajectory), leg.transfer.trajectory.duration, leg.axis)
+        if self.early_end.reached:
+            return
+        yield self._hold(hold, plan.timing.hold_s)
+        if leg.moving_s == 0.0 or self.early_end.reached:
+            return
         if leg.profile is not None:
             speed = self.cell.limits.cartesian_speed_m_s
             axis = "xyz".index(leg.about)
             points, limits = self.collision.points, self.guard.limits
             turn = Rotation(self.robot, points, limits, cartesian_speed=speed, profile=leg.profile, axis=axis)
-            yield f"rotate:{leg.about}", "", turn, leg.profile.duration
+            yield _Motion(f"rotate:{leg.about}", turn, leg.profile.duration, last=is_last_turn(leg, plan))
         if leg.wave is not None:
-            yield "transfer", leg.axis, Playback(leg.wave), leg.wave.duration
-        if leg.moving_s > 0.0:
-            yield hold, "", StandStill(plan.timing.settle_s, period), plan.timing.settle_s
+            yield _Motion("transfer", Playback(leg.wave), leg.wave.duration, leg.axis)
+        yield self._hold(hold, plan.timing.settle_s)
 
-    def _move(self, phase: str, toward: str, mover: Mover, lasts_s: float, after_s: float, step: int) -> Generator[Event, None, None]:
+    def _hold(self, phase: str, lasts_s: float) -> _Motion:
+        return _Motion(phase, StandStill(lasts_s, self.session.period), lasts_s)
+
+    def _move(self, motion: _Motion, after_s: float, step: int) -> Generator[Event, None, None]:
         """One motion: its samples to the recorder, its progress as events.
 
         Where the robot is put on hold it brakes and keeps its place. Who drives this generator asks for the next event when it may go on;
         it then goes on from where it stands, along the same motion.
 
         Args:
-            lasts_s: how long it takes as planned.
             after_s: how long everything takes that follows it.
         """
-        ends_s = self._moved_s + lasts_s
+        phase, mover = motion.phase, motion.mover
+        ends_s = self._moved_s + motion.lasts_s
         size = max(1, round(BATCH_S / self.session.period))
         while True:
-            yield PhaseStarted(phase=phase, toward=toward, step=step, steps=self.steps)
+            yield PhaseStarted(phase=phase, toward=motion.toward, step=step, steps=self.steps)
             try:
                 for batch in execute(self.session, self.guard, mover, phase, batch=size):
                     self.recorder.take(batch.states, batch.phase)
                     self._moved_s += len(batch.states) * self.session.period
+                    if isinstance(mover, Rotation):
+                        ends_s -= self.early_end.look(mover, last=motion.last)
                     total_s = max(ends_s, self._moved_s) + after_s
                     yield Progress(phase=phase, done_s=self._moved_s, total_s=total_s, estimate_phi=self.recorder.phi)
             except Held as held:
@@ -187,6 +227,8 @@ class Run:
                 mover.resume(here)
                 self.session.release()
             else:
+                if phase != "transfer":
+                    self.early_end.count_motion()
                 return
 
     def _describe_stop(self, error: Stopped, *, final: bool, held: bool = False) -> RobotStopped:

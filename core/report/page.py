@@ -20,8 +20,10 @@ from core.report.record import Record, render_record
 from core.report.requirement_words import requirement_block
 from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
 from core.report.scene import scene
+from core.report.target_words import target_block
 from core.report.workpiece_rows import workpiece_block
 from core.requirement.answer import RequirementPart
+from core.requirement.target_answer import TargetPart
 from core.robot.model import RobotModel
 from core.version import code_version
 from core.words.catalogue import Language
@@ -35,6 +37,7 @@ def write_report(
     identification: Identification,
     run: RunSummary | None = None,
     requirement: RequirementPart | None = None,
+    target: TargetPart | None = None,
     at: datetime | None = None,
     language: Language = "en",
 ) -> None:
@@ -45,12 +48,14 @@ def write_report(
         identification: the answer.
         run: what the guard and the plan saw; None for a recording from elsewhere.
         requirement: whether it is good enough for the cell; None where no cell is known.
+        target: how far it meets what was asked for; None where that was nothing.
         at: when it was found; None where nobody says.
         language: of the page.
     """
     words = Wording(language)
     content = _content(recording, identification, run, at, words)
     content["requirement"] = requirement_block(requirement, words)
+    content["target"] = target_block(target, words)
     write_html(file, "template.html", content, words)
 
 

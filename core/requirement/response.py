@@ -49,6 +49,16 @@ def respond(cell: Cell, robot: RobotModel, motion: JointMotion, observer_rate_pe
     return Response(seen, _force(J, seen), regressor(Motion.still(g))[:, :3], motion.period_s)
 
 
+def find_felt_motion(robot: RobotModel, gravity: Array, motion: JointMotion) -> Motion:
+    """What the sensor frame does along a motion of the joints, in its own axes.
+
+    Args:
+        gravity: (3,), in the frame of the robot's poses.
+    """
+    g = np.einsum("kji,j->ki", robot.sensor_poses(motion.q).rotation, gravity)
+    return _felt_motion(robot.sensor_jacobians(motion.q), motion, g)
+
+
 def _felt_motion(J: Array, motion: JointMotion, g: Array) -> Motion:
     """What the sensor frame does, of its Jacobians (N, 6, n) in sensor axes.
 

@@ -34,6 +34,10 @@ class JointTrajectory:
         return len(self.q)
 
 
+AT_START = 1e-9
+"""rad and rad/s: what rounding may leave of a profile that is back where it began."""
+
+
 @dataclass(frozen=True)
 class AngularProfile:
     """The task of a decoupling motion: rotation about one sensor axis through the sensor origin, at constant period.
@@ -52,3 +56,15 @@ class AngularProfile:
     def duration(self) -> float:
         """s."""
         return self.period * (len(self.angle) - 1)
+
+    @property
+    def rests(self) -> NDArray[np.intp]:
+        """Samples at which it has come back to where it began, at rest, the last one included: where a repetition ends."""
+        back = (np.abs(self.angle) < AT_START) & (np.abs(self.rate) < AT_START)
+        return np.flatnonzero(back[1:]) + 1
+
+    def cut(self, samples: int) -> AngularProfile:
+        """The profile up to one of its `rests`."""
+        angle, rate = self.angle[: samples + 1].copy(), self.rate[: samples + 1].copy()
+        angle[-1] = rate[-1] = 0.0  # what rounding leaves
+        return AngularProfile(self.period, angle, rate)

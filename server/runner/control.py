@@ -42,6 +42,7 @@ from server.runner.run_folder import RECORDING, RESULT, lock_run_folder, name_re
 from server.runner.sample_stream import SampleStream
 from server.runner.served_run import DiskRecorder, LiveView, PlanningElsewhere, look_at_zones, make_end_error
 from server.runner.shown_plan import build_run_plan
+from server.runner.target_watching import WatchElsewhere
 
 ChildSpeaker = Speaker[FromChild]
 
@@ -49,12 +50,14 @@ ChildSpeaker = Speaker[FromChild]
 def main(order: Order, connection: Connection) -> None:
     """Entry point of the process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us in order
-    planning = PlanningProcess(_stops_of(order), connection)  # before there are threads
+    watch = None if order.target is None else WatchElsewhere(order, order.target, connection)  # before there are threads, as below
+    unshared = () if watch is None else (watch.connection,)
+    planning = PlanningProcess(_stops_of(order), connection, *unshared)
     speaker: ChildSpeaker = Speaker(connection, Sampled)
     _lock = lock_run_folder(order.folder)  # as long as we live: who recovers the run's samples waits for it
     take(Priority.CONTROL if order.pace == "real_time" else Priority.PLANNING)  # one that never waits would take it from the server
     try:
-        _carry_out(order, connection, planning, speaker)
+        _carry_out(order, connection, planning, watch, speaker)
     except HeftError as error:
         speaker.tell(error.failed if isinstance(error, PlanRefused) else _report_failure(error))
     except OSError as error:
@@ -62,6 +65,8 @@ def main(order: Order, connection: Connection) -> None:
     finally:
         speaker.close()
         planning.close()
+        if watch is not None:
+            watch.close()
         os._exit(0)  # libraries take their time to tidy up, and OMPL prints what it leaks; everything of ours is closed
 
 
@@ -72,11 +77,13 @@ def _report_failure(error: HeftError) -> Failed:
 
 def _stops_of(order: Order) -> Stops:
     if order.continues is None or order.continues.stops is None:
-        return Stops.of_procedure(order.scope, order.timing, order.mass_guess_kg)
+        return Stops.of_procedure(order.scope, order.timing, order.mass_guess_kg, target=order.target)
     return Stops(order.continues.stops)
 
 
-def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, speaker: ChildSpeaker) -> None:
+def _carry_out(
+    order: Order, connection: Connection, planning: PlanningProcess, watch: WatchElsewhere | None, speaker: ChildSpeaker
+) -> None:
     lease = Lease(order.cell.control.lease_s)
     listener = Listener(connection, lease)
     pace = RealTime() if order.pace == "real_time" else AsFastAsPossible()
@@ -103,7 +110,7 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
         lease=lease,
     )
     with SampleStream(order.folder) as stream:
-        run = Run(order.cell, model, session, order.payload_box, elsewhere, DiskRecorder(log, online, stream), done=done)
+        run = Run(order.cell, model, session, order.payload_box, elsewhere, DiskRecorder(log, online, stream), done=done, watch=watch)
         plan = _wait_for_release(run, start, order, lease, listener, speaker)
         procedure = move_and_estimate(run, plan, twin, order.folder / RECORDING)
         try:
@@ -123,6 +130,7 @@ def _carry_out(order: Order, connection: Connection, planning: PlanningProcess, 
             identification=identification,
             run=outcome.summary,
             requirement=outcome.requirement,
+            target=outcome.target,
             at=at,
             language=language,
         )

@@ -13,6 +13,7 @@ from core.events import Event
 from core.planning.settings import WHOLE, Planner, Scope, Timing
 from core.planning.stop import Stop
 from core.recording.order_reference import NO_ORDER, OrderReference
+from core.requirement.target import Target
 from core.sessions.leased import Renewal
 from core.words.message import Message
 from server.runner.live_schemas import LiveBatch
@@ -53,6 +54,7 @@ class Order:
         effort: how much is searched before a plan is refused.
         start_rad: where the robot stands when a procedure begins; at home where None.
         reference: what the plant calls it.
+        target: how exactly the payload is wanted to be known; None for the whole plan.
     """
 
     run: str
@@ -71,6 +73,7 @@ class Order:
     effort: int = 1
     start_rad: tuple[float, ...] | None = None
     reference: OrderReference = NO_ORDER
+    target: Target | None = None
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Iterator
+from contextlib import suppress
 from io import IOBase
 from pathlib import Path
 from types import TracebackType
@@ -61,14 +62,16 @@ def recover_recording(folder: Path, log: SampleLog, out: Path) -> int:
         log: empty, of the run's cell.
         out: folder to make for the recording; nothing is written where there are no samples.
     """
-    try:
-        with (folder / SAMPLES).open("rb") as file:
-            _read(cast("BinaryIO", file), log)
-    except FileNotFoundError:
-        return 0
+    read_samples(folder, log)
     if len(log):
         write_recording(log.recording(), out)
     return len(log)
+
+
+def read_samples(folder: Path, log: SampleLog) -> None:
+    """Appends to a log what is on disk of a run's samples by now; nothing where there are none yet."""
+    with suppress(FileNotFoundError), (folder / SAMPLES).open("rb") as file:
+        _read(cast("BinaryIO", file), log)
 
 
 def _read(file: BinaryIO, log: SampleLog) -> None:

@@ -16,6 +16,7 @@ from core.events import (
     RobotStopped,
     StartConfigurationFound,
     StepFinished,
+    TargetReached,
     TransferPlanned,
 )
 from core.words.message import Message
@@ -57,6 +58,7 @@ Happening = Annotated[
     | PhaseStarted
     | RobotStopped
     | StepFinished
+    | TargetReached
     | RecordingWritten
     | Finished,
     Field(discriminator="kind"),

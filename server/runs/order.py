@@ -15,7 +15,7 @@ from server.cells.payloads import check_saved, find_expected_mass, find_saved, l
 from server.http.errors import Conflict
 from server.runner.messages import Continuation, Order
 from server.runs.ledger import CarriedPayload, motion_of, read_carried
-from server.runs.schemas import Motion, RestOfRun, RunCreate, RunOrder
+from server.runs.schemas import Motion, ProposedMotion, RestOfRun, RunCreate, RunOrder
 from server.runs.tables import RunRow
 
 
@@ -47,6 +47,7 @@ def order_of(row: RunRow, cell: Cell, folder: Path) -> Order:
         effort=order.effort,
         start_rad=order.start_rad,
         reference=reference_of(row),
+        target=None if isinstance(motion, ProposedMotion) else order.target,
     )
 
 

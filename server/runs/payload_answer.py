@@ -21,6 +21,7 @@ from core.estimation.result import (
 from core.estimation.result_part import Numbers
 from core.recording.order_reference import OrderReference
 from core.requirement.answer import RequirementPart
+from core.requirement.target_answer import TargetPart
 from core.words.message import Message
 from server.http.schemas import Answer
 
@@ -41,6 +42,10 @@ class ResultPublic(Answer):
     requirement: RequirementPart | None = Field(
         default=None,
         description="Whether it is good enough for the cell's controller, with margin and what decides; null in older results.",
+    )
+    target: TargetPart | None = Field(
+        default=None,
+        description="How far it meets the target of its order, and what the run left out; null where there was none, and in older results.",
     )
     warnings: list[Message] = Field(description="What has to be known before the numbers are used.")
     mass_kg: float | None = Field(description="Mass, kg; null where it is not determined.", examples=[2.783])
@@ -99,6 +104,7 @@ def payload_answer(run: str, result: Result) -> ResultPublic:
         version=result.version,
         verdict=result.verdict,
         requirement=result.requirement,
+        target=result.target,
         warnings=result.warnings,
         mass_kg=phi[0],
         mass_std_kg=std[0],

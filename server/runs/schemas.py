@@ -12,6 +12,7 @@ from core.errors import Lateness
 from core.payload.shapes import Angle, Box
 from core.planning.settings import MAX_EFFORT, Planner, Scope
 from core.planning.stop import Stop
+from core.requirement.target import Target
 from core.words.message import Message
 from server.http.schemas import Answer, Name, RequestBody
 from server.runner.messages import Pace
@@ -72,6 +73,12 @@ class RunOrder(RequestBody):
     )
     effort: int = Field(
         default=1, ge=1, le=MAX_EFFORT, description="So many times the candidates and iterations before a plan is refused.", examples=[1]
+    )
+    target: Target | None = Field(
+        default=None,
+        description="How exactly the payload is wanted to be known: what is not needed for it is left out, and the robot goes home. The "
+        "whole plan is carried out where null, and where a proposed motion is made.",
+        examples=[{"mass_share": 0.001, "inertia_share": 0.01}],
     )
     start_rad: tuple[Angle, ...] | None = Field(
         default=None,

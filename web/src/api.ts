@@ -4130,7 +4130,7 @@ export interface components {
              * Event
              * @description What happened.
              */
-            event: components["schemas"]["StateChanged"] | components["schemas"]["PlanShown"] | components["schemas"]["WaitingForZone"] | components["schemas"]["StartConfigurationFound"] | components["schemas"]["TransferPlanned"] | components["schemas"]["Planned"] | components["schemas"]["PhaseStarted"] | components["schemas"]["RobotStopped"] | components["schemas"]["StepFinished"] | components["schemas"]["RecordingWritten"] | components["schemas"]["Finished"];
+            event: components["schemas"]["StateChanged"] | components["schemas"]["PlanShown"] | components["schemas"]["WaitingForZone"] | components["schemas"]["StartConfigurationFound"] | components["schemas"]["TransferPlanned"] | components["schemas"]["Planned"] | components["schemas"]["PhaseStarted"] | components["schemas"]["RobotStopped"] | components["schemas"]["StepFinished"] | components["schemas"]["TargetReached"] | components["schemas"]["RecordingWritten"] | components["schemas"]["Finished"];
         };
         /**
          * Experiment
@@ -4999,6 +4999,36 @@ export interface components {
             second: string;
             /** @description Why nothing is asked of them. */
             why: components["schemas"]["Message"];
+        };
+        /**
+         * LeftOutPart
+         * @description What a run did not have to do.
+         */
+        LeftOutPart: {
+            /**
+             * Made
+             * @description Holds and rotations that were recorded.
+             * @example 6
+             */
+            made: number;
+            /**
+             * Planned
+             * @description Holds and rotations of the plan.
+             * @example 9
+             */
+            planned: number;
+            /**
+             * Repetitions
+             * @description Swings out and back that were left out, those of whole rotations included.
+             * @example 7
+             */
+            repetitions: number;
+            /**
+             * Saved S
+             * @description Robot time that was saved, s.
+             * @example 21.4
+             */
+            saved_s: number;
         };
         /**
          * Limits
@@ -6486,6 +6516,12 @@ export interface components {
              * @example 4.1
              */
             rotation_s: number | null;
+            /**
+             * Home S
+             * @description Time of the way home from there, for a run that has met its target, s; null where it goes along the rest of the plan.
+             * @example 3.2
+             */
+            home_s?: number | null;
         };
         /**
          * Pose
@@ -6798,6 +6834,8 @@ export interface components {
             verdict: components["schemas"]["Message"];
             /** @description Whether it is good enough for the cell's controller, with margin and what decides; null in older results. */
             requirement?: components["schemas"]["RequirementPart"] | null;
+            /** @description How far it meets the target of its order, and what the run left out; null where there was none, and in older results. */
+            target?: components["schemas"]["TargetPart"] | null;
             /**
              * Warnings
              * @description What has to be known before the numbers are used.
@@ -7399,6 +7437,14 @@ export interface components {
              */
             effort?: number;
             /**
+             * @description How exactly the payload is wanted to be known: what is not needed for it is left out, and the robot goes home. The whole plan is carried out where null, and where a proposed motion is made.
+             * @example {
+             *       "inertia_share": 0.01,
+             *       "mass_share": 0.001
+             *     }
+             */
+            target?: components["schemas"]["Target"] | null;
+            /**
              * Start Rad
              * @description Joint positions where the robot stands, rad; at home where null.
              * @example [
@@ -7532,6 +7578,14 @@ export interface components {
              * @example 1
              */
             effort?: number;
+            /**
+             * @description How exactly the payload is wanted to be known: what is not needed for it is left out, and the robot goes home. The whole plan is carried out where null, and where a proposed motion is made.
+             * @example {
+             *       "inertia_share": 0.01,
+             *       "mass_share": 0.001
+             *     }
+             */
+            target?: components["schemas"]["Target"] | null;
             /**
              * Start Rad
              * @description Joint positions where the robot stands, rad; at home where null.
@@ -8640,6 +8694,132 @@ export interface components {
              * @example 10
              */
             repetitions?: number | null;
+        };
+        /**
+         * Target
+         * @description How exactly the payload is wanted to be known: half-widths of 95 % intervals with all sources of uncertainty together.
+         */
+        Target: {
+            /**
+             * Mass Share
+             * @description Of the mass, as a share of it without a unit: 0.001 is 0.1 %; null where it does not matter.
+             * @example 0.001
+             */
+            mass_share?: number | null;
+            /**
+             * Centre Of Mass M
+             * @description Of the centre of mass in the direction in which it is known least, m; null where it does not matter.
+             * @example 0.0005
+             */
+            centre_of_mass_m?: number | null;
+            /**
+             * Inertia Share
+             * @description Of the inertia about the centre of mass, as a share of it without a unit (Frobenius norms): 0.01 is 1 %; null where it does not matter.
+             * @example 0.01
+             */
+            inertia_share?: number | null;
+            /**
+             * Requirement
+             * @description As exactly as the cell's controller requires, see `requirement` of a result.
+             * @default false
+             * @example false
+             */
+            requirement?: boolean;
+        };
+        /**
+         * TargetPart
+         * @description How far the answer meets the target that it was asked for with.
+         */
+        TargetPart: {
+            /** @description As it was asked for. */
+            target: components["schemas"]["Target"];
+            /**
+             * Standing
+             * @description Of all quantities together: `type_b` where what is missing is type B alone, so that more repetitions would not help.
+             * @example reached
+             * @enum {string}
+             */
+            standing: "reached" | "open" | "type_b";
+            /**
+             * Quantities
+             * @description One for each that the target names.
+             */
+            quantities: components["schemas"]["TargetQuantityPart"][];
+            /** @description What the run left out; null where it left out nothing, and of a recording. */
+            left_out: components["schemas"]["LeftOutPart"] | null;
+            /** @description All of it in words. */
+            message: components["schemas"]["Message"];
+        };
+        /**
+         * TargetQuantityPart
+         * @description One quantity that the target names; half-widths of 95 % intervals, null where it is not determined.
+         */
+        TargetQuantityPart: {
+            /**
+             * Quantity
+             * @description What is wanted; of the cell's requirement the numbers are shares of what it allows.
+             * @example inertia
+             * @enum {string}
+             */
+            quantity: "mass" | "centre_of_mass" | "inertia" | "requirement";
+            /**
+             * Unit
+             * @description Of the numbers: kg, m, kg m2 (Frobenius norm about the centre of mass), or 1 for a share.
+             * @example kg m2
+             */
+            unit: string;
+            /**
+             * Wanted
+             * @description Largest half-width that meets the target.
+             * @example 0.00005
+             */
+            wanted: number | null;
+            /**
+             * Half Width
+             * @description With all sources of uncertainty together.
+             * @example 0.00004
+             */
+            half_width: number | null;
+            /**
+             * Repeatability
+             * @description By this recording alone (type A).
+             * @example 0.00001
+             */
+            repeatability: number | null;
+            /**
+             * Systematic
+             * @description By what is the same in every repetition (type B).
+             * @example 0.00003
+             */
+            systematic: number | null;
+            /**
+             * Standing
+             * @description `reached`; `open` where more repetitions would help; `type_b` where they would not.
+             * @example reached
+             * @enum {string}
+             */
+            standing: "reached" | "open" | "type_b";
+            /** @description The same in words. */
+            message: components["schemas"]["Message"];
+        };
+        /**
+         * TargetReached
+         * @description The payload is known as exactly as was asked for: holds and rotations that are left are left out, and the robot goes home.
+         */
+        TargetReached: {
+            /**
+             * @description Tells which event it is. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "target_reached";
+            /**
+             * Made
+             * @description Holds and rotations that are recorded.
+             * @example 6
+             */
+            made: number;
+            /** @description The same in words. */
+            message: components["schemas"]["Message"];
         };
         /**
          * ThrowPart
@@ -13887,6 +14067,7 @@ export type KeyPublic = components['schemas']['KeyPublic'];
 export type LargestTorque = components['schemas']['LargestTorque'];
 export type Lateness = components['schemas']['Lateness'];
 export type LeftOutPair = components['schemas']['LeftOutPair'];
+export type LeftOutPart = components['schemas']['LeftOutPart'];
 export type Limits = components['schemas']['Limits'];
 export type LinkOutline = components['schemas']['LinkOutline'];
 export type LinkPublic = components['schemas']['LinkPublic'];
@@ -13967,6 +14148,10 @@ export type StateChanged = components['schemas']['StateChanged'];
 export type StepFinished = components['schemas']['StepFinished'];
 export type Stop = components['schemas']['Stop'];
 export type Swings = components['schemas']['Swings'];
+export type Target = components['schemas']['Target'];
+export type TargetPart = components['schemas']['TargetPart'];
+export type TargetQuantityPart = components['schemas']['TargetQuantityPart'];
+export type TargetReached = components['schemas']['TargetReached'];
 export type ThrowPart = components['schemas']['ThrowPart'];
 export type Tied = components['schemas']['Tied'];
 export type Tool = components['schemas']['Tool'];

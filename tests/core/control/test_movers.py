@@ -133,3 +133,28 @@ def test_standstill_holds_the_command_for_its_time():
     q = drain(StandStill(0.25, PERIOD), bench().home)
     assert len(q) == 1 + 250
     np.testing.assert_array_equal(q, np.tile(bench().home, (251, 1)))
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_a_rotation_that_is_ended_early_is_the_one_that_was_planned_with_fewer_repetitions(name):
+    many, few = (rotation_of(name, 2, profile_of(name, repetitions=count)) for count in (5, 2))
+    planned = drain(few, bench(name).home)
+    rows = [bench(name).home]
+    left_out = 0
+    while (target := many.next(standing(rows[-1]))) is not None:
+        rows.append(target)
+        if many.repetitions_done == 1 and not left_out:
+            left_out = many.end_early()
+    assert left_out == 3
+    assert many.end_early() == 0
+    np.testing.assert_allclose(rows, planned, atol=1e-12)
+
+
+def test_a_rotation_in_its_last_repetition_has_nothing_to_leave_out():
+    mover = rotation_of(CELLS[0], 0, profile_of(CELLS[0], repetitions=2))
+    rows = 0
+    while (mover.next(standing(bench(CELLS[0]).home))) is not None:
+        rows += 1
+        if mover.repetitions_done == 1:
+            assert mover.end_early() == 0
+    assert mover.repetitions_done == 2

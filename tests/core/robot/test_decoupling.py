@@ -128,3 +128,21 @@ def test_the_expected_inertia_is_that_of_a_box_full_of_points(box, axis):
     points = grid @ box.pose.rotation.T + box.pose.translation
     off_axis = np.delete(points, axis, axis=1)
     assert predict_inertia(box, 2.0, axis) == pytest.approx(2.0 * np.mean(np.sum(off_axis**2, axis=1)))
+
+
+@given(profiles)
+def test_a_profile_rests_where_it_began_after_each_repetition_and_nowhere_else(drawn):
+    box, speed, _ = drawn
+    one, three = (decoupling_profile(box, cartesian_speed=speed, period=0.002, repetitions=count) for count in (1, 3))
+    samples = len(one.angle) - 1
+    assert three.rests.tolist() == [samples, 2 * samples, 3 * samples]
+
+
+@given(profiles)
+def test_a_profile_that_is_cut_is_the_one_with_fewer_repetitions(drawn):
+    box, speed, _ = drawn
+    few, many = (decoupling_profile(box, cartesian_speed=speed, period=0.002, repetitions=count) for count in (2, 5))
+    cut = many.cut(int(many.rests[1]))
+    np.testing.assert_allclose(cut.angle, few.angle, atol=1e-12)
+    np.testing.assert_allclose(cut.rate, few.rate, atol=1e-12)
+    assert cut.duration == few.duration

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 
 from core.cell.folder import load_cell
 from core.planning.settings import Scope
+from core.requirement.target import Target
 from server.http.errors import Conflict
 from server.runs import ledger as run_ledger
 from server.runs.order import check_order, order_of
@@ -30,6 +31,18 @@ def test_the_control_process_is_told_what_was_asked_for(service: Service) -> Non
     order = told(service, asked)
     assert (order.scope, order.effort, order.start_rad) == (Scope("xz", rotations=False), 4, START)
     assert order.cell.limits.cartesian_speed_m_s == 0.1
+
+
+def test_a_target_goes_along_to_the_control_process_and_to_the_rest_of_the_run(service: Service) -> None:
+    asked = RunCreate.model_validate({"cell": CELL, "payload": "steel_block", "target": {"mass_share": 0.001}})
+    assert told(service, asked).target == Target(mass_share=0.001)
+    assert told(service, RunCreate(cell=CELL, payload="steel_block")).target is None
+
+
+@pytest.mark.parametrize("target", [{}, {"mass_share": 0.0}, {"mass_share": 1.5}, {"centre_of_mass_m": -1e-3}, {"weight": 0.1}])
+def test_what_is_no_target_is_refused(target: dict[str, float]) -> None:
+    with pytest.raises(ValidationError, match="target"):
+        RunCreate.model_validate({"cell": CELL, "payload": "steel_block", "target": target})
 
 
 def test_an_order_that_says_nothing_of_it_is_the_whole_procedure_from_home_at_the_cells_speed(service: Service) -> None:

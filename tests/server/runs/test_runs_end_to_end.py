@@ -97,6 +97,25 @@ def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_ca
     assert figures(console, *FIGURES) == [count + 1.0 for count in before]
 
 
+def test_a_run_with_a_target_says_how_far_it_met_it_and_what_it_left_out(console):
+    run = console.queue(target={"mass_share": 0.05}, pace="real_time")
+    console.wait(run, "Idle")
+    planned_s = console.http.get(f"/api/runs/{run}/plan").json()["plan"]["summary"]["robot_s"]
+    assert console.release(run).status_code == 200
+    while (done := console.wait(run, "Complete", "Aborted", "Held"))["state"] == "Held":  # a busy computer
+        console.command(run, "resume")
+        wait_for(lambda: console.run(run)["state"] != "Held", "the robot to go on")
+    assert done["state"] == "Complete", done
+    assert done["finished_steps"] == 6
+    answer = console.http.get(f"/api/runs/{run}/result").json()
+    assert answer["target"]["standing"] == "reached"
+    assert answer["target"]["target"]["mass_share"] == 0.05
+    reached = [event for event in events(console, run) if event["kind"] == "target_reached"]
+    if reached:  # a computer that has other things to do answers when the robot is home
+        assert answer["target"]["left_out"]["made"] == reached[0]["made"]
+        assert answer["seconds"]["robot"] == pytest.approx(planned_s - answer["target"]["left_out"]["saved_s"], abs=0.5)
+
+
 def check_downloads(console: Console, run: str, folder: Path) -> None:
     """The recording as a zip that the engine reads, the report as a page that may do nothing."""
     sent = console.http.get(f"/api/runs/{run}/recording")

@@ -3,7 +3,7 @@ import { NumberField } from '../ui/number-field';
 import { Select } from '../ui/select';
 import { scaleOf, spelt } from '../ui/units';
 import { words } from '../words';
-import { axes, effort, rotations, SLOWEST_M_S, speed, speed_m_s } from './order';
+import { axes, effort, rotations, SLOWEST_M_S, speed, speed_m_s, untilRequired } from './order';
 
 const AXES = ['x', 'y', 'z'];
 const EFFORTS = [1, 2, 4, 8, 16];
@@ -43,6 +43,20 @@ export function MoreSettings() {
           <span>{said.turn}</span>
         </label>
         <p class="hint">{said.rotationsHint}</p>
+      </fieldset>
+      <fieldset>
+        <legend>{said.target}</legend>
+        <label>
+          <input
+            type="checkbox"
+            checked={untilRequired.value}
+            onChange={({ currentTarget }) => {
+              untilRequired.value = currentTarget.checked;
+            }}
+          />
+          <span>{said.untilRequired}</span>
+        </label>
+        <p class="hint">{said.targetHint}</p>
       </fieldset>
       <fieldset id="field-speed">
         <legend>

@@ -18,6 +18,8 @@ export const axes = signal('xyz');
 export const rotations = signal(true);
 export const speed = signal('');
 export const effort = signal(1);
+/** Whether the run ends as soon as the cell's requirement is met. */
+export const untilRequired = signal(false);
 
 /** Of two of one name that of cell.toml, as for every order. */
 export const payload = computed(() => {
@@ -99,6 +101,7 @@ export function takeOrder(asked: RunOrder): void {
   rotations.value = asked.rotations ?? rotations.value;
   speed.value = asked.speed_m_s == null ? '' : written(asked.speed_m_s, 'speed');
   effort.value = asked.effort ?? effort.value;
+  untilRequired.value = asked.target?.requirement ?? false;
 }
 
 /** What is to be identified, as the fields say; null while they cannot be read. */
@@ -113,5 +116,6 @@ export const order = computed<RunCreate | null>(() => {
     rotations: rotations.value,
     speed_m_s: speed_m_s.value,
     effort: effort.value,
+    target: untilRequired.value ? { requirement: true } : null,
   };
 });

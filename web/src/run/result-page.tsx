@@ -24,6 +24,7 @@ import { ProposedBy } from './proposed-by';
 import { resultSentence } from './result-sentence';
 import { acceptResult, result as found, run } from './run';
 import { RunRecord } from './run-record';
+import { TargetMet } from './target-met';
 import { Verification } from './verification';
 import { Workpiece } from './workpiece';
 
@@ -39,6 +40,7 @@ function Result() {
         <ProposedBy />
         <p class="verdict-words">{resultSentence(answer)}</p>
         <GoodEnough requirement={answer.requirement} />
+        <TargetMet target={answer.target} />
         <ParameterTable answer={answer} />
         <p class="hint">
           {words.value.interval}, {said.frame}. {answer.reference?.source}

@@ -1,4 +1,5 @@
 import type { PhaseStarted } from '../api';
+import { MessageText } from '../ui/message-text';
 import { clock } from '../ui/units';
 import { words } from '../words';
 import { HeldNotice } from './held-notice';
@@ -9,6 +10,7 @@ import { newest, run } from './run';
 export function RunProgress() {
   const said = words.value.running;
   const phase = newest('phase_started');
+  const reached = newest('target_reached');
   const progress = batch.value?.progress ?? run.value?.progress ?? 0;
   const left_s = batch.value?.eta_s ?? run.value?.eta_s ?? null;
   return (
@@ -23,6 +25,11 @@ export function RunProgress() {
         )}
       </div>
       <progress max={1} value={progress} aria-label={words.value.states.Execute} />
+      {reached && (
+        <p class="hint">
+          <MessageText message={reached.message} />
+        </p>
+      )}
       <HeldNotice />
     </section>
   );

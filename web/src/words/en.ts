@@ -148,6 +148,9 @@ export const en = {
     turn: 'Rotate about each axis',
     rotationsHint:
       'Without rotations: mass and centre of mass; inertia only as far as the paths between the poses excite it',
+    target: 'Accuracy',
+    untilRequired: 'End as soon as it is exact enough for this cell',
+    targetHint: 'Otherwise the whole plan is carried out',
     slower: 'Speed limit',
     slowerHint: (limit: string) => `At most ${limit}, the limit of the cell; empty means that`,
     effort: 'Search effort',
@@ -264,6 +267,7 @@ export const en = {
     withoutTools: (tools: string) =>
       `The values above are of everything that the sensor carries. Here without: ${tools}`,
     goodEnough: 'Why, and against what',
+    target: 'What was asked for',
     budget: 'Uncertainty',
     budgetHint: 'Shares of the variance. What is not repeatability stays the same from run to run.',
     repeatability: 'repeatability',
