@@ -153,7 +153,7 @@ def test_where_no_motion_helps_a_second_payload_is_asked_for():
 
 
 def test_without_ties_nothing_is_proposed():
-    windows, _, _ = fitted(recorded())
+    windows, _ = fitted(recorded())
     assert proposals(recorded(), windows, []) == ()
 
 

@@ -128,7 +128,10 @@ def test_a_fault_in_the_mechanism_is_fitted_with_the_stated_parameters_and_paylo
     truth = told(fault)
     true = np.array([truth.get(p.name, p.absent) for p in fit.parameters])
     assert np.all(np.abs(fit.theta - true) < 4.0 * fit.theta_std + 0.03 * np.abs(true).max())
-    assert np.linalg.norm(fit.theta - true) < 0.3 * np.linalg.norm(true)
+    size = np.linalg.norm(true)
+    known = fit.theta_std < 0.1 * size  # of an eccentric first joint, say, such a run tells next to nothing
+    assert known[true != [p.absent for p in fit.parameters]].all()
+    assert np.linalg.norm((fit.theta - true)[known]) < 0.3 * size
     payload = true_payload_of(CELL, PAYLOAD, (fault,)).phi
     assert np.all(np.abs(fit.phi - payload)[:4] < 4.0 * fit.phi_std[:4] + 0.003 * payload[0])
 
