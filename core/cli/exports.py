@@ -13,7 +13,7 @@ from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput, together
 from core.estimation.result import Result
 from core.export.exports import TARGETS, frame_of, payload_of, target_of
-from core.export.target import Lack, Target
+from core.export.target import ExportTarget, Lack
 from core.export.uncertainty import state_uncertainty, uncertainty_of
 from core.files.schema_flaw import schema_flaw
 from core.payload.uncertain_parameters import UncertainParameters
@@ -65,12 +65,12 @@ def read_result_file(file: Path) -> Result:
         raise together([flaw, BadInput(str(file), "cli-no-result")]) from error
 
 
-def lack_sentences(target: Target, payload: UncertainParameters) -> list[str]:
+def lack_sentences(target: ExportTarget, payload: UncertainParameters) -> list[str]:
     """What gets lost, each with its size against its uncertainty."""
     return [_sentence(target, lack) for lack in target.lacks(payload)]
 
 
-def _sentence(target: Target, lack: Lack) -> str:
+def _sentence(target: ExportTarget, lack: Lack) -> str:
     return find_wording().say(
         "cli-export-lack", target=target.title, name=lack.name, lost=lack.value, unit=lack.unit, times=float(lack.times_std)
     )

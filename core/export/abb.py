@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from core.export.principal_axes import principal_axes, to_quaternion
-from core.export.target import MM, Target, digits
+from core.export.target import MM, ExportTarget, digits
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
 
-class Abb(Target):
+class Abb(ExportTarget):
     """A declaration in RAPID."""
 
     name = "abb"

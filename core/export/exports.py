@@ -14,19 +14,19 @@ from core.export.kuka_krl import KukaKrl
 from core.export.kuka_sunrise import KukaSunrise
 from core.export.mujoco import MuJoCo
 from core.export.opc_ua import OpcUa
-from core.export.target import Target
+from core.export.target import ExportTarget
 from core.export.universal_robots import UniversalRobots
 from core.export.urdf import Urdf
 from core.export.xarm import XArm
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
-TARGETS: tuple[Target, ...] = (
+TARGETS: tuple[ExportTarget, ...] = (
     UniversalRobots(), KukaKrl(), KukaSunrise(), Abb(), Franka(), Flexiv(), XArm(), OpcUa(), MuJoCo(), Urdf(),
 )  # fmt: skip
 
 
-def target_of(name: str) -> Target:
+def target_of(name: str) -> ExportTarget:
     """The target of that name.
 
     Raises:

@@ -6,7 +6,7 @@ import json
 from abc import abstractmethod
 from typing import Any
 
-from core.export.target import Target
+from core.export.target import ExportTarget
 from core.export.uncertainty import ExportUncertainty
 from core.payload.uncertain_parameters import UncertainParameters
 
@@ -14,7 +14,7 @@ UNCERTAINTY = "heft_uncertainty"
 """Name of the field, which is nobody else's."""
 
 
-class JsonTarget(Target):
+class JsonTarget(ExportTarget):
     """One object, its names the target's own."""
 
     @abstractmethod

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from core.export.principal_axes import principal_axes, zyx_degrees
-from core.export.target import MM, Target
+from core.export.target import MM, ExportTarget
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
 
-class KukaKrl(Target):
+class KukaKrl(ExportTarget):
     """A declaration in KRL, for the first tool."""
 
     name = "kuka_krl"

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from core.export.target import MM, Lack, Target, inertia_lacks
+from core.export.target import MM, ExportTarget, Lack, inertia_lacks
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
 
-class KukaSunrise(Target):
+class KukaSunrise(ExportTarget):
     """Values to be typed in, one a line."""
 
     name = "kuka_sunrise"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from core.export.target import Target, digits
+from core.export.target import ExportTarget, digits
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
@@ -10,7 +10,7 @@ ORDER = [0, 3, 5, 1, 2, 4]
 """11 22 33 12 13 23."""
 
 
-class MuJoCo(Target):
+class MuJoCo(ExportTarget):
     """An element of MJCF, for a body whose frame is the flange's."""
 
     name = "mujoco"

@@ -41,7 +41,7 @@ class Lack:
         return abs(self.value) / self.std if self.std > 0.0 else np.inf
 
 
-class Target(ABC):
+class ExportTarget(ABC):
     """One way in which somebody takes a payload; parameters are always those in the flange's frame.
 
     Attributes:

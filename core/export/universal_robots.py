@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from core.errors import BadPayload
-from core.export.target import INERTIA_NAMES, Target, digits, write_remarks
+from core.export.target import INERTIA_NAMES, ExportTarget, digits, write_remarks
 from core.export.uncertainty import ExportUncertainty
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
@@ -15,7 +15,7 @@ ORDER = [0, 3, 5, 1, 2, 4]
 """Ixx Iyy Izz Ixy Ixz Iyz."""
 
 
-class UniversalRobots(Target):
+class UniversalRobots(ExportTarget):
     """A line of URScript."""
 
     name = "ur"

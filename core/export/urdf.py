@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from core.export.target import INERTIA_NAMES, Target, digits
+from core.export.target import INERTIA_NAMES, ExportTarget, digits
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
 
-class Urdf(Target):
+class Urdf(ExportTarget):
     """An element of a URDF, for a link whose frame is the flange's."""
 
     name = "urdf"

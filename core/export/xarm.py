@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from core.export.target import INERTIA_NAMES, MM, Lack, Target, digits, inertia_lacks
+from core.export.target import INERTIA_NAMES, MM, ExportTarget, Lack, digits, inertia_lacks
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
 
-class XArm(Target):
+class XArm(ExportTarget):
     """A line of Python for the xArm SDK; it knows no inertia."""
 
     name = "xarm"

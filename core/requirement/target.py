@@ -10,10 +10,10 @@ import re
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from typing import TYPE_CHECKING, Annotated, Final, Self
+from typing import TYPE_CHECKING, Annotated, Final
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from core.array import Array
 from core.cell.cell import Cell
@@ -64,11 +64,10 @@ class Target(Model):
         default=False, description="As exactly as the cell's controller requires, see `requirement` of a result.", examples=[False]
     )
 
-    @model_validator(mode="after")
-    def _check_names_something(self) -> Self:
-        if not self.requirement and self.mass_share is None and self.centre_of_mass_m is None and self.inertia_share is None:
-            raise ValueError("a target that names neither mass nor centre of mass nor inertia nor the requirement")
-        return self
+    @property
+    def names_something(self) -> bool:
+        """Whether anything is wanted."""
+        return self.requirement or any(each is not None for each in (self.mass_share, self.centre_of_mass_m, self.inertia_share))
 
 
 def parse_target(text: str, where: str = "--target") -> Target:

@@ -250,6 +250,8 @@ class Conductor:
     async def _begin(self, row: RunRow) -> None:
         try:
             cell, events = await asyncio.to_thread(self._load_cell_and_events, row)
+            if self._closing:  # nobody would abort it any more; it waits for the next start
+                return
             active = ActiveRun(self.store, row, events, cell, self.folder / row.id, self.broadcast(row.id), self.now, self._metrics)
         except (HeftError, OSError) as error:
             await asyncio.to_thread(self._idle.end, row.id, explain_error(error))

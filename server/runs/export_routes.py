@@ -11,7 +11,7 @@ from core.cell.cell import Cell
 from core.errors import BadPayload
 from core.estimation.result import Result
 from core.export.exports import TARGETS, frame_of, payload_of, target_of
-from core.export.target import Target
+from core.export.target import ExportTarget
 from core.export.uncertainty import ExportUncertainty, uncertainty_of
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
@@ -90,7 +90,7 @@ def _read(cells: CellFolder, conductor: Conductor, run: str) -> tuple[Result, Ce
     return run_ledger.load_result(row), cell
 
 
-def _describe(target: Target, payload: UncertainParameters) -> ExportPublic:
+def _describe(target: ExportTarget, payload: UncertainParameters) -> ExportPublic:
     refused: Message | None = None
     try:
         target.render_file(payload)

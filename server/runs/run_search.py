@@ -24,7 +24,8 @@ def contain_words(search: str) -> Iterator[ColumnElement[bool]]:
 def _on_day(word: str) -> Iterator[ColumnElement[bool]]:
     try:
         begin = datetime.combine(date.fromisoformat(word), time(), UTC)
-    except ValueError:
+        end = begin + timedelta(days=1)
+    except (ValueError, OverflowError):  # not a day, or the last one that there is
         return
     for moment in TIMES:
-        yield and_(moment >= begin, moment < begin + timedelta(days=1))
+        yield and_(moment >= begin, moment < end)

@@ -6,7 +6,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import Field, StringConstraints
+from pydantic import AfterValidator, Field, StringConstraints
 
 from core.errors import Lateness
 from core.payload.shapes import Angle, Box
@@ -21,6 +21,10 @@ from server.runs.result_summary import ResultSummary
 
 OrderText = Annotated[str, StringConstraints(pattern=r"^[^\x00-\x1f\x7f]+$", max_length=100)]
 """What a plant calls something, in its own words: one line of text."""
+
+
+def _drop_empty(target: Target | None) -> Target | None:
+    return target if target is not None and target.names_something else None
 
 
 class RunOrder(RequestBody):
@@ -74,10 +78,10 @@ class RunOrder(RequestBody):
     effort: int = Field(
         default=1, ge=1, le=MAX_EFFORT, description="So many times the candidates and iterations before a plan is refused.", examples=[1]
     )
-    target: Target | None = Field(
+    target: Annotated[Target | None, AfterValidator(_drop_empty)] = Field(
         default=None,
         description="How exactly the payload is wanted to be known: what is not needed for it is left out, and the robot goes home. The "
-        "whole plan is carried out where null, and where a proposed motion is made.",
+        "whole plan is carried out where null or where it names nothing, and where a proposed motion is made.",
         examples=[{"mass_share": 0.001, "inertia_share": 0.01}],
     )
     start_rad: tuple[Angle, ...] | None = Field(

@@ -7437,7 +7437,7 @@ export interface components {
              */
             effort?: number;
             /**
-             * @description How exactly the payload is wanted to be known: what is not needed for it is left out, and the robot goes home. The whole plan is carried out where null, and where a proposed motion is made.
+             * @description How exactly the payload is wanted to be known: what is not needed for it is left out, and the robot goes home. The whole plan is carried out where null or where it names nothing, and where a proposed motion is made.
              * @example {
              *       "inertia_share": 0.01,
              *       "mass_share": 0.001
@@ -7579,7 +7579,7 @@ export interface components {
              */
             effort?: number;
             /**
-             * @description How exactly the payload is wanted to be known: what is not needed for it is left out, and the robot goes home. The whole plan is carried out where null, and where a proposed motion is made.
+             * @description How exactly the payload is wanted to be known: what is not needed for it is left out, and the robot goes home. The whole plan is carried out where null or where it names nothing, and where a proposed motion is made.
              * @example {
              *       "inertia_share": 0.01,
              *       "mass_share": 0.001

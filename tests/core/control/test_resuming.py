@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 from scipy.spatial import cKDTree
 
-from core.control.resuming import LEAST_RAMP_S, OFF_PATH, resume_path
+from core.control.resuming import BRAKING_S, LEAST_RAMP_S, OFF_PATH, resume_path
 from core.errors import BadState
 
 PERIOD = 0.001
@@ -24,10 +24,13 @@ def smooth_path(seed: int, seconds: float = 3.0) -> np.ndarray:
 
 
 def braked(path: np.ndarray, k: int, acceleration: float = 15.0) -> np.ndarray:
-    """Where drives come to rest that brake along the tangent."""
+    """Where drives come to rest that brake along the tangent; where the path bends too much for that, there is no such case."""
     speed = (path[k] - path[k - 1]) / PERIOD
     fastest = np.abs(speed).max()
-    return path[k] + speed * fastest / (2 * acceleration)
+    q = path[k] + speed * fastest / (2 * acceleration)
+    ahead = path[k : k + round(BRAKING_S / PERIOD)]
+    assume(np.abs(ahead - q).max(axis=1).min() <= OFF_PATH)
+    return q
 
 
 @settings(max_examples=60, deadline=None)

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pydantic import ValidationError
 
 from core.cell.folder import load_cell
 from core.errors import BadInput
@@ -84,9 +83,10 @@ def test_what_is_no_target_is_refused_with_what_one_looks_like(text, words):
     assert words in str(refused.value)
 
 
-def test_a_target_that_names_nothing_is_none():
-    with pytest.raises(ValidationError, match="neither"):
-        Target()
+def test_a_target_names_something_as_soon_as_one_of_its_fields_does():
+    assert not Target().names_something
+    assert Target(requirement=True).names_something
+    assert Target(centre_of_mass_m=0.001).names_something
 
 
 def test_a_mass_is_known_as_exactly_as_its_whole_interval_says():

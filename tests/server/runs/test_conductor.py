@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import asyncio
 import threading
 import time
 
 import pytest
 from fastapi.testclient import TestClient
+from sqlalchemy.orm import Session
 
+from core.cell.cell import Cell
 from server.people.roles import Role
 from server.runs.idle import IdleRuns
 from server.runs.tables import RunRow
@@ -48,3 +51,27 @@ def test_a_run_that_is_cancelled_while_it_is_its_turn_leaves_the_cell_to_the_nex
         assert time.monotonic() < until, active and active.id
         time.sleep(0.01)
     assert operator.get(f"/api/runs/{run}").json()["state"] == "Stopped"
+
+
+def test_a_run_whose_turn_comes_while_the_service_ends_waits_for_the_next_start(
+    nothing_planned: None, nobody: TestClient, service: Service, signed_in: As, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    operator, conductor = signed_in(Role.operator), service.conductor
+    reading, go_on = threading.Event(), threading.Event()
+    load = conductor.load_plannable_cell
+
+    def slowly(db: Session, name: str) -> Cell:
+        reading.set()
+        go_on.wait(10)
+        return load(db, name)
+
+    monkeypatch.setattr(conductor, "load_plannable_cell", slowly)
+    run = operator.post("/api/runs", json=ORDER).json()["run"]
+    assert reading.wait(10)
+    assert nobody.portal is not None
+    ending = nobody.portal.start_task_soon(conductor.close)
+    nobody.portal.call(asyncio.sleep, 0.1)
+    go_on.set()
+    ending.result(10)
+    assert conductor.active == {}
+    assert operator.get(f"/api/runs/{run}").json()["state"] == "Resetting"

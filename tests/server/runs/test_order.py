@@ -37,9 +37,10 @@ def test_a_target_goes_along_to_the_control_process_and_to_the_rest_of_the_run(s
     asked = RunCreate.model_validate({"cell": CELL, "payload": "steel_block", "target": {"mass_share": 0.001}})
     assert told(service, asked).target == Target(mass_share=0.001)
     assert told(service, RunCreate(cell=CELL, payload="steel_block")).target is None
+    assert told(service, RunCreate.model_validate({"cell": CELL, "payload": "steel_block", "target": {}})).target is None
 
 
-@pytest.mark.parametrize("target", [{}, {"mass_share": 0.0}, {"mass_share": 1.5}, {"centre_of_mass_m": -1e-3}, {"weight": 0.1}])
+@pytest.mark.parametrize("target", [{"mass_share": 0.0}, {"mass_share": 1.5}, {"centre_of_mass_m": -1e-3}, {"weight": 0.1}])
 def test_what_is_no_target_is_refused(target: dict[str, float]) -> None:
     with pytest.raises(ValidationError, match="target"):
         RunCreate.model_validate({"cell": CELL, "payload": "steel_block", "target": target})

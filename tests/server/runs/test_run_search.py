@@ -32,6 +32,7 @@ FOUND: dict[str, set[str]] = {
     "cancelled BEN": {"third"},
     "2026-03-02": {"second"},
     "2026-03-02 2026-03-01": set(),
+    "9999-12-31": set(),
     "jo_": {"first"},
     "jo": {"first", "second"},
     "0%": {"first"},
