@@ -1,6 +1,6 @@
 import '../look/help.css';
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { runs } from '../run/runs';
 import { Press } from '../ui/press';
 import { to } from '../ui/route';
@@ -45,7 +45,8 @@ export function Tour() {
   const heading = useRef<HTMLHeadingElement>(null);
   // biome-ignore lint/correctness/useExhaustiveDependencies: each step is read to who cannot see it
   useEffect(() => heading.current?.focus(), [number]);
-  useEffect(() => {
+  // before the card is painted: a key that is pressed as soon as it is seen counts
+  useLayoutEffect(() => {
     const leave = ({ key }: KeyboardEvent) => key === 'Escape' && endTour();
     document.addEventListener('keydown', leave);
     return () => document.removeEventListener('keydown', leave);
