@@ -97,7 +97,7 @@ def test_stops_and_refusals_are_said_in_german_where_a_run_ended(german: Tablet,
     person.leave()
     said = [error.message for error in stops_and_refusals()]
     runs = [
-        ended | {"result": None, "reason_kind": "too-close", "run": f"{k}", "reason": message.model_dump(mode="json")}
+        ended | {"result": None, "reason_kind": "too-close", "run": f"{len(said) - k:03}", "reason": message.model_dump(mode="json")}
         for k, message in enumerate(said)
     ]
     german.page.route("**/api/runs?*", lambda route: route.fulfill(json=runs))

@@ -7,15 +7,17 @@ import type { FromLease, ToLease } from './lease-worker';
 const ALIVE_MS = 250;
 /** As long as the service waits for the first answered stamp. */
 const SETTLE_MS = 5000;
-/** How often the service has to say that nobody is in control, although its stamps are answered, until that is believed. */
-const DENIALS = 3;
+/** How long the service has to go on saying that this screen is not in control, or does not ask, until that is believed: a page that
+ * stood still hears at once all that was said meanwhile. */
+const DENIED_MS = 2000;
 
 interface Lease {
   cell: string;
   fence: number;
   stamp_s: number;
   commands: number;
-  denied: number;
+  /** When the service began to say so; null where it does not. */
+  deniedSince_ms: number | null;
   end: () => void;
 }
 
@@ -74,7 +76,7 @@ function answerStamps(cell: string, fence: number): { held: Lease; answered: Pro
     window.clearInterval(beat);
     worker.terminate();
   };
-  const held: Lease = { cell, fence, stamp_s: 0, commands: 0, denied: 0, end };
+  const held: Lease = { cell, fence, stamp_s: 0, commands: 0, deniedSince_ms: null, end };
   say({ kind: 'keep', address: socketAddress(`/api/control/${cell}/lease`), fence });
   const answered = new Promise<void>((resolve, reject) => {
     const fail = () => {
@@ -107,16 +109,21 @@ export function dropControl(): void {
 export function hearFence(fence: number | null): void {
   const held = lease.value;
   if (held === null) return;
-  held.denied = fence === null && answering.value ? held.denied + 1 : 0;
-  if (held.denied >= DENIALS || (fence !== null && fence > held.fence)) dropControl();
+  const denied = goesOnBeingDenied(held, fence === null && answering.value);
+  if (denied || (fence !== null && fence > held.fence)) dropControl();
+}
+
+function goesOnBeingDenied(held: Lease, denied: boolean): boolean {
+  if (!denied) held.deniedSince_ms = null;
+  else held.deniedSince_ms ??= performance.now();
+  return held.deniedSince_ms !== null && performance.now() - held.deniedSince_ms >= DENIED_MS;
 }
 
 /** Hears who asks for control: this screen does no more when the service says so again and again, as after its restart. */
 export function hearRequest(fence: number | null): void {
   const held = asking.peek();
   if (held === null) return;
-  held.denied = fence === held.fence ? 0 : held.denied + 1;
-  if (held.denied >= DENIALS) dropAsking();
+  if (goesOnBeingDenied(held, fence !== held.fence)) dropAsking();
 }
 
 /** The fence of this screen's control, or null. */
