@@ -44,6 +44,7 @@ class CableDrag(Effect):
     id = "cable_drag"
     title = Message.of("effect-cable-drag-title")
     stage = "environment"
+    needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Stiffness, N/m, pull at the first sample (3) and friction, N, place (3), m, slack and guide friction, N; where the joints are

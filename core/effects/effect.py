@@ -59,6 +59,8 @@ class Effect(ABC):
     title: ClassVar[Message]
     """As in "the gap is explained by <title>"."""
     stage: ClassVar[Stage]
+    needs_motion: ClassVar[bool] = False
+    """Whether what it does depends on the way from one pose to the next."""
 
     @abstractmethod
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:

@@ -26,6 +26,7 @@ class GearRipple(Effect):
     id = "gear_ripple"
     title = Message.of("effect-gear-ripple-title")
     stage = "kinematics"
+    needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """For each joint the gear ratio and the amplitudes of cosine and sine, rad."""

@@ -26,6 +26,7 @@ class JointBacklash(Effect):
     id = "joint_backlash"
     title = Message.of("effect-joint-backlash-title")
     stage = "kinematics"
+    needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Half the play of each joint, rad, then the contact torque, N m, and the lag of the load, s."""

@@ -31,6 +31,7 @@ class PayloadLoose(Effect):
     id = "payload_loose"
     title = Message.of("effect-payload-loose-title")
     stage = "payload"
+    needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Frequency, Hz, damping ratio, six shares that are sprung, the share that hangs, place (3), m, from the centre of mass, and

@@ -39,6 +39,7 @@ class Scene:
         step: period of the samples, s; the first two times tell where absent. A scene of one row must state it.
         window: knot spacing of the cubic B-splines that motion and readings are means over, s; 0 where they are samples.
         memory: of the rows before the first, for a run that is simulated in blocks; None for a run as a whole.
+        apart: whether each row is a pose by itself, and nothing is known of the way from one to the next.
     """
 
     t: Array
@@ -60,6 +61,7 @@ class Scene:
     step: float | None = None
     window: float = 0.0
     memory: Memory | None = None
+    apart: bool = False
 
     def __len__(self) -> int:
         return len(self.t)

@@ -18,6 +18,7 @@ class SensorCreep(Effect):
     id = "sensor_creep"
     title = Message.of("effect-sensor-creep-title")
     stage = "sensor"
+    needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Six shares of the load that creep, and one time constant, s."""

@@ -32,6 +32,7 @@ class SensorHysteresis(Effect):
     id = "sensor_hysteresis"
     title = Message.of("effect-sensor-hysteresis-title")
     stage = "sensor"
+    needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Half the heights of six loops as shares of full scale, six logarithms of turning loads over full scale, and their spread."""

@@ -38,6 +38,7 @@ class ToolFlexibility(Effect):
     id = "tool_flexibility"
     title = Message.of("effect-tool-flexibility-title")
     stage = "payload"
+    needs_motion = True
 
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """Two frequencies, Hz, one damping ratio, and two mode shapes (6 each), normalised by mass, sensor frame."""

@@ -34,8 +34,6 @@ Bools = NDArray[np.bool_]
 
 SMOOTHING_S = 0.05
 """Window of the local cubics behind segments and charts."""
-SLOWEST_PERIOD_S = 0.02
-"""Recordings sampled more slowly than this are taken as poses, not as motion."""
 FEWEST_ROWS = 6
 KNOWN_SHARE = 0.5
 """A tilt or delay whose uncertainty is above this share of its prior is not reported."""
@@ -53,7 +51,7 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
     poses = poses_of(recording)
     if recording.wrench is None or poses is None:
         return torque_only(recording, poses)
-    static = poses.period > SLOWEST_PERIOD_S or len(recording) < 50
+    static = poses.apart
     motion, speed = _motion(poses, static)
     # a twin that states a delay means the wrench as it was recorded
     late_s = 0.0 if static or "time_delay" in twin.ids else find_lateness(recording.t, motion, recording.wrench)

@@ -15,6 +15,8 @@ from core.payload.inertia import Motion
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
 
+SLOWEST_PERIOD_S, FEWEST_SAMPLES = 0.02, 50
+"""Sampled more slowly, or fewer, a recording is a list of poses: nothing is known of the way between them."""
 TWIST_S = 0.05
 """Window of the local cubics behind the speed that jitter goes with."""
 LONGEST_STENCIL = 8.0
@@ -67,6 +69,11 @@ class Poses:
     def period(self) -> float:
         """Median sampling period, s."""
         return float(np.median(np.diff(self.t)))
+
+    @property
+    def apart(self) -> bool:
+        """Whether these are poses by themselves and no motion."""
+        return self.period > SLOWEST_PERIOD_S or len(self.t) < FEWEST_SAMPLES
 
     def every(self, k: int) -> Poses:
         """Each k-th row."""

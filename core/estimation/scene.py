@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,6 +16,7 @@ from core.recording.recording import Recording
 from core.robot.dynamics import LinkDynamics, has_masses
 from core.robot.model import RobotModel
 
+Links = tuple[Array, Array] | tuple[None, None]
 SMOOTHING_S = 0.036
 """Of the joints' accelerations."""
 
@@ -23,19 +26,37 @@ def scene_of(recording: Recording, poses: Poses, motion: Motion, segments: tuple
     rows = np.clip(np.searchsorted(poses.t, t - 0.5 * poses.period), 0, len(poses.t) - 1)
     phase = np.concatenate([np.full(part.stop - part.start, part.phase) for part in segments])
     robot = None if recording.robot is None else RobotModel(recording.robot)
-    q = None if recording.q is None else recording.q[rows]
-    dq = None if q is None else np.gradient(q, t, axis=0)
-    link_inertia, link_torque = (None, None) if robot is None else link_dynamics(recording, robot, rows)
+    links = (None, None) if robot is None else link_dynamics(recording, robot, rows)
+    scene = _scene_at(recording, poses, motion, t, rows, robot, links)
+    return replace(scene, phase=phase[rows], dq=None if scene.q is None else np.gradient(scene.q, t, axis=0))
+
+
+def scene_of_poses(recording: Recording, poses: Poses, phase: NDArray[np.str_], rows: NDArray[np.intp]) -> Scene:
+    """Poses by themselves: some rows of a recording, each motionless, with a label for each."""
+    robot = None if recording.robot is None else RobotModel(recording.robot)
+    links: Links = (None, None)
+    if recording.q is not None and robot is not None and has_masses(robot):
+        q = recording.q[rows]
+        model = LinkDynamics(robot, recording.gravity)
+        links = model.inertia(q), model.torque(q, np.zeros_like(q), np.zeros_like(q))
+    scene = _scene_at(recording, poses, Motion.still(poses.g[rows]), poses.t[rows], rows, robot, links)
+    return replace(scene, phase=phase, dq=None if scene.q is None else np.zeros_like(scene.q), apart=True)
+
+
+def _scene_at(
+    recording: Recording, poses: Poses, motion: Motion, t: Array, rows: NDArray[np.intp], robot: RobotModel | None, links: Links
+) -> Scene:
+    """What the rows of a recording say by themselves."""
+    q, (link_inertia, link_torque) = None if recording.q is None else recording.q[rows], links
     return Scene(
         t=t,
-        phase=phase[rows],
+        phase=np.full(len(t), ""),
         motion=motion,
         rotation=poses.rotation[rows],
         position=None if poses.position is None else poses.position[rows],
         gravity=poses.gravity,
         phi=np.zeros(10),
         q=q,
-        dq=dq,
         jacobian=None if q is None or robot is None else np.stack([robot.sensor_jacobian(row) for row in q]),
         torque=None if recording.tau is None else recording.tau[rows],
         link_inertia=link_inertia,
@@ -46,7 +67,7 @@ def scene_of(recording: Recording, poses: Poses, motion: Motion, segments: tuple
     )
 
 
-def link_dynamics(recording: Recording, robot: RobotModel, rows: NDArray[np.intp]) -> tuple[Array, Array] | tuple[None, None]:
+def link_dynamics(recording: Recording, robot: RobotModel, rows: NDArray[np.intp]) -> Links:
     """Inertia (N, n, n) and torque (N, n) of the arm without payload in some rows; None where its masses are not known."""
     if recording.q is None or not has_masses(robot):
         return None, None

@@ -89,7 +89,7 @@ def segments_of_motion(t: Array, omega: Array, speed: Array, g: Array, *, thresh
     still = (np.linalg.norm(omega, axis=1) < threshold[0]) & (speed < threshold[1])
     label = np.where(still, "hold", "transfer").astype("<U10")
     kept = [
-        Segment(part.start, part.stop, _hold_label(g[part.rows]) if part.is_hold else _motion_label(omega[part.rows], speed[part.rows]))
+        Segment(part.start, part.stop, hold_label(g[part.rows]) if part.is_hold else _motion_label(omega[part.rows], speed[part.rows]))
         if not part.is_hold or t[part.stop - 1] - t[part.start] >= SHORTEST_HOLD_S
         else Segment(part.start, part.stop, "transfer")
         for part in segments_of_phase(label)
@@ -114,8 +114,10 @@ def smooth_by_average(x: Array, samples: int) -> Array:
     return np.asarray(uniform_filter1d(x, max(1, samples), axis=0, mode="nearest"))
 
 
-def _hold_label(g: Array) -> str:
-    direction = g.mean(axis=0) / np.linalg.norm(g.mean(axis=0))
+def hold_label(g: Array) -> str:
+    """Of a hold with gravity (N, 3) or (3,) in the sensor frame."""
+    mean = np.atleast_2d(g).mean(axis=0)
+    direction = mean / np.linalg.norm(mean)
     axis = int(np.argmax(np.abs(direction)))
     if abs(direction[axis]) < ALONG_AXIS:
         return "hold:free"

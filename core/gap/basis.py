@@ -5,15 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from scipy.sparse import csr_array, eye_array
 
 from core.array import Array
 from core.errors import HeftError
 from core.estimation.kinematics import Poses, axial, poses_of, smooth_motion
-from core.estimation.noise import sensor_noise, unknown_noise
-from core.estimation.scene import scene_of
-from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase, stretches
+from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
+from core.estimation.scene import scene_of, scene_of_poses
+from core.estimation.segments import Segment, cut_at_gaps, hold_label, motionless, segments_of_motion, segments_of_phase, stretches
 from core.estimation.weak_form import RawFeatures, regressor_of
-from core.gap.windows import Basis, window_matrix
+from core.gap.windows import Basis, Rows, window_matrix, window_rows
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
 
@@ -21,11 +22,12 @@ GRID_S = 0.005
 """Period of the scene that effects are applied to."""
 SMOOTHING_S = 0.036
 """Of the motion that effects act on: short enough for the corners of a trapezoid, long enough for the encoders' noise."""
-SHORTEST_S = 3.0
+SHORTEST_S, FEWEST_SAMPLES = 3.0, 200
 NARROW_S = 0.0125
 """Knot spacing of the narrow windows."""
-SLOWEST_PERIOD_S = 0.02
 NOTHING_MOVES_RAD = 0.02
+FEWEST_POSES = 16
+"""A linear channel under any gravity that drifts can follow eleven of them whatever the noise."""
 
 
 class TooLittleError(HeftError):
@@ -43,14 +45,59 @@ def basis_of(recording: Recording) -> Basis:
         raise TooLittleError("gap-no-wrench")
     if poses is None:
         raise TooLittleError("gap-no-motion")
-    if poses.period > SLOWEST_PERIOD_S or len(recording) < 200:
-        raise TooLittleError("gap-poses-only", samples=len(recording), rate_hz=1.0 / poses.period)
-    if recording.t[-1] - recording.t[0] < SHORTEST_S:
+    if poses.apart:
+        _check_that_it_turns(poses)
+        return basis_of_poses(recording, poses, recording.wrench)
+    if recording.t[-1] - recording.t[0] < SHORTEST_S or len(recording) < FEWEST_SAMPLES:
         lasts_s = float(recording.t[-1] - recording.t[0])
         raise TooLittleError("gap-too-short", lasts_s=lasts_s)
+    _check_that_it_turns(poses)
+    return build_unchecked_basis(recording, poses, recording.wrench)
+
+
+def _check_that_it_turns(poses: Poses) -> None:
     if float(np.ptp(poses.g, axis=0).max()) < NOTHING_MOVES_RAD * 9.81:
         raise TooLittleError("gap-hardly-turns")
-    return build_unchecked_basis(recording, poses, recording.wrench)
+
+
+def basis_of_poses(recording: Recording, poses: Poses, wrench: Array) -> Basis:
+    """The basis of a list of poses with one wrench (N, 6) each, averaged or not; where they are labelled, holds alone count.
+
+    Raises:
+        TooLittleError: so few that noise cannot be told from a gap.
+    """
+    is_hold = np.ones(len(poses.t), dtype=bool) if recording.phase is None else np.char.startswith(recording.phase, "hold")
+    kept = np.flatnonzero(is_hold)
+    if len(kept) < FEWEST_POSES:
+        raise TooLittleError("gap-too-few-poses", poses=len(kept), needed=FEWEST_POSES)
+    g, R, t, w = poses.g[kept], poses.rotation[kept], poses.t[kept], wrench[kept]
+    phase = np.array([hold_label(each) for each in g]) if recording.phase is None else recording.phase[kept]
+    V = regressor_of(-g, np.zeros((len(g), 3, 3)))
+    known = recording.reference_of_whole
+    each = csr_array(eye_array(len(t)))
+    return Basis(
+        poses,
+        noise_of_poses(t, R, w, recording.sensor.noise_std),
+        tuple(Segment(int(k), int(k) + 1, str(name)) for k, name in zip(kept, phase, strict=True)),
+        scene_of_poses(recording, poses, phase, kept),
+        w,
+        V,
+        None if known is None else known.phi,
+        each,
+        csr_array(each.shape),
+        Rows(t, poses.period, each, np.zeros(len(t), dtype=np.intp)),
+    )
+
+
+def noise_of_poses(t: Array, rotation: Array, wrench: Array, stated: Array | None) -> WrenchNoise:
+    """Noise of one pose's wrench: what is left of wrenches (N, 6) when each channel may be linear in the sensor's attitude (N, 3, 3) and in
+    time t (N,), as it is under any gravity, with any rigid payload, on any linear sensor that drifts; no more than is stated of one
+    sample (6,)."""
+    columns = np.column_stack((rotation.reshape(len(t), 9), np.ones(len(t)), t - t.mean()))
+    left = wrench - columns @ np.linalg.lstsq(columns, wrench, rcond=None)[0]
+    std = np.sqrt(np.square(left).sum(axis=0) / (len(t) - columns.shape[1]))
+    std = np.maximum(std if stated is None else np.minimum(std, stated), 1e-9)
+    return WrenchNoise(std, np.ones(6), measured=True)
 
 
 def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> Basis:
@@ -70,7 +117,8 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     scene = replace(scene_of(recording, poses, Motion(g, a, omega, axial(B)), segments, t), window=narrow)
     known = recording.reference_of_whole
     reference = None if known is None else known.phi
-    return Basis(poses, noise, segments, scene, np.asarray(spread @ wrench), regressor_of(a - g, B), reference, spread, raw.difference)
+    V, rows = regressor_of(a - g, B), window_rows(poses, t)
+    return Basis(poses, noise, segments, scene, np.asarray(spread @ wrench), V, reference, spread, raw.difference, rows)
 
 
 def segments_of(recording: Recording, motion: Motion, speed: Array) -> tuple[Segment, ...]:

@@ -22,6 +22,7 @@ from core.recording.folder import recording_sha256
 from core.recording.recording import Recording
 from core.twin.model import explain_lacks, find_effect, find_terms
 from core.twin.twin import NOMINAL, Twin
+from core.words.message import Message
 
 
 def diagnose(recording: Recording, effects: Sequence[Effect] | None = None, twin: Twin = NOMINAL) -> Diagnosis:
@@ -62,9 +63,15 @@ def examine(
         evidence = replace(evidence, proposals=proposals(recording, windows, evidence.rivals))
     told = answer(recording, evidence)
     lacking = describe_limits({find_effect(name): reason for name, reason in explain_lacks(twin, basis.scene).items()})
-    held = {"twin": [term.effect.id for term in windows.held], "limits": [*evidence.limits, *lacking]}
+    apart = _describe_poses(recording) if basis.scene.apart else []
+    held = {"twin": [term.effect.id for term in windows.held], "limits": [*apart, *evidence.limits, *lacking]}
     origin = None if folder is None else find_origin(recording, folder, twin)
     return told.model_copy(update={**held, "origin": origin, "seconds": time.perf_counter() - began}), evidence
+
+
+def _describe_poses(recording: Recording) -> list[Message]:
+    stated = recording.sensor.noise_std is not None
+    return [Message.of("gap-of-poses"), *([] if stated else [Message.of("gap-noise-of-poses")])]
 
 
 def find_origin(recording: Recording, folder: Path, twin: Twin) -> Origin:

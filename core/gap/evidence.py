@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from core.effects.effect import Effect
+from core.effects.scene import Scene
 from core.gap.answer import Verdict
 from core.gap.attribution import Attribution, attribute, leftover, probabilities
 from core.gap.effect_fit import EffectFit, fit_nominal
@@ -86,7 +87,7 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     """Fits all effects singly, and the most promising pairs."""
     nominal = fit_nominal(windows)
     scene = windows.basis.scene.with_phi(nominal.phi)
-    absences = {effect: effect.explain_absence(scene) for effect in effects}
+    absences = {effect: _explain_absence(effect, scene) for effect in effects}
     shown = [effect for effect, reason in absences.items() if reason is None]
     residual = windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
@@ -95,6 +96,12 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     pairs = _pairs(windows, nominal, singles, shown, fit_all)
     attribution = attribute(windows, nominal, [*singles, *pairs])
     return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribution, describe_limits(absences))
+
+
+def _explain_absence(effect: Effect, scene: Scene) -> Message | None:
+    if scene.apart and effect.needs_motion:
+        return Message.of("effect-poses-apart")
+    return effect.explain_absence(scene)
 
 
 def describe_limits(reasons: Mapping[Effect, Message | None]) -> tuple[Message, ...]:

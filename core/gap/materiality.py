@@ -53,7 +53,8 @@ def payload_shift(nominal: EffectFit, best: EffectFit) -> Message:
     if not best.effects:
         return Message.of("gap-payload-as-it-is")
     shift = nominal.phi - best.phi
-    share = np.abs(shift) / sizes(best.phi)
+    size = sizes(best.phi)
+    share = np.abs(shift) / np.where(size > 0.0, size, np.inf)  # poses alone leave the inertia where it was, at nothing
     return Message.of(
         "gap-payload-changed",
         mass_kg=shift[0],

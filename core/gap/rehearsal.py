@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, RotationSpline
 
 from core.array import Array
-from core.estimation.kinematics import Poses, axial
+from core.estimation.kinematics import SLOWEST_PERIOD_S, Poses, axial
 from core.planning.settings import Timing
 from core.planning.stop import Stop, Swings, Wave, wave_shape
 from core.recording.recording import Recording
@@ -42,7 +42,7 @@ class Piece:
 
 
 def rehearse(recording: Recording, poses: Poses, stops: tuple[Stop, ...]) -> Recording:
-    """The recording's robot going through the stops, without a wrench (zeros), at the recording's period."""
+    """The recording's robot going through the stops, without a wrench (zeros), at the recording's period where that is one of motions."""
     actor = _Poses(poses) if recording.q is None or recording.robot is None else _Joints(recording, poses)
     pieces = [Piece(actor.still(TIMING.hold_s), "hold:free")]
     for stop in stops:
@@ -57,7 +57,7 @@ def rehearse(recording: Recording, poses: Poses, stops: tuple[Stop, ...]) -> Rec
             pieces += [Piece(actor.make_wave(stop.wave), "transfer"), replace(hold, path=actor.still(TIMING.settle_s))]
     path = np.concatenate([piece.path for piece in pieces])
     coarse = np.arange(len(path), dtype=np.float64) * STEP_S
-    t = np.arange(0.0, coarse[-1], poses.period)
+    t = np.arange(0.0, coarse[-1], min(poses.period, SLOWEST_PERIOD_S))
     phase = np.concatenate([np.full(len(piece.path), piece.phase) for piece in pieces])[np.searchsorted(coarse, t, side="right") - 1]
     bare = Recording(t=t, gravity=recording.gravity, wrench=np.zeros((len(t), 6)), phase=phase, sensor=recording.sensor)
     temperature = None if recording.temperature is None else np.full(len(t), recording.temperature[-1])

@@ -37,6 +37,8 @@ def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit,
     acting = {effect.id for effect in fit.effects}
     found: list[tuple[Symptom, Finding]] = []
     for symptom in symptoms():
+        if windows.basis.scene.apart and symptom.side != "reference":
+            continue
         finding = symptom.observe(recording, view)
         if finding is None or finding.sigma < SEEN_SIGMA or acting & set(symptom.resembled_by):
             continue

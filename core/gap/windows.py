@@ -47,6 +47,23 @@ FORGOTTEN_S = 0.5
 
 
 @dataclass(frozen=True)
+class Rows:
+    """Where the equations of each channel lie: at windows of a motion, or at poses.
+
+    Args:
+        centres: (K,), s.
+        step: between two of them, s.
+        average: (K, N), mean over the scene's grid for each.
+        part: (K,), number of the stretch between two pauses that it belongs to.
+    """
+
+    centres: Array
+    step: float
+    average: csr_array
+    part: NDArray[np.intp]
+
+
+@dataclass(frozen=True)
 class Basis:
     """Everything about a recording that the windows are built from.
 
@@ -62,6 +79,7 @@ class Basis:
         V: (N, 6, 10), nominal regressor, likewise.
         reference: (10,), the payload as somebody else knows it, None where nobody does.
         spread: (N, samples), the narrow windows; `difference`: (samples, samples), second differences of the poses.
+        rows: of the equations.
     """
 
     poses: Poses
@@ -73,6 +91,7 @@ class Basis:
     reference: Array | None
     spread: csr_array
     difference: csr_array
+    rows: Rows
 
 
 class Windows:
@@ -87,16 +106,14 @@ class Windows:
         self.basis = basis
         self.held = held
         t = basis.scene.t
-        self.step = window_spacing(basis.poses)
-        self.centres = window_centres(t, self.step)
-        self._to_windows = window_matrix(self.centres, self.step, t)
+        self.step, self.centres, self._to_windows = basis.rows.step, basis.rows.centres, basis.rows.average
         self.y = y = self._average(basis.wrench)
         """(K, 6), measured, N and N m."""
         V = self._average(basis.V)
         phi = self._first_phi(y, V)
         self._factors = self._whiteners(phi)
         nominal = basis.V @ phi
-        rate = np.gradient(nominal, t, axis=0)
+        rate = np.zeros_like(nominal) if basis.scene.apart else np.gradient(nominal, t, axis=0)
         late = self._average(np.stack((-rate, 0.5 * np.gradient(rate, t, axis=0)), axis=2))
         gain = np.einsum("kc,cd->kcd", V @ phi, np.eye(6))
         constant, later = np.split(self._offsets(), [6], axis=2)
@@ -117,7 +134,7 @@ class Windows:
 
     def _offsets(self) -> Array:
         """(K, 6, 6 + 6 p), of all rows, and of those between each of the p pauses and the next."""
-        part = np.cumsum(np.diff(self.centres, prepend=self.centres[0]) > PAUSE_S)
+        part = self.basis.rows.part
         rows = [np.ones(len(part)), *(part == k for k in range(1, part[-1] + 1))]
         return np.concatenate([np.multiply.outer(row, np.eye(6)) for row in rows], axis=2)
 
@@ -203,9 +220,12 @@ class Windows:
         return self.step / self.basis.poses.period
 
 
-def window_spacing(poses: Poses) -> float:
-    """Spacing of the windows, s."""
-    return max(STEP_S, 8.0 * poses.period)
+def window_rows(poses: Poses, t: Array) -> Rows:
+    """Windows over the grid t (N,) of a motion."""
+    step = max(STEP_S, 8.0 * poses.period)
+    centres = window_centres(t, step)
+    part = np.cumsum(np.diff(centres, prepend=centres[0]) > PAUSE_S)
+    return Rows(centres, step, window_matrix(centres, step, t), part)
 
 
 def window_centres(t: Array, step: float) -> Array:

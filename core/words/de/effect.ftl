@@ -48,6 +48,7 @@ effect-no-load-reverses = an keinem Gelenk wechselt die Last die Seite: Spiel si
 effect-no-position = die Aufzeichnung sagt nicht, wo der Sensor ist
 effect-one-place = der Sensor bleibt an einem Ort
 effect-nothing-turns = in dieser Aufzeichnung dreht sich nichts: im Stillstand zeigt sich nicht, wo der Ursprung des Sensors liegt
+effect-poses-apart = es wurden nur Lagen aufgezeichnet, und er zeigt sich auf dem Weg dazwischen
 effect-sensor-still = der Sensor steht still (unter { SIGNIFICANT($rate_rad_s, digits: 3) } rad/s), und der Zeitbezug zeigt sich nur, solange sich Lasten ändern
 effect-no-range = seine Parameter sind Anteile am Messbereich des Sensors, den die Aufzeichnung nicht angibt; an dessen Stelle stand die größte Last dieses Laufs
 

@@ -9,7 +9,9 @@ gap-summary-and = { $said } { $more }
 # Why nothing can be said.
 gap-no-wrench = die Aufzeichnung enthält keine Kräfte am Handgelenk: die Abweichung der Gelenkmomente allein zeigt nur die Seite der Gelenke
 gap-no-motion = die Aufzeichnung enthält weder Gelenke noch Lagen
-gap-poses-only = { $samples } Messwerte mit { FIXED($rate_hz, digits: 0) } Hz sind einzelne Lagen, keine Bewegung: aus ihnen folgt nur eine Last
+gap-too-few-poses = { $poses } Lagen sind zu wenige, um eine Abweichung vom Rauschen zu unterscheiden: mindestens { $needed } werden gebraucht
+gap-of-poses = es wurden nur Lagen aufgezeichnet: was auf dem Weg zwischen ihnen geschieht, ist nicht zu sehen
+gap-noise-of-poses = das Rauschen einer Lage ist nicht angegeben: dafür steht, was ein linearer Sensor unter beliebiger Schwerkraft übrig ließe, und darin kann sich eine Abweichung anderer Art verbergen (`sensor.noise_std` gibt es an)
 gap-too-short = { FIXED($lasts_s, digits: 1) } s sind zu kurz, um etwas zu sagen
 gap-hardly-turns = der Sensor dreht sich kaum: so lassen sich Last, Nullpunkte und Effekte nicht trennen
 

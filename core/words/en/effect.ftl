@@ -48,6 +48,7 @@ effect-no-load-reverses = no joint's load changes its side: play looks like an o
 effect-no-position = the recording does not say where the sensor is
 effect-one-place = the sensor stays in one place
 effect-nothing-turns = nothing turns in this recording: the place of the sensor's origin does not show at rest
+effect-poses-apart = only poses were recorded, and it shows on the way between them
 effect-sensor-still = the sensor stays still (below { SIGNIFICANT($rate_rad_s, digits: 3) } rad/s), and timing shows only while loads change
 effect-no-range = its parameters are shares of the sensor's range, which the recording does not state; the largest load of this run stood for it
 

@@ -9,7 +9,9 @@ gap-summary-and = { $said } { $more }
 # Why nothing can be said.
 gap-no-wrench = the recording has no wrist wrench: the gap of joint torques alone is shown by the joint side only
 gap-no-motion = the recording has neither joints nor poses
-gap-poses-only = { $samples } samples at { FIXED($rate_hz, digits: 0) } Hz are poses, not motion: only a payload can be fitted to them
+gap-too-few-poses = { $poses } poses are too few to tell a gap from noise: at least { $needed } are needed
+gap-of-poses = only poses were recorded: what happens on the way between them cannot be seen
+gap-noise-of-poses = the noise of a pose is not stated: what a linear sensor under any gravity would leave stands for it, and a gap of another kind may hide in that (`sensor.noise_std` states it)
 gap-too-short = { FIXED($lasts_s, digits: 1) } s are too short to say anything
 gap-hardly-turns = the sensor hardly turns: payload, offsets and effects cannot be told apart
 
