@@ -224,7 +224,7 @@ def window_rows(poses: Poses, t: Array) -> Rows:
     """Windows over the grid t (N,) of a motion."""
     step = max(STEP_S, 8.0 * poses.period)
     centres = window_centres(t, step)
-    part = np.cumsum(np.diff(centres, prepend=centres[0]) > PAUSE_S)
+    part = np.cumsum(np.diff(centres, prepend=centres[0]) > PAUSE_S, dtype=np.intp)
     return Rows(centres, step, window_matrix(centres, step, t), part)
 
 
