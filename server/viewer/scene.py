@@ -28,6 +28,7 @@ STEEL, LOAD, SOLID, ZONE, GHOST, PATH, NEAR, THROW = (
 )  # fmt: skip
 """Grey ground; colour for what is to be minded."""
 INK: Colour = (20, 24, 27)
+SKY, GROUND, LAMP = (255, 255, 255), (120, 126, 132), (1.5, -3.0, 4.0)
 LOAD_OPACITY, ZONE_OPACITY = 0.6, 0.35
 ARROW_S = 1.5
 """Length of the arrow that shows where the load would fly, as time at its speed."""
@@ -39,6 +40,11 @@ def open_server() -> viser.ViserServer:
     for message in (messages.ShareUrlRequest, messages.ShareUrlDisconnect):
         server._websock_server.unregister_handler(message)
     server.scene.set_up_direction("+z")
+    # light from an environment takes a tablet without a graphics card seconds to work out, and with shadows each frame four times as long
+    server.scene.configure_environment_map(None)
+    server.scene.configure_default_lights(enabled=False)
+    server.scene.add_light_hemisphere("/lights/sky", sky_color=SKY, ground_color=GROUND, intensity=2.6)
+    server.scene.add_light_directional("/lights/lamp", intensity=1.4, cast_shadow=False, position=LAMP)
     server.gui.configure_theme(control_width="small", show_logo=False, show_share_button=False)
     server.gui.main_panel.minimize()
     return server
