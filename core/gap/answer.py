@@ -155,7 +155,10 @@ class Where(DiagnosisPart):
     cells: list[PatchPart] = Field(description="The gap by channel, motion and band of frequencies.")
     channel: str = Field(description="The channel with most of it.", examples=["ty"])
     phase: str = Field(description="The motion with most of it.", examples=["rotate:x"])
-    stage: str = Field(description="Where on the way from payload to reading it seems to arise.", examples=["reading"])
+    stage: str | None = Field(
+        description="Where on the way from payload to reading it seems to arise; null where nothing explains it, or there is none.",
+        examples=["sensor"],
+    )
     by_time: list[float] = Field(description="Share of the excess in each tenth of the recording.", examples=[[0.1, 0.1, 0.8]])
     worst_s: tuple[float, float] | None = Field(
         default=None, description="Begin and end of the worst stretch, s; null in answers of earlier versions.", examples=[[31.0, 33.5]]
@@ -203,6 +206,11 @@ class PhiPart(DiagnosisPart):
     std: list[float] = Field(
         description="Standard uncertainties of `phi`, in the same units.",
         examples=[[0.002, 0.0003, 0.0003, 0.0003, 0.0001, 0.0001, 0.0001, 0.0001, 0.0001, 0.0001]],
+    )
+    determined: list[bool] = Field(
+        default_factory=lambda: [True] * 10,
+        description="Which of them the recording determines; the others are assumed. All true in answers of earlier versions.",
+        examples=[[True] * 10],
     )
 
 

@@ -6,6 +6,7 @@ from functools import reduce
 
 from core.effects.effect import STAGE_NAMES
 from core.effects.parameter_title import find_title
+from core.estimation.determination import find_determined
 from core.gap.addable import split_parameter_rows, why_not_addable
 from core.gap.answer import (
     Change,
@@ -64,7 +65,7 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
         pairs=[explain_both(evidence, fit, p) for fit, p in explained if len(fit.effects) == 2],
         minor=[] if material else _minor(evidence),
         indistinguishable=[_describe_tie(tie, evidence.proposals) for tie in attribution.ties] if material else [],
-        where=_where(recording, Residual(windows, nominal), best),
+        where=_where(recording, Residual(windows, nominal), best, verdict),
         gap=_gap(evidence),
         payload=PayloadPart(before=_payload(nominal), after=_payload(best)),
         consequence=payload_shift(nominal, best) if verdict != "unknown" else Message.of("gap-payload-in-doubt"),
@@ -189,14 +190,14 @@ def _describe_tie(tie: Tie, proposals: tuple[Proposal, ...]) -> Tied:
     )
 
 
-def _where(recording: Recording, residual: Residual, best: EffectFit) -> Where:
-    """The stage is that of the effect which closes most of the gap, be it the cause or only like it."""
-    top = residual.patches[0]
+def _where(recording: Recording, residual: Residual, best: EffectFit, verdict: Verdict) -> Where:
+    """The stage is that of the effect which explains the gap: one that the verdict rejects says nothing of it."""
+    top, explains = residual.patches[0], bool(best.effects) and verdict in ("explained", "ambiguous")
     return Where(
         cells=[PatchPart(**vars(patch)) for patch in residual.patches],
         channel=top.channel,
         phase=top.phase,
-        stage=best.effects[0].stage if best.effects else "sensor",
+        stage=best.effects[0].stage if explains else None,
         by_time=residual.by_time(),
         worst_s=residual.worst_stretch(),
         by_direction=residual.by_direction(),
@@ -207,7 +208,7 @@ def _where(recording: Recording, residual: Residual, best: EffectFit) -> Where:
 
 
 def _payload(fit: EffectFit) -> PhiPart:
-    return PhiPart(phi=fit.phi.tolist(), std=fit.phi_std.tolist())
+    return PhiPart(phi=fit.phi.tolist(), std=fit.phi_std.tolist(), determined=find_determined(fit.phi, fit.phi_std).tolist())
 
 
 def not_enough(reason: Message, seconds: float) -> Diagnosis:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
+from core.estimation.determination import find_determined
 from core.gap.effect_fit import EffectFit
 from core.gap.limits import BEYOND_STD, GAP, SHARES, sizes
 from core.gap.windows import PHI, Windows
@@ -52,14 +53,15 @@ def payload_shift(nominal: EffectFit, best: EffectFit) -> Message:
     """What the effect does to the payload that a controller would use."""
     if not best.effects:
         return Message.of("gap-payload-as-it-is")
-    shift = nominal.phi - best.phi
-    size = sizes(best.phi)
-    share = np.abs(shift) / np.where(size > 0.0, size, np.inf)  # poses alone leave the inertia where it was, at nothing
-    return Message.of(
-        "gap-payload-changed",
-        mass_kg=shift[0],
-        mass_share=share[0],
-        first_moment_kg_m=float(np.linalg.norm(shift[1:4])),
-        first_moment_share=share[1:4].max(),
-        inertia_share=share[4:].max(),
-    )
+    shift, size = nominal.phi - best.phi, sizes(best.phi)
+    known = find_determined(best.phi, best.phi_std)
+    share = np.abs(shift) / np.where(known, size, np.inf)
+    numbers = {
+        "mass_kg": shift[0],
+        "mass_share": share[0],
+        "first_moment_kg_m": float(np.linalg.norm(shift[1:4])),
+        "first_moment_share": share[1:4].max(),
+    }
+    if not known[4:].any():
+        return Message.of("gap-payload-changed-but-inertia", **numbers)
+    return Message.of("gap-payload-changed", **numbers, inertia_share=share[4:].max())

@@ -158,9 +158,10 @@ def _facts(diagnosis: Diagnosis, words: Wording) -> list[Fact]:
         found.append(Fact(words.say("report-gap-closure"), f"{100 * first.closure:.0f} %", interval))
     if where is not None and diagnosis.verdict != "no_gap":
         phase = name_motion(where.phase, words)
-        stage = words.say(STAGES[where.stage]) if where.stage in STAGES else words.quote(where.stage)
-        known = diagnosis.verdict in ("explained", "ambiguous")
-        at = words.say("report-gap-during-at-stage", phase=phase, stage=stage) if known else words.say("report-gap-during", phase=phase)
+        at = words.say("report-gap-during", phase=phase)
+        if where.stage is not None and diagnosis.verdict in ("explained", "ambiguous"):
+            stage = words.say(STAGES[where.stage]) if where.stage in STAGES else words.quote(where.stage)
+            at = words.say("report-gap-during-at-stage", phase=phase, stage=stage)
         found.append(Fact(words.say("report-gap-largest-in"), where.channel, at))
     return found
 

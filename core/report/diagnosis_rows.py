@@ -226,7 +226,9 @@ def payload_rows(payload: PayloadPart, words: Wording = ENGLISH) -> list[Payload
     size = sizes(after)
     rows = []
     both = zip(before, payload.before.std, after, payload.after.std, payload.change_over_interval, strict=True)
+    unknown = words.say("report-not-determined")
     for k, (a, a_std, b, b_std, times) in enumerate(both):
+        known, both_known = payload.after.determined[k], payload.before.determined[k] and payload.after.determined[k]
         factor, unit = (1.0, "kg") if k == 0 else (1e3, "g m") if k < 4 else (1e3, "g m²")
         shift = float(b - a)
         share = abs(shift) / size[k] if size[k] > 0 else 0.0
@@ -234,13 +236,13 @@ def payload_rows(payload: PayloadPart, words: Wording = ENGLISH) -> list[Payload
             PayloadRow(
                 name=LABELS[k],
                 unit=unit,
-                before=words.mark(round_to_uncertainty(factor * float(a), factor * a_std)),
-                before_std=words.mark(round_to_uncertainty(factor * a_std, factor * a_std)),
-                after=words.mark(round_to_uncertainty(factor * float(b), factor * b_std)),
-                after_std=words.mark(round_to_uncertainty(factor * b_std, factor * b_std)),
-                change=words.mark(f"{100 * shift / size[k]:+.2f} %") if size[k] > 0 else "",
-                times_interval="" if times is None else words.mark(f"{abs(times):.1f}"),
-                material=bool(share > SHARES[k] and times is not None and abs(times) > 1.0),
+                before=words.mark(round_to_uncertainty(factor * float(a), factor * a_std)) if payload.before.determined[k] else unknown,
+                before_std=words.mark(round_to_uncertainty(factor * a_std, factor * a_std)) if payload.before.determined[k] else "",
+                after=words.mark(round_to_uncertainty(factor * float(b), factor * b_std)) if known else unknown,
+                after_std=words.mark(round_to_uncertainty(factor * b_std, factor * b_std)) if known else "",
+                change=words.mark(f"{100 * shift / size[k]:+.2f} %") if both_known and size[k] > 0 else "",
+                times_interval=words.mark(f"{abs(times):.1f}") if both_known and times is not None else "",
+                material=bool(both_known and share > SHARES[k] and times is not None and abs(times) > 1.0),
             )
         )
     return rows

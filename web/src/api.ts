@@ -6293,6 +6293,23 @@ export interface components {
              *     ]
              */
             std: number[];
+            /**
+             * Determined
+             * @description Which of them the recording determines; the others are assumed. All true in answers of earlier versions.
+             * @example [
+             *       true,
+             *       true,
+             *       true,
+             *       true,
+             *       true,
+             *       true,
+             *       true,
+             *       true,
+             *       true,
+             *       true
+             *     ]
+             */
+            determined?: boolean[];
         };
         /**
          * PlanPublic
@@ -9668,10 +9685,10 @@ export interface components {
             phase: string;
             /**
              * Stage
-             * @description Where on the way from payload to reading it seems to arise.
-             * @example reading
+             * @description Where on the way from payload to reading it seems to arise; null where nothing explains it, or there is none.
+             * @example sensor
              */
-            stage: string;
+            stage: string | null;
             /**
              * By Time
              * @description Share of the excess in each tenth of the recording.

@@ -27,6 +27,7 @@ gap-against-reference = gegen die Referenzlast
 # What comes of it for the payload.
 gap-payload-as-it-is = Die Größen der Last können verwendet werden, wie sie sind.
 gap-payload-changed = Bleibt der Effekt unberücksichtigt, ändert er die Masse um { MILLI($mass_kg, digits: 1) } g ({ PERCENT($mass_share, digits: 2) } %), das statische Moment um { MILLI($first_moment_kg_m, digits: 2) } g m ({ PERCENT($first_moment_share, digits: 2) } %) und die Trägheit um bis zu { PERCENT($inertia_share, digits: 1) } % ihres größten Moments.
+gap-payload-changed-but-inertia = Bleibt der Effekt unberücksichtigt, ändert er die Masse um { MILLI($mass_kg, digits: 1) } g ({ PERCENT($mass_share, digits: 2) } %) und das statische Moment um { MILLI($first_moment_kg_m, digits: 2) } g m ({ PERCENT($first_moment_share, digits: 2) } %); die Trägheit ist durch diese Aufzeichnung nicht bestimmt.
 gap-payload-in-doubt = Solange die Ursache nicht bekannt ist, kann niemand sagen, was sie mit den Größen der Last macht: verwenden Sie sie mit Vorsicht.
 
 # What this recording cannot say, and what would.

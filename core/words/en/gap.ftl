@@ -27,6 +27,7 @@ gap-against-reference = against the reference payload
 # What comes of it for the payload.
 gap-payload-as-it-is = The payload parameters can be used as they are.
 gap-payload-changed = Left out, it changes the mass by { MILLI($mass_kg, digits: 1) } g ({ PERCENT($mass_share, digits: 2) } %), the first moment by { MILLI($first_moment_kg_m, digits: 2) } g m ({ PERCENT($first_moment_share, digits: 2) } %), the inertia by up to { PERCENT($inertia_share, digits: 1) } % of its largest moment.
+gap-payload-changed-but-inertia = Left out, it changes the mass by { MILLI($mass_kg, digits: 1) } g ({ PERCENT($mass_share, digits: 2) } %), the first moment by { MILLI($first_moment_kg_m, digits: 2) } g m ({ PERCENT($first_moment_share, digits: 2) } %); the inertia is not determined by this recording.
 gap-payload-in-doubt = What it does to the payload cannot be told as long as its cause is not known: use these numbers with care.
 
 # What this recording cannot say, and what would.

@@ -55,6 +55,9 @@ def test_a_base_that_is_not_level_is_named_and_sized():
     found = diagnosis.effects[0].parameters["about_x_rad"]
     assert abs(found.value - 0.03) < 3.0 * found.std + 1e-3
     assert diagnosis.effects[0].closure > 0.9
+    assert diagnosis.where.stage == "mounting"
+    assert diagnosis.payload.after.determined == [True] * 4 + [False] * 6
+    assert diagnosis.consequence.code == "gap-payload-changed-but-inertia"
 
 
 def test_a_drift_over_the_poses_is_named():
@@ -92,6 +95,7 @@ def test_real_poses_get_the_mass_that_their_authors_state_and_no_name_for_attitu
     diagnosis = diagnose(read_recording(REAL / "kuka-med14-static"))
     assert diagnosis.verdict == "unknown"
     assert diagnosis.gap.before < 3.0
+    assert diagnosis.where.stage is None
     assert diagnosis.payload.after.phi[0] == pytest.approx(0.932, rel=0.005)
 
 

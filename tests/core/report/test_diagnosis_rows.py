@@ -61,3 +61,12 @@ def test_a_payload_that_moves_within_its_uncertainty_is_not_marked() -> None:
     narrow = payload_rows(PayloadPart(before=PhiPart(phi=before, std=[0.01] * 10), after=PhiPart(phi=after, std=[0.01] * 10)))
     assert [row.name for row in wide if row.material] == []
     assert [(row.name, row.change, row.times_interval) for row in narrow if row.material] == [("m", "-2.50 %", "1.8")]
+
+
+def test_what_a_recording_does_not_determine_is_said_so_and_has_no_change() -> None:
+    known = [True] * 4 + [False] * 6
+    part = PhiPart(phi=PHI, std=[0.03] * 10, determined=known)
+    rows = payload_rows(PayloadPart(before=PhiPart(phi=PHI, std=[0.03] * 10), after=part))
+    assert [row.after == "not determined" for row in rows] == [not each for each in known]
+    assert {(row.after_std, row.change, row.times_interval) for row in rows[4:]} == {("", "", "")}
+    assert "not determined" not in {row.before for row in rows}

@@ -23,7 +23,7 @@ export function gapSentence(diagnosis: Diagnosis): string {
         [...new Set(named.flatMap(({ stages }) => stages))].map(stage).join(', '),
       );
     case 'unknown':
-      return said.verdict.unknown(stage(diagnosis.where?.stage));
+      return said.verdict.unknown;
     default:
       return said.verdict[diagnosis.verdict];
   }
@@ -38,6 +38,8 @@ export function consequence({ verdict, payload }: Diagnosis): string | null {
   if (shift.every((each) => each === 0)) return said.same;
   const [mass = 0, ...rest] = shift;
   const moment = Math.hypot(...rest.slice(0, 3));
-  const inertia = Math.max(...rest.slice(3).map(Math.abs));
-  return said.shifted(spelt('mass', mass), spelt('moment', moment), spelt('inertia', inertia));
+  const known = rest.slice(3).filter((_, k) => payload.after.determined?.[4 + k] !== false);
+  const told = [spelt('mass', mass), spelt('moment', moment)] as const;
+  if (known.length === 0) return said.shiftedButInertia(...told);
+  return said.shifted(...told, spelt('inertia', Math.max(...known.map(Math.abs))));
 }

@@ -36,14 +36,18 @@ export function PayloadChange({ payload }: { payload: Payload }) {
               <tr key={name}>
                 <th scope="row">{name}</th>
                 <td>
-                  <Measured quantity={quantity} value={before.phi[k]} std={before.std[k]} />
+                  <Measured quantity={quantity} value={knownValue(before, k)} std={before.std[k]} />
                 </td>
                 <td>
-                  <Measured quantity={quantity} value={after.phi[k]} std={after.std[k]} />
+                  <Measured quantity={quantity} value={knownValue(after, k)} std={after.std[k]} />
                 </td>
                 <td>
-                  {spelt(quantity, (after.phi[k] ?? 0) - (before.phi[k] ?? 0))}{' '}
-                  <small>{held(times[k])}</small>
+                  <Changed
+                    quantity={quantity}
+                    from={knownValue(before, k)}
+                    to={knownValue(after, k)}
+                    times={times[k]}
+                  />
                 </td>
               </tr>
             ))}
@@ -54,6 +58,27 @@ export function PayloadChange({ payload }: { payload: Payload }) {
         {words.value.interval}, {said.payloadNote}. {said.changeNote}
       </p>
     </section>
+  );
+}
+
+/** One of the ten; null where the recording does not determine it. */
+function knownValue({ phi, determined }: Payload['before'], k: number): number | null {
+  return determined?.[k] === false ? null : (phi[k] ?? null);
+}
+
+interface ChangedProps {
+  quantity: Quantity;
+  from: number | null;
+  to: number | null;
+  times: number | null | undefined;
+}
+
+function Changed({ quantity, from, to, times }: ChangedProps) {
+  if (from === null || to === null) return null;
+  return (
+    <>
+      {spelt(quantity, to - from)} <small>{held(times)}</small>
+    </>
   );
 }
 

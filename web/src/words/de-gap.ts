@@ -46,7 +46,7 @@ export const deGap: GapWords = {
   verdict: {
     explained: (effect, stage) => `Die Abweichung ist erklärt: ${effect} (Stufe: ${stage}).`,
     ambiguous: (effects, stage) => `Nicht entschieden: ${effects} (Stufe: ${stage}).`,
-    unknown: (stage) => `Kein bekannter Effekt erklärt die Abweichung (Stufe: ${stage}).`,
+    unknown: 'Kein bekannter Effekt erklärt die Abweichung.',
     no_gap: 'Simulation und Aufzeichnung stimmen überein: kein signifikanter Unterschied.',
     not_enough: 'Mit dieser Aufzeichnung ist keine Diagnose möglich.',
   },
@@ -76,6 +76,8 @@ export const deGap: GapWords = {
     same: 'Ihre Größen sind mit und ohne den Effekt dieselben.',
     shifted: (mass, moment, inertia) =>
       `Bleibt der Effekt unberücksichtigt, ändert sich die Masse um ${mass}, das statische Moment um ${moment} und die Trägheit um bis zu ${inertia}.`,
+    shiftedButInertia: (mass, moment) =>
+      `Bleibt der Effekt unberücksichtigt, ändert sich die Masse um ${mass} und das statische Moment um ${moment}. Die Trägheit bestimmt die Aufzeichnung nicht.`,
   },
   twinHad: 'Schon im Zwilling',
   where: 'Ort',

@@ -45,7 +45,7 @@ export const enGap = {
   verdict: {
     explained: (effect: string, stage: string) => `${effect} explains the gap (stage: ${stage}).`,
     ambiguous: (effects: string, stage: string) => `Not settled: ${effects} (stage: ${stage}).`,
-    unknown: (stage: string) => `No known effect explains the gap (stage: ${stage}).`,
+    unknown: 'No known effect explains the gap.',
     no_gap: 'Simulation and recording agree: no significant difference.',
     not_enough: 'Nothing can be diagnosed with this recording.',
   },
@@ -73,6 +73,8 @@ export const enGap = {
     same: 'Its parameters are the same with and without the effect.',
     shifted: (mass: string, moment: string, inertia: string) =>
       `If it is left out, the mass changes by ${mass}, the first moment by ${moment} and the inertia by up to ${inertia}.`,
+    shiftedButInertia: (mass: string, moment: string) =>
+      `If it is left out, the mass changes by ${mass} and the first moment by ${moment}. The recording does not determine the inertia.`,
   },
   twinHad: 'Already in the twin',
   where: 'Location',
