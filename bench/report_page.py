@@ -33,8 +33,10 @@ def main() -> None:
     """Prints size and times for each robot."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("--times", type=int, default=5, help="loads at each speed")
-    parser.add_argument("robots", nargs="*", default=["panda", "ur5", "xarm7"], choices=sorted(ROBOTS))
+    parser.add_argument("robots", nargs="*", default=["ur5", "ur10"], help=f"of {', '.join(ROBOTS)}")
     arguments = parser.parse_args()
+    if unknown := set(arguments.robots) - set(ROBOTS):
+        parser.error(f"no such robot: {', '.join(sorted(unknown))}")
     with tempfile.TemporaryDirectory() as folder, chromium() as browser:
         for name in arguments.robots:
             page = make_report(name, Path(folder))
