@@ -24,6 +24,8 @@ FOLDER = ROOT / "docs" / "pictures" / "console"
 COLOURS = 256
 DRAWN_MS = 4000
 """For the cell in three dimensions, which is drawn without a graphics card here."""
+RUN_MS = 180_000
+"""For a whole run, its holds as long as they are for the pictures."""
 SEEN_S = 8.0
 """How long a pose is held, for there to be an estimate while the pictures are taken."""
 
@@ -89,7 +91,7 @@ def _run_with_pictures(service: RealService, browser: Browser, folder: Path) -> 
         at.without_viewer()
         at.press("Release")
         at.press("START")
-        at.wait(".result table")
+        at.page.wait_for_selector(".result table", timeout=RUN_MS)
         at.wait(".result aside .download")
         picture(at, folder, "result", 1500)
         return at.page.url.rsplit("/", 1)[1]
@@ -161,9 +163,10 @@ def _gap(service: RealService, browser: Browser, folder: Path) -> str:
         page = show(at, "gap")
         page.get_by_label("Recording (zip)").set_input_files(tilted_recording(Path(recordings)))
         at.tap(page.locator(".recording-upload button"))
-        at.wait(".overlay canvas")
+        at.wait(".gap-verdict")
         diagnosis = page.url.rsplit("/", 1)[1]
         picture(at, folder, "diagnosis")
+        _unfold_evidence(at)
         page.locator(".how-far").scroll_into_view_if_needed()
         picture(at, folder, "diagnosis-how-far")
         at.press("Add to the twin")
@@ -179,6 +182,11 @@ def _gap(service: RealService, browser: Browser, folder: Path) -> str:
         page.get_by_role("link", name="Score sheet").wait_for()
         picture(at, folder, "trial")
         return diagnosis
+
+
+def _unfold_evidence(at: Tablet) -> None:
+    at.tap(at.page.locator(".evidence:not([open]) > summary"))
+    at.wait(".overlay canvas")
 
 
 def _open_questions(service: RealService, browser: Browser, folder: Path, diagnosis: str) -> None:
@@ -216,7 +224,7 @@ def _german(service: RealService, browser: Browser, folder: Path, run: str, diag
         at.wait(".result table")
         picture(at, folder, "result-german", 1500)
         show(at, "gap", diagnosis)
-        at.wait(".overlay canvas")
+        _unfold_evidence(at)
         picture(at, folder, "diagnosis-german")
 
 
