@@ -1,6 +1,7 @@
 """Whatever is tapped, in whatever order: the robot moves after a release of the shown plan only, and the console stays whole.
 
-`HEFT_TAPS=5000 HEFT_TAPS_SEED=7 python -m pytest -s -o faulthandler_timeout=0 tests/web/test_random_taps.py` taps for longer, and in another order.
+For longer, and in another order:
+`HEFT_TAPS=5000 HEFT_TAPS_SEED=7 python -m pytest -s -o faulthandler_timeout=0 tests/web/test_random_taps.py`
 """
 
 from __future__ import annotations
