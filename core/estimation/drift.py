@@ -92,10 +92,36 @@ class Slope:
     ratio: float
     share: float
 
-    def improve(self, rate: float, least: float, most: float) -> float:
-        """One step of Newton on the logarithms, damped, towards the rate that maximises the likelihood between two bounds."""
-        step = np.log(self.ratio) / max(self.share, 1e-3)
-        return float(np.clip(rate * np.exp(np.clip(step, -LONGEST_STEP, LONGEST_STEP)), least, most))
+    @property
+    def step(self) -> float:
+        """Newton's, of the logarithm of the rate towards the largest likelihood, no longer than `LONGEST_STEP`."""
+        return float(np.clip(np.log(self.ratio) / max(self.share, 1e-3), -LONGEST_STEP, LONGEST_STEP))
+
+
+class RateSearch:
+    """The rates of the six walks on their way to the largest restricted likelihood.
+
+    Where the noise hides most of a walk, the likelihood is flat and Newton's step leads past the maximum and back for ever. So a step that
+    turns back halves how far the rate of this channel goes from now on: the search ends between two places, as a bisection does.
+
+    Args:
+        rate: (6,), where the search begins. least, most: (6,), bounds.
+    """
+
+    def __init__(self, rate: Array, least: Array, most: Array) -> None:
+        self.rate, self._least, self._most = rate, least, most
+        self._reach, self._last = np.full(len(rate), LONGEST_STEP), np.zeros(len(rate))
+
+    def begin(self) -> None:
+        """The search goes on in another model: nothing is known of where its maxima lie."""
+        self._reach[:], self._last[:] = LONGEST_STEP, 0.0
+
+    def improve(self, c: int, slope: Slope) -> None:
+        """One step of one channel."""
+        if slope.step * self._last[c] < 0.0:
+            self._reach[c] *= 0.5
+        self._last[c] = step = np.clip(slope.step, -self._reach[c], self._reach[c])
+        self.rate[c] = np.clip(self.rate[c] * np.exp(step), self._least[c], self._most[c])
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ from core.array import Array
 from core.estimation.banded import difference, factorise, invert, of_differences, whiten
 from core.estimation.budget import Budget, Source
 from core.estimation.determination import SIZE_M, find_determined
-from core.estimation.drift import Channel, Levelled, level_offsets, slope_of, walk_in
+from core.estimation.drift import Channel, Levelled, RateSearch, level_offsets, slope_of, walk_in
 from core.estimation.noise import WrenchNoise, find_noise_factor
 from core.estimation.noisy_columns import Solution, compensate
 from core.estimation.nuisances import (
@@ -137,7 +137,7 @@ def refit(form: WeakForm, wrench: Array, found: Fit) -> Array:
     """`x` (19 + b,) for a wrench (N, 6) that differs little from the fitted one: one step from what was found, with its weights."""
     problem = _Problem(form, wrench, found.noise, found.nuisances)
     problem.strength[:], problem.fitted, problem.std = found.strength, [], np.sqrt(np.diag(found.covariance)[:10])
-    problem.rate[:] = found.walk
+    problem.search.rate[:] = found.walk
     covariance, x = problem.step(found.x, found.scale)
     return problem.level(covariance, x).x
 
@@ -172,8 +172,9 @@ class _Problem:
         self.y = form.average(wrench)
         self.wrench_gram, self.pose_gram = form.gram
         self.walk = walk_in(form)
-        self.rate = np.minimum((FIRST_WALK * noise.std) ** 2, noise.fastest_walk)
-        """(6,), of the walk."""
+        least = (LEAST_WALK * noise.std) ** 2
+        first = np.minimum((FIRST_WALK * noise.std) ** 2, noise.fastest_walk)
+        self.search = RateSearch(first, least, np.maximum(least, noise.fastest_walk))
         self.nuisances = None if nuisances is None else NuisanceColumns(form, nuisances)
         self.size = OFFSET.stop + (0 if nuisances is None else nuisances.size)
         self.strength = np.ones(self.size - OFFSET.stop)
@@ -192,6 +193,7 @@ class _Problem:
     def solve(self, scale: Array) -> Fit:
         """Gauss-Newton with the noise variance multiplied by `scale` (6,)."""
         converged, undamped = False, UNDAMPED
+        self.search.begin()
         x = self.start
         for k in range(ITERATIONS):
             previous, before = x, self.std
@@ -203,6 +205,7 @@ class _Problem:
                 break
             if converged:
                 undamped = k + UNDAMPED
+                self.search.begin()
             if k >= undamped:
                 x = 0.5 * (x + previous)
             if k >= SETTLED:
@@ -214,7 +217,7 @@ class _Problem:
         whitened = np.array([at.residual for at in self.channels])
         return Fit(
             level.x, level.covariance, repeatability, directions,
-            self.form.centres, level.drift, level.drift_std, self.rate.copy(), whitened, np.ones(6), self.noise,
+            self.form.centres, level.drift, level.drift_std, self.search.rate.copy(), whitened, np.ones(6), self.noise,
             nuisances=held, strength=self.strength.copy(), converged=converged and within,
         )  # fmt: skip
 
@@ -222,13 +225,11 @@ class _Problem:
         """One step towards the rates of the walk that maximise the restricted likelihood, where the model holds."""
         for c, channel in enumerate(self.channels if self.walk.bands.any() else ()):
             if scale[c] == 1.0:
-                slope = slope_of(self.rate[c], self.walk.bands, channel, self.solution.plain)
-                least = (LEAST_WALK * self.noise.std[c]) ** 2
-                self.rate[c] = slope.improve(self.rate[c], least, max(least, self.noise.fastest_walk[c]))
+                self.search.improve(c, slope_of(self.search.rate[c], self.walk.bands, channel, self.solution.plain))
 
     def level(self, covariance: Array, x: Array) -> Levelled:
         """The drift, and the unknowns with the offsets' mean over the recording, where the last linearisation has their first value."""
-        return level_offsets(x, covariance, self.channels, self.walk, self.rate, OFFSET)
+        return level_offsets(x, covariance, self.channels, self.walk, self.search.rate, OFFSET)
 
     def _rows_of_channel(self, c: int) -> NDArray[np.intp]:
         """Which unknowns show in one channel, in the order of its columns."""
@@ -248,7 +249,7 @@ class _Problem:
             # slow windows see no noise of the pose: a little of the sensor's keeps the matrix regular when there is next to none
             kinematic = self.pose_gram.find_variance_through(M[c])
             sensor = max(self.noise.variance[c] * scale[c], LEAST_SENSOR_SHARE * float((kinematic[0] / self.wrench_gram[0]).max()))
-            walk = self.walk.covariance(self.rate[c], c)
+            walk = self.walk.covariance(self.search.rate[c], c)
             factor = factorise(difference(sensor * self.wrench_gram + kinematic) + walk)
             own = [seen.shared[:, c], np.ones((len(self.y), 1))]
             if self.nuisances is not None:

@@ -7,7 +7,18 @@ import pytest
 from scipy.interpolate import BSpline
 
 from core.estimation.banded import difference, factorise, whiten
-from core.estimation.drift import STEP_STD, Channel, Slope, Walk, increments_of_walk, level_offsets, slope_of, variance_between, walk_in
+from core.estimation.drift import (
+    STEP_STD,
+    Channel,
+    RateSearch,
+    Slope,
+    Walk,
+    increments_of_walk,
+    level_offsets,
+    slope_of,
+    variance_between,
+    walk_in,
+)
 from core.estimation.generalised_least_squares import fit
 from core.estimation.kinematics import Poses
 from core.estimation.noise import WrenchNoise
@@ -84,17 +95,21 @@ def restricted_likelihood(rate: float, X: np.ndarray, y: np.ndarray) -> float:
     return float(-0.5 * (np.linalg.slogdet(C)[1] + np.linalg.slogdet(information)[1] + r @ np.linalg.solve(C, r)))
 
 
+def searched(X: np.ndarray, y: np.ndarray, steps: int) -> float:
+    search = RateSearch(np.array([1e-3]), np.array([1e-8]), np.array([10.0]))
+    for _ in range(steps):
+        channel, covariance, _ = whitened(search.rate[0], X, y)
+        search.improve(0, slope_of(search.rate[0], POINTS.bands, channel, covariance))
+    return float(search.rate[0])
+
+
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("truth", [0.0, 0.01, 0.2])
 def test_the_rate_is_where_a_scan_of_the_dense_likelihood_has_its_largest_value(seed: int, truth: float) -> None:
     X, y = made(np.random.default_rng(seed), truth)
     rates = np.geomspace(1e-8, 10.0, 400)
     scan = [restricted_likelihood(rate, X, y) for rate in rates]
-    rate = 1e-3
-    for _ in range(12):
-        channel, covariance, _ = whitened(rate, X, y)
-        rate = slope_of(rate, POINTS.bands, channel, covariance).improve(rate, 1e-8, 10.0)
-    assert restricted_likelihood(rate, X, y) > max(scan) - 1e-3
+    assert restricted_likelihood(searched(X, y, 12), X, y) > max(scan) - 1e-3
 
 
 def test_the_estimate_its_covariance_and_the_predicted_walk_are_those_of_the_dense_matrices() -> None:
@@ -124,9 +139,18 @@ def test_the_estimate_its_covariance_and_the_predicted_walk_are_those_of_the_den
 
 
 def test_a_step_is_bounded() -> None:
-    assert Slope(1e9, 1e-9).improve(1e-3, 1e-8, 0.05) == 0.05
-    assert Slope(1e-9, 0.5).improve(1e-3, 1e-8, 0.05) == pytest.approx(1e-5)
-    assert Slope(1.0, 0.5).improve(1e-3, 1e-8, 0.05) == pytest.approx(1e-3)
+    search = RateSearch(np.full(3, 1e-3), np.full(3, 1e-8), np.full(3, 0.05))
+    for c, slope in enumerate((Slope(1e9, 1e-9), Slope(1e-9, 0.5), Slope(1.0, 0.5))):
+        search.improve(c, slope)
+    np.testing.assert_allclose(search.rate, [0.05, 1e-5, 1e-3])
+
+
+def test_steps_that_lead_past_the_maximum_and_back_come_to_rest_at_it() -> None:
+    search, maximum = RateSearch(np.array([1e-3]), np.array([1e-12]), np.array([10.0])), 1e-5
+    for _ in range(25):
+        off = np.log(search.rate[0] / maximum)
+        search.improve(0, Slope(np.exp(-0.2 * off), 0.1))  # each of Newton's steps is twice as long as it should be
+    assert search.rate[0] == pytest.approx(maximum, rel=0.01)
 
 
 def test_between_two_sights_the_walk_is_a_bridge_and_after_the_last_it_walks_away() -> None:
