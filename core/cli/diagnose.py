@@ -6,37 +6,57 @@ from typing import Annotated
 
 import typer
 
+from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
+from core.cli.diagnosis_file import read_diagnosis
 from core.cli.experiments import check_experiment_file, plan_next
 from core.cli.options import JsonOption, LanguageOption, check_new
+from core.cli.series_runs import shorten_names
 from core.cli.tables import (
     diagnosis_lines,
     diagnosis_table,
 )
 from core.cli.terminal import answers, find_wording, messages
+from core.cli.timeline_table import timeline_lines, timeline_table
+from core.errors import BadInput
+from core.gap.answer import Diagnosis
 from core.gap.diagnosis import examine
+from core.gap.evidence import Evidence
+from core.gap.timeline import check_comparable, trace_effects
 from core.gap.twin_addition import addable_to
 from core.recording.folder import read_recording
+from core.recording.recording import Recording
 from core.recording.stated_friction import with_cell_friction
 from core.report.diagnosis_page import write_diagnosis
 from core.report.overlay import overlay_of
 from core.twin.file import read_twin
 from core.twin.twin import NOMINAL
+from core.words.catalogue import Language
 
 app = typer.Typer()
+
+PAGE = "diagnosis.html"
 
 
 @app.command("diagnose")
 def diagnose_command(
-    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recording.")],
+    recordings: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="RECORDING...",
+            help="Folder of a recording. Several of one cell, in the order in which they were made, tell which effect came when; in the "
+            "place of a recording the file that --json wrote of it.",
+        ),
+    ],
     json: JsonOption = None,
     report: Annotated[Path | None, typer.Option(metavar="DIR", help="Folder to make for the report, as a page and as JSON.")] = None,
     cell: Annotated[
         str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin is the start, the next motion is planned there.")
     ] = None,
     experiment: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the next motion for `heft run --experiment`; needs --cell.")
+        Path | None,
+        typer.Option(metavar="FILE", help="Write the next motion for `heft run --experiment`; needs --cell and a single recording."),
     ] = None,
     *,
     language: LanguageOption,
@@ -45,20 +65,16 @@ def diagnose_command(
     check_new(report, json)
     check_experiment_file(experiment, cell)
     made_in = None if cell is None else load_cell(find_cell(cell))
-    twin = NOMINAL if made_in is None else read_twin(made_in)
-    loaded = read_recording(recording)
-    loaded = loaded if made_in is None else with_cell_friction(loaded, made_in)
-    with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
-        diagnosis, evidence = examine(loaded, twin=twin, folder=recording)
+    if len(recordings) > 1:
+        if experiment is not None:
+            raise BadInput("--experiment", "cli-experiment-of-several")
+        _follow(recordings, made_in, json, report, language)
+        return
+    diagnosis, evidence, loaded = _diagnose(recordings[0], made_in)
     if made_in is not None:
-        diagnosis = addable_to(diagnosis, made_in)
-        diagnosis = plan_next(diagnosis, evidence, loaded, recording, made_in, experiment, messages)
+        diagnosis = plan_next(diagnosis, evidence, loaded, recordings[0], made_in, experiment, messages)
     if report is not None:
-        report.mkdir(parents=True, exist_ok=True)
-        write_diagnosis(
-            report / "diagnosis.html", diagnosis=diagnosis, overlay=None if evidence is None else overlay_of(evidence), language=language
-        )
-        write_json(diagnosis.model_dump_json(indent=2), str(report / "diagnosis.json"))
+        _write_report(report, diagnosis, evidence, language)
     if json is not None:
         write_json(diagnosis.model_dump_json(indent=2), json)
     if json != "-":
@@ -66,4 +82,45 @@ def diagnose_command(
         for line in diagnosis_lines(diagnosis):
             answers.print(line, highlight=False)
     if report is not None and json != "-":
-        answers.print(find_wording().say("cli-report", file=str(report / "diagnosis.html")), soft_wrap=True, highlight=False)
+        answers.print(find_wording().say("cli-report", file=str(report / PAGE)), soft_wrap=True, highlight=False)
+
+
+def _follow(recordings: list[Path], made_in: Cell | None, json: str | None, report: Path | None, language: Language) -> None:
+    """Several recordings of one cell: each diagnosed for itself, then held against each other."""
+    names, diagnoses = shorten_names(recordings), []
+    for k, (name, recording) in enumerate(zip(names, recordings, strict=True)):
+        if recording.is_file():
+            diagnoses.append(read_diagnosis(recording))
+        else:
+            messages.print(find_wording().say("cli-diagnosing", name=name, number=k + 1, count=len(recordings)), highlight=False)
+            diagnosis, evidence, _ = _diagnose(recording, made_in)
+            diagnoses.append(diagnosis)
+            if report is not None:
+                _write_report(report / f"{k + 1}", diagnosis, evidence, language)
+        check_comparable(names, diagnoses)
+    timeline = trace_effects(names, diagnoses)
+    if report is not None:
+        write_json(timeline.model_dump_json(indent=2), str(report / "timeline.json"))
+    if json is not None:
+        write_json(timeline.model_dump_json(indent=2), json)
+    if json != "-":
+        answers.print(timeline_table(timeline))
+        for line in timeline_lines(timeline):
+            answers.print(line, highlight=False)
+
+
+def _diagnose(folder: Path, made_in: Cell | None) -> tuple[Diagnosis, Evidence | None, Recording]:
+    """One recording, from the twin of the cell that it was made in."""
+    twin = NOMINAL if made_in is None else read_twin(made_in)
+    loaded = read_recording(folder)
+    loaded = loaded if made_in is None else with_cell_friction(loaded, made_in)
+    with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
+        diagnosis, evidence = examine(loaded, twin=twin, folder=folder)
+    return diagnosis if made_in is None else addable_to(diagnosis, made_in), evidence, loaded
+
+
+def _write_report(folder: Path, diagnosis: Diagnosis, evidence: Evidence | None, language: Language) -> None:
+    """The page for people, and the JSON that takes the recording's place another time."""
+    folder.mkdir(parents=True, exist_ok=True)
+    write_diagnosis(folder / PAGE, diagnosis=diagnosis, overlay=None if evidence is None else overlay_of(evidence), language=language)
+    write_json(diagnosis.model_dump_json(indent=2), str(folder / "diagnosis.json"))

@@ -47,7 +47,7 @@ def read_runs(paths: Sequence[Path]) -> RunsOfSeries:
             raise BadInput(str(path), "cli-no-run", answer=ANSWER, manifest=MANIFEST)
         else:
             results.append(read_result_file(path))
-    return RunsOfSeries(_short_names(paths), tuple(results))
+    return RunsOfSeries(shorten_names(paths), tuple(results))
 
 
 def _identify(folder: Path) -> Result:
@@ -61,7 +61,7 @@ def _identify(folder: Path) -> Result:
     return result_of(identify_recording(recording), recording, seconds=seconds, folder=folder)
 
 
-def _short_names(paths: Sequence[Path]) -> tuple[str, ...]:
+def shorten_names(paths: Sequence[Path]) -> tuple[str, ...]:
     """The last part that tells them apart."""
     parts = [path.resolve().with_suffix("").parts for path in paths]
     for depth in range(1, max(len(each) for each in parts) + 1):

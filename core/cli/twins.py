@@ -9,17 +9,15 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from pydantic import ValidationError
 from rich.table import Table
 
 from core.cell.folder import find_cell, load_cell
+from core.cli.diagnosis_file import read_diagnosis
 from core.cli.options import CellArgument
 from core.cli.terminal import answers, find_wording, messages
-from core.errors import BadInput, BadTwin, together
-from core.files.schema_flaw import schema_flaw
+from core.errors import BadInput, BadTwin
 from core.files.whole_file import write_whole
 from core.gap.addition import add_found
-from core.gap.answer import Diagnosis
 from core.gap.twin_addition import find_effects, with_effect
 from core.twin.file import close_name, read_twin, write_twin
 from core.twin.twin import Entry, Twin
@@ -41,7 +39,7 @@ def add(
     loaded = load_cell(find_cell(cell))
     before = read_twin(loaded)
     if recording.is_file():
-        after = add_found(before, loaded, _read_diagnosis(recording), effect, datetime.now(UTC))
+        after = add_found(before, loaded, read_diagnosis(recording), effect, datetime.now(UTC))
     else:
         with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
             after = with_effect(before, loaded, recording, effect)
@@ -107,16 +105,6 @@ def twin_table(name: str, twin: Twin) -> Table:
 def _parameters(entry: Entry) -> str:
     mark = find_wording().mark
     return "\n".join(mark(f"{name} {p.value:.4g} ± {p.std:.2g}") for name, p in entry.parameters.items())
-
-
-def _read_diagnosis(file: Path) -> Diagnosis:
-    try:
-        return Diagnosis.model_validate_json(file.read_bytes())
-    except OSError as error:
-        raise BadInput(str(file), "cli-result-unreadable", reason=str(error.strerror)) from error
-    except ValidationError as error:
-        flaw = schema_flaw(error.errors()[0]).refusal(BadInput, str(file))
-        raise together([flaw, BadInput(str(file), "cli-no-diagnosis")]) from error
 
 
 def _write(twin: Twin, file: Path) -> None:

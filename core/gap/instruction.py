@@ -126,7 +126,7 @@ def instruct(diagnosis: Diagnosis) -> Instruction:
             found = [_say(name, values, diagnosis) for name, values in parts]
             at_s = next((at for name, values in parts if (at := _when(name, values, diagnosis)) is not None), None)
             return _lead([*(found or [_say_unknown(diagnosis)]), *beside], at_s)
-        case "ambiguous" if _rank(diagnosis):
+        case "ambiguous" if rank_explanations(diagnosis):
             return _settle(diagnosis, beside)
         case "ambiguous" | "unknown":
             return _lead([_say_unknown(diagnosis), *beside], _begin_of_worst(diagnosis))
@@ -159,7 +159,7 @@ def _lead(said: list[Said], at_s: float | None = None) -> Instruction:
 def _settle(diagnosis: Diagnosis, beside: list[Said]) -> Instruction:
     """Measure once more where the robot has a motion that settles it; ask an engineer where it has none."""
     titles = {effect.id: effect.title for effect in diagnosis.effects}
-    names = [reduce(_and, [titles[name] for name in ids if name in titles]) for ids in _find_open(diagnosis)]
+    names = [reduce(_and, [titles[name] for name in ids if name in titles]) for ids in find_open(diagnosis)]
     effects = reduce(lambda first, second: Message.of("effect-or", first=first, second=second), names)
     motion = diagnosis.next_experiment
     if motion is not None and motion.planned:
@@ -173,15 +173,15 @@ def _and(first: Message, second: Message) -> Message:
     return Message.of("effect-and", first=first, second=second)
 
 
-def _find_open(diagnosis: Diagnosis) -> list[tuple[str, ...]]:
+def find_open(diagnosis: Diagnosis) -> list[tuple[str, ...]]:
     """The most probable explanation, and whatever else is probable or cannot be told from it."""
-    ranked = _rank(diagnosis)
+    ranked = rank_explanations(diagnosis)
     best = ranked[0][1]
     tied = {name for tie in diagnosis.indistinguishable if "+".join(best) in tie.ids for name in tie.ids}
     return [ids for k, (p, ids) in enumerate(ranked) if k == 0 or p >= OPEN or "+".join(ids) in tied]
 
 
-def _rank(diagnosis: Diagnosis) -> list[tuple[float, tuple[str, ...]]]:
+def rank_explanations(diagnosis: Diagnosis) -> list[tuple[float, tuple[str, ...]]]:
     """Effects and pairs by their identifiers, the most probable first."""
     singles = [(effect.probability, (effect.id,)) for effect in diagnosis.effects]
     pairs = [(pair.probability, tuple(pair.ids)) for pair in diagnosis.pairs]
@@ -190,7 +190,7 @@ def _rank(diagnosis: Diagnosis) -> list[tuple[float, tuple[str, ...]]]:
 
 def _find_best(diagnosis: Diagnosis) -> list[tuple[str, Values]]:
     """The effects of the most probable explanation with their parameters."""
-    ranked = _rank(diagnosis)
+    ranked = rank_explanations(diagnosis)
     if not ranked:
         return []
     _, best = ranked[0]

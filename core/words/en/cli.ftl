@@ -20,6 +20,9 @@ cli-experiment-without-cell =
 cli-experiment-beside-others =
     .found = --from, --axes or --holds-only beside it
     .expected = none of these: the experiment has its own motion, from home
+cli-experiment-of-several =
+    .found = an experiment for several recordings
+    .expected = one recording: the motion continues it
 cli-experiment-of-another-cell =
     .found = '{ $found }'
     .expected = '{ $cell }', the cell that is to carry it out
@@ -52,6 +55,7 @@ cli-interrupted = heft: interrupted; nothing was moving.
 cli-planning = planning
 cli-estimating = estimating
 cli-fitting = fitting effects
+cli-diagnosing = diagnosing { $name } ({ $number } of { $count })
 cli-trials = trials
 # Cells
 cli-cell = cell
