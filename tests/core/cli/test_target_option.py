@@ -36,6 +36,7 @@ def test_a_recording_is_held_against_a_target(recording: Path) -> None:
     assert identify(recording)["target"] is None
 
 
+@pytest.mark.thorough
 def test_the_requirement_is_that_of_the_cell_that_is_named(recording: Path) -> None:
     found = identify(recording, "--target", "requirement", "--cell", "lwr4_bench")
     assert found["target"]["standing"] == "reached"

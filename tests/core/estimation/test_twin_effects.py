@@ -67,6 +67,7 @@ def test_a_gain_error_is_taken_off_and_its_uncertainty_goes_into_the_payload() -
     assert np.abs((found.series.measured - found.series.reconstructed)[still].mean(axis=0)).max() < 0.05
 
 
+@pytest.mark.thorough
 def test_a_delay_that_the_twin_has_is_no_delay_any_more() -> None:
     assert clean().wrench is not None
     late = np.concatenate([np.repeat(clean().wrench[:1], SAMPLES_LATE, axis=0), clean().wrench[:-SAMPLES_LATE]])

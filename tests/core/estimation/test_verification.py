@@ -46,6 +46,7 @@ def test_something_that_happens_in_one_motion_alone_shows_where_that_motion_is_l
     assert np.argmax(ty) == 4
 
 
+@pytest.mark.thorough
 def test_what_is_left_out_changes_nothing_of_the_prediction(recordings: list[Recording]) -> None:
     """The fit has not seen it: whatever stood there, the difference grows by exactly as much."""
     recording = recordings[1]
@@ -58,6 +59,7 @@ def test_what_is_left_out_changes_nothing_of_the_prediction(recordings: list[Rec
     np.testing.assert_allclose(after.rms[[0, 1, 3, 4, 5]], before.rms[[0, 1, 3, 4, 5]], rtol=0.05)
 
 
+@pytest.mark.thorough
 def test_a_recording_without_rotations_has_nothing_to_leave_out(recordings: list[Recording]) -> None:
     recording = recordings[0]
     still = replace(recording, phase=np.full(len(recording), "transfer"))

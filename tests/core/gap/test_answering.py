@@ -82,6 +82,7 @@ def test_a_run_of_the_default_robot_has_no_gap_and_its_friction_is_no_news(name:
     assert str(diagnosis.summary) == "Simulation and recording agree as far as it matters."
 
 
+@pytest.mark.thorough
 def test_twice_the_stated_friction_is_told_beside_a_verdict_about_the_wrench() -> None:
     usual = Drives()
     diagnosis = diagnose(recorded(drives=Drives(damping_s=2.0 * usual.damping_s, friction=2.0 * usual.friction)), FEW)
@@ -94,6 +95,7 @@ def test_twice_the_stated_friction_is_told_beside_a_verdict_about_the_wrench() -
     assert "rubs" not in diagnosis.summary.text
 
 
+@pytest.mark.thorough
 def test_friction_that_nobody_states_is_told_with_its_size_and_does_not_matter() -> None:
     friction = beside(diagnose(replace(recorded(), friction=None), FEW))["joint_friction"]
     assert not friction.material
@@ -123,6 +125,7 @@ def test_it_stands_beside_an_effect_in_the_wrench_and_takes_no_part_in_its_proba
     assert sum(shares) + diagnosis.none_probability + diagnosis.unknown_probability == pytest.approx(1.0)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("spoilt", MOST_THOROUGH)
 def test_it_does_not_take_the_place_of_unknown(spoilt: str) -> None:
     run = SPOILT[spoilt](recorded(magnet=4.0))

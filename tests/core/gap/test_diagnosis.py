@@ -49,6 +49,7 @@ def fitted(recording: Recording) -> tuple[Windows, EffectFit, list[EffectFit]]:
     return windows, nominal, [fit_effects(windows, (effect,), nominal, effect.starts(scene, still)) for effect in FEW]
 
 
+@pytest.mark.thorough
 def test_a_run_without_faults_has_a_gap_of_noise_alone():
     windows, nominal, _ = fitted(recorded())
     assert nominal.held_out.mean() == pytest.approx(1.0, abs=0.05)
@@ -66,6 +67,7 @@ def test_a_tilted_base_is_named_sized_and_closed_on_motions_that_the_fit_did_not
     assert sum(p for _, p in attribution.explained) + attribution.none + attribution.unknown == pytest.approx(1.0)
 
 
+@pytest.mark.thorough
 def test_a_late_wrench_is_told_from_a_filtered_one():
     windows, nominal, fits = fitted(recorded(delay=0.02))
     by_name = {fit.name: fit for fit in fits}

@@ -48,6 +48,7 @@ def examined(reference: InertialParameters | None) -> tuple[str, Evidence, set[s
     return diagnosis.verdict, evidence, beside
 
 
+@pytest.mark.thorough
 def test_a_gap_that_may_be_why_the_payload_is_off_is_answered_before_the_reference_is_doubted() -> None:
     _, true = near_a_magnet()
     verdict, evidence, beside = examined(true)

@@ -148,6 +148,7 @@ def test_the_twins_own_run_shows_what_was_planted(faulty: Recording, simulated: 
     assert {*found.pairs[0].ids} == {"time_delay", "base_tilt"}
 
 
+@pytest.mark.thorough
 def test_a_change_of_what_the_twin_has_is_found_as_that_effect(completed: Cell) -> None:
     repaired = recorded(completed, imperfections=Imperfections(base_tilt_rad=(TILT_RAD, 0.0)))
     found = diagnose(repaired, FEW, read_twin(completed))

@@ -64,7 +64,7 @@ def test_zeros_of_the_joints_that_plans_feel_differently_part_no_runs_that_state
     assert called <= 7  # 200 of 1 %: more than that once in 1000 times
 
 
-@pytest.mark.parametrize(("count", "between"), [(3, 0.0), (4, 3.0), (10, 3.0)])
+@pytest.mark.parametrize(("count", "between"), [(3, 0.0), (4, 3.0), pytest.param(10, 3.0, marks=pytest.mark.thorough)])
 def test_intervals_of_the_mean_cover(count: int, between: float) -> None:
     rng, hits = np.random.default_rng(count), np.zeros(10)
     for _ in range(150):

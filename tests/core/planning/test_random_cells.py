@@ -26,7 +26,7 @@ def test_a_random_cell_is_valid_and_always_the_same(seed: int) -> None:
     assert all(margin > 0.0 for margin, _ in checker.margins(np.array(drawn.cell.robot.home_rad)).values())
 
 
-@pytest.mark.parametrize("seed", [pytest.param(0, marks=pytest.mark.thorough), 5])
+@pytest.mark.parametrize("seed", [*(pytest.param(seed, marks=pytest.mark.thorough) for seed in (0, 5)), 6])
 def test_a_random_cell_is_planned_without_violation(seed: int) -> None:
     judgement = judge(seed)
     assert judgement.violations == ()

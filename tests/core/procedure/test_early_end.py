@@ -99,6 +99,7 @@ def test_a_target_that_is_reached_ends_the_run_and_the_robot_goes_home_along_the
     assert outcome.result().target.message.code == "target-reached-early"
 
 
+@pytest.mark.thorough
 def test_from_a_stop_with_a_way_home_of_its_own_the_robot_takes_that(plan, whole):
     wanted = make_run(None)
     request = wanted.planning.request(wanted, np.array(CELL.robot.home_rad))
@@ -160,6 +161,7 @@ def test_a_run_without_a_target_leaves_nothing_out(plan, whole):
     assert outcome.robot_s == pytest.approx(plan.robot_s, abs=0.1)
 
 
+@pytest.mark.thorough
 def test_a_real_target_is_watched_by_the_estimator_of_the_result(tmp_path):
     session = SimulatedSession(CELL, BLOCK.parameters, seed=3)
     target = Target(mass_share=0.03)  # the assumed calibration leaves 1.4 %

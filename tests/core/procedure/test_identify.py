@@ -35,7 +35,7 @@ def drained(run: Generator[Event, None, Outcome]) -> tuple[list[Event], Outcome]
     return events, drive(run, events.append)
 
 
-@pytest.fixture(scope="module", params=["lwr4_bench", "ur5e_line"])
+@pytest.fixture(scope="module", params=["lwr4_bench", pytest.param("ur5e_line", marks=pytest.mark.thorough)])
 def whole_run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[Cell, list[Event], Outcome, Path]:
     cell = load_cell(CELLS / request.param)
     carried = cell.payloads["steel_block"]
@@ -124,6 +124,7 @@ def test_after_a_stop_by_the_guard_the_rest_is_done_from_new_start_configuration
     assert np.all(np.abs(estimate.phi - carried.parameters.phi) < 5 * estimate.std)
 
 
+@pytest.mark.thorough
 def test_a_run_that_is_stopped_again_and_again_is_given_up_with_its_samples(tmp_path):
     cell = load_cell(CELLS / "lwr4_bench")
     session = Knocked(cell, times=10, every_s=1.0)
@@ -179,6 +180,7 @@ def test_the_estimate_on_line_closes_in_on_the_payload_while_the_robot_moves(who
         assert seen[-1][k] == pytest.approx(truth[k], rel=0.1)  # the filter's lag is in it
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["lwr4_bench", pytest.param("ur5e_line", marks=pytest.mark.thorough)])
 def test_a_run_that_is_held_again_and_again_goes_on_along_its_plan_and_finds_the_same_payload(name):
     cell = load_cell(CELLS / name)

@@ -116,6 +116,7 @@ def test_the_answer_names_its_plan_as_the_report_does_and_when_the_robot_was_don
     assert (outcome.result(at=at).plan_sha256, outcome.result(at=at).ended_at) == (outcome.summary.plan_digest, at)
 
 
+@pytest.mark.thorough
 def test_the_diagnosis_takes_the_tools_for_no_other_payload(ran: tuple[Cell, Outcome, Path]) -> None:
     _, outcome, _ = ran
     diagnosis, _ = examine(outcome.recording)
@@ -124,6 +125,7 @@ def test_the_diagnosis_takes_the_tools_for_no_other_payload(ran: tuple[Cell, Out
     assert [also.id for also in without.also if also.id == "payload_mismatch" and also.material] == ["payload_mismatch"]
 
 
+@pytest.mark.thorough
 def test_report_and_terminal_show_the_workpiece_alone(ran: tuple[Cell, Outcome, Path]) -> None:
     _, outcome, folder = ran
     page = folder / "report.html"

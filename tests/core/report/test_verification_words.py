@@ -61,6 +61,7 @@ def test_nothing_is_said_where_nothing_was_left_out(recording: Recording) -> Non
     assert unseen_rows(answer) == []
 
 
+@pytest.mark.thorough
 def test_identify_prints_it_and_its_report_shows_it(recording: Recording, tmp_path: Path) -> None:
     write_recording(recording, tmp_path / "recording")
     page = tmp_path / "page.html"

@@ -392,7 +392,8 @@ def test_the_largest_share_of_a_torque_stands_in_the_plans_summary() -> None:
     assert 0.0 < told.largest.ratio < 1.0
 
 
-@pytest.mark.parametrize("name", [NAMES[0], pytest.param(NAMES[1], marks=pytest.mark.thorough)])
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", NAMES)
 def test_the_least_distance_of_a_plan_is_that_of_everything_that_moves_the_first_link_too(name: str, fcl_scene: Callable[..., Any]) -> None:
     at, plan = bench(name), planned(name)
     told = plan_summary(at.cell, plan)

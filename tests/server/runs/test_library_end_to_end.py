@@ -17,6 +17,7 @@ def service(real: RealService) -> RealService:
     return real
 
 
+@pytest.mark.thorough
 def test_a_run_with_a_saved_payload_comes_through_remembers_it_and_the_library_shows_what_was_found(console: Console) -> None:
     body = {"name": "housing", "title": "Housing", "box": BOX.model_dump(mode="json"), "mass_least_kg": 2.2, "mass_most_kg": 2.8}
     saved = console.http.post(PATH, json=body)

@@ -97,6 +97,7 @@ def test_a_run_is_queued_shown_released_held_resumed_and_tells_what_the_robot_ca
     assert figures(console, *FIGURES) == [count + 1.0 for count in before]
 
 
+@pytest.mark.thorough
 def test_a_run_with_a_target_says_how_far_it_met_it_and_what_it_left_out(console):
     run = console.queue(target={"mass_share": 0.05}, pace="real_time")
     console.wait(run, "Idle")
@@ -274,7 +275,7 @@ def check_the_public_stop(nobody: httpx.Client, console: Console) -> None:
     wait_for(lambda: nobody.get("/api/now").json() == [], "the cell to be free")
 
 
-@pytest.mark.parametrize("how", ["moved", "drawn"])
+@pytest.mark.parametrize("how", ["moved", pytest.param("drawn", marks=pytest.mark.thorough)])
 def test_a_zone_that_comes_into_the_way_stops_the_robot_and_the_rest_is_planned_anew_around_it(how, service, console):
     run = console.queue(seed=5, pace="real_time")
     console.wait(run, "Idle")
@@ -341,6 +342,7 @@ def test_one_key_makes_one_run_however_often_it_is_sent(console):
     assert console.http.delete(f"/api/runs/{runs.pop()}").status_code == 200
 
 
+@pytest.mark.thorough
 def test_a_server_that_freezes_finds_a_robot_that_stands_when_it_goes_on(service, console):
     run = console.queue(seed=4)
     console.wait(run, "Idle")
