@@ -8,12 +8,12 @@ const AXES = ['x', 'y', 'z'] as const;
 /** Bounding box and mass of the tool, in the chosen units. */
 export function ToolFields() {
   const said = words.value.setup;
-  const known = payload.value !== null;
+  const known = payload.value !== null; // what is typed before would be overwritten by what the tool puts into the fields
   const badBox = known && size_m.value.includes(null);
   const badMass = known && mass_kg.value === null;
   return (
     <section class="tool-fields">
-      <fieldset id="field-box">
+      <fieldset id="field-box" disabled={!known}>
         <legend>
           {said.box}, {scaleOf('length').unit}
         </legend>
@@ -32,7 +32,7 @@ export function ToolFields() {
         </div>
         <p class={badBox ? 'hint flaw' : 'hint'}>{badBox ? words.value.refusal.badBox : said.boxHint}</p>
       </fieldset>
-      <fieldset id="field-mass">
+      <fieldset id="field-mass" disabled={!known}>
         <legend>
           {said.mass}, {scaleOf('mass').unit}
         </legend>
