@@ -19,7 +19,8 @@ test: check $(CONSOLE)
 	$(BIN)/python -m pytest tests/web  # alone: browsers that draw without a graphics card keep both cores busy
 
 test-thorough: $(VENV)/.dev $(CONSOLE)
-	$(BIN)/python -m pytest -n 2 -m thorough
+	$(BIN)/python -m pytest -n 2 -m thorough --ignore=tests/web
+	$(BIN)/python -m pytest -m thorough tests/web
 
 check: $(VENV)/.dev
 	$(BIN)/ruff check .

@@ -39,6 +39,7 @@ def test_a_blind_trial_shows_its_seal_before_anything_else_and_can_be_cancelled(
     assert engineer.complaints == []
 
 
+@pytest.mark.thorough
 def test_what_was_planted_is_hidden_until_the_seal_is_opened_and_is_then_checked(engineer: Tablet, service: RealService):
     planted = draw(SEED).sealed
     page = show(engineer, "trials", finished_trial(service))

@@ -76,6 +76,7 @@ def test_a_diagnosis_is_german_from_its_verdict_to_what_is_to_be_done(german: Ta
     check_says_none_of(page, {answer.summary.text})
 
 
+@pytest.mark.thorough
 def test_results_history_and_comparison_are_german(german: Tablet, service: RealService) -> None:
     person = Console(service)
     person.take_control()

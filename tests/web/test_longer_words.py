@@ -84,6 +84,7 @@ def test_pages_have_longer_words_and_room_for_them(at: Tablet, service: RealServ
         check(at, place)
 
 
+@pytest.mark.thorough
 def test_a_run_has_longer_words_and_room_for_them_from_its_plan_to_its_end(at: Tablet, service: RealService, browser: Browser):
     enter(at)
     proceed = at.page.locator(".command-bar .press-primary")
@@ -185,6 +186,7 @@ LACKING = arm(
 ).replace(link("link4"), link("link4", inertial=""))
 
 
+@pytest.mark.thorough
 def test_a_new_cell_has_longer_words_and_room_for_them_at_every_step(at: Tablet, tmp_path: Path):
     enter(at)
     page, file = at.page, tmp_path / "arm.urdf"

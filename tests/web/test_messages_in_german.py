@@ -71,6 +71,7 @@ def choose(at: Tablet, name: str, content: bytes) -> None:
     chooser.value.set_files(FilePayload(name=name, mimeType="application/zip", buffer=content))
 
 
+@pytest.mark.thorough
 def test_the_flaws_of_an_uploaded_cell_are_said_in_german(german: Tablet) -> None:
     page = show(german, "cells")
     german.wait(".cell-upload")

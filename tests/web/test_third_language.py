@@ -72,6 +72,7 @@ def test_a_whole_language_passes_the_check_and_one_that_lacks_something_is_refus
     } <= {*refused.stderr.splitlines()}
 
 
+@pytest.mark.thorough
 def test_terminal_and_report_speak_it(copy: Path) -> None:
     listed = python(copy, "-m", "core.cli", "cells", HEFT_LANGUAGE=CODE)
     assert MARK in listed.stdout, listed.stderr
