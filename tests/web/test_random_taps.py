@@ -70,7 +70,6 @@ def test_no_run_has_moved_without_a_release_that_stands_in_the_audit_log(hands: 
     console = Console(service)
     wait_for(lambda: all(run["state"] != "Stopping" for run in listed(console)), "what is being stopped to be stopped")
     runs = listed(console)
-    assert 0 < len(runs) < 500, "more than one answer holds: tap less"
     released = {entry["detail"]["run"] for entry in audited(console) if entry["action"] == "run.release"}
     assert runs
     for run in runs:
@@ -82,8 +81,13 @@ def test_no_run_has_moved_without_a_release_that_stands_in_the_audit_log(hands: 
 
 
 def listed(console: Console) -> list[dict]:
-    """All runs."""
-    return list(console.http.get("/api/runs", params={"limit": 500}).json())
+    """All runs, newest first."""
+    found: list[dict] = []
+    older: dict[str, str] = {}
+    while page := console.http.get("/api/runs", params={"limit": 500, **older}).json():
+        found += page
+        older = {"before": page[-1]["run"]}
+    return found
 
 
 def audited(console: Console) -> list[dict]:
