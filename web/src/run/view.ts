@@ -28,9 +28,12 @@ const wish = computed<ViewWish>(() => ({
 let sending = false;
 let shown = '';
 
-/** Turns the camera of this page. */
-export async function turnCamera(look: Look): Promise<void> {
-  await ask('PUT /api/cells/{cell}/views/{view}', { path: here(), body: { ...wish.value, look } });
+/** Turns the camera of this page's picture of a cell. */
+export async function turnCamera(cell: string, look: Look): Promise<void> {
+  await ask('PUT /api/cells/{cell}/views/{view}', {
+    path: { cell, view: viewName },
+    body: { ...wish.value, look },
+  });
 }
 
 /** Has drawn what this page wants to see; while one wish is on its way, only the newest of those that follow goes out. */
@@ -40,7 +43,8 @@ async function draw(): Promise<void> {
   try {
     while (drawnCell.value !== '' && shown !== wanted()) {
       shown = wanted();
-      await ask('PUT /api/cells/{cell}/views/{view}', { path: here(), body: wish.value });
+      const path = { cell: drawnCell.value, view: viewName };
+      await ask('PUT /api/cells/{cell}/views/{view}', { path, body: wish.value });
     }
   } catch {
     shown = ''; // that the service cannot be reached stands on the page already; the next wish is sent whole
@@ -48,7 +52,6 @@ async function draw(): Promise<void> {
   sending = false;
 }
 
-const here = () => ({ cell: drawnCell.value, view: viewName });
 const wanted = () => drawnCell.value + JSON.stringify(wish.value);
 
 function nameView(): string {

@@ -25,14 +25,16 @@ export function Viewer({ cell, children }: { cell: string; children?: ComponentC
           src={`/viewer/${encodeURIComponent(cell)}/${viewName}/${dark.value ? '?darkMode' : ''}`}
         />
       )}
-      <fieldset class="looks">
-        <legend class="out-of-sight">{said.from}</legend>
-        {LOOKS.map((look) => (
-          <Press key={look} act={() => turnCamera(look)}>
-            {said.looks[look]}
-          </Press>
-        ))}
-      </fieldset>
+      {cell && (
+        <fieldset class="looks">
+          <legend class="out-of-sight">{said.from}</legend>
+          {LOOKS.map((look) => (
+            <Press key={look} act={() => turnCamera(cell, look)}>
+              {said.looks[look]}
+            </Press>
+          ))}
+        </fieldset>
+      )}
       {children}
     </div>
   );
