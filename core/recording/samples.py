@@ -124,8 +124,10 @@ class Samples:
         try:
             with pq.ParquetFile(self.file) as parquet:
                 self._check_length(parquet.metadata.num_rows)
-                return parquet.read()
-        except (pa.ArrowException, OSError) as error:
+                table = parquet.read()
+            table.validate(full=True)  # whether texts are UTF-8
+            return table
+        except (pa.ArrowException, OSError, UnicodeDecodeError) as error:  # the last comes of a column's name
             raise BadRecording(self.where, "recording-broken-parquet", reason=_one_line(error)) from error
 
     def _read_csv(self) -> pa.Table:

@@ -235,6 +235,17 @@ def test_a_folder_that_is_not_there_is_named(tmp_path: Path) -> None:
         read_recording(tmp_path / "nowhere")
 
 
+@pytest.mark.parametrize("text", [b"hold:free", b"phase"])
+def test_a_text_that_is_not_utf_8_is_refused(tmp_path: Path, text: bytes) -> None:
+    write_recording(recording(), tmp_path / "run")
+    file = tmp_path / "run" / "samples.parquet"
+    content = file.read_bytes()
+    assert text in content
+    file.write_bytes(content.replace(text, b"\x80" + text[1:]))
+    with pytest.raises(BadRecording, match=r"samples\.parquet"):
+        read_recording(tmp_path / "run")
+
+
 @settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     position=st.floats(0, 1, exclude_max=True),
