@@ -1,22 +1,22 @@
 """`heft diagnose`: the gap between simulation and a recording."""
 
+from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated
 
 import typer
+from pydantic import BaseModel
+from rich.table import Table
 
 from core.cell.cell import Cell
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
-from core.cli.diagnosis_file import read_diagnosis
+from core.cli.answer_file import read_diagnosis_file
 from core.cli.experiments import check_experiment_file, plan_next
 from core.cli.options import JsonOption, LanguageOption, check_new
 from core.cli.series_runs import shorten_names
-from core.cli.tables import (
-    diagnosis_lines,
-    diagnosis_table,
-)
+from core.cli.tables import diagnosis_lines, diagnosis_table
 from core.cli.terminal import answers, find_wording, messages
 from core.cli.timeline_table import timeline_lines, timeline_table
 from core.errors import BadInput
@@ -31,12 +31,13 @@ from core.recording.stated_friction import with_cell_friction
 from core.report.diagnosis_page import write_diagnosis
 from core.report.overlay import overlay_of
 from core.twin.file import read_twin
-from core.twin.twin import NOMINAL
+from core.twin.twin import NOMINAL, Twin
 from core.words.catalogue import Language
 
 app = typer.Typer()
 
 PAGE = "diagnosis.html"
+TIMELINE = "timeline.json"
 
 
 @app.command("diagnose")
@@ -64,54 +65,54 @@ def diagnose_command(
     """Where simulation and recording part, which unmodelled effect causes it, and how far adding it closes the gap."""
     check_new(report, json)
     check_experiment_file(experiment, cell)
+    if len(recordings) > 1 and experiment is not None:
+        raise BadInput("--experiment", "cli-experiment-of-several")
     made_in = None if cell is None else load_cell(find_cell(cell))
+    twin = NOMINAL if made_in is None else read_twin(made_in)
     if len(recordings) > 1:
-        if experiment is not None:
-            raise BadInput("--experiment", "cli-experiment-of-several")
-        _follow(recordings, made_in, json, report, language)
+        _follow(recordings, made_in, twin, json, report, language)
         return
-    diagnosis, evidence, loaded = _diagnose(recordings[0], made_in)
+    diagnosis, evidence, loaded = _diagnose(recordings[0], made_in, twin)
     if made_in is not None:
         diagnosis = plan_next(diagnosis, evidence, loaded, recordings[0], made_in, experiment, messages)
     if report is not None:
         _write_report(report, diagnosis, evidence, language)
-    if json is not None:
-        write_json(diagnosis.model_dump_json(indent=2), json)
-    if json != "-":
-        answers.print(diagnosis_table(diagnosis))
-        for line in diagnosis_lines(diagnosis):
-            answers.print(line, highlight=False)
-    if report is not None and json != "-":
-        answers.print(find_wording().say("cli-report", file=str(report / PAGE)), soft_wrap=True, highlight=False)
+    _print(diagnosis, [diagnosis_table(diagnosis), *diagnosis_lines(diagnosis)], json, None if report is None else report / PAGE)
 
 
-def _follow(recordings: list[Path], made_in: Cell | None, json: str | None, report: Path | None, language: Language) -> None:
+def _follow(recordings: list[Path], made_in: Cell | None, twin: Twin, json: str | None, report: Path | None, language: Language) -> None:
     """Several recordings of one cell: each diagnosed for itself, then held against each other."""
     names, diagnoses = shorten_names(recordings), []
     for k, (name, recording) in enumerate(zip(names, recordings, strict=True)):
         if recording.is_file():
-            diagnoses.append(read_diagnosis(recording))
+            diagnoses.append(read_diagnosis_file(recording))
         else:
             messages.print(find_wording().say("cli-diagnosing", name=name, number=k + 1, count=len(recordings)), highlight=False)
-            diagnosis, evidence, _ = _diagnose(recording, made_in)
+            diagnosis, evidence, _ = _diagnose(recording, made_in, twin)
             diagnoses.append(diagnosis)
             if report is not None:
                 _write_report(report / f"{k + 1}", diagnosis, evidence, language)
-        check_comparable(names, diagnoses)
+        check_comparable(names, diagnoses)  # before the minutes that the next one takes
     timeline = trace_effects(names, diagnoses)
     if report is not None:
-        write_json(timeline.model_dump_json(indent=2), str(report / "timeline.json"))
+        write_json(timeline.model_dump_json(indent=2), str(report / TIMELINE))
+    _print(timeline, [timeline_table(timeline), *timeline_lines(timeline)], json, None if report is None else report / TIMELINE)
+
+
+def _print(answer: BaseModel, shown: Sequence[Table | str], json: str | None, report: Path | None) -> None:
+    """As JSON and for a person, or only as JSON where that goes to standard output; then where the report is."""
     if json is not None:
-        write_json(timeline.model_dump_json(indent=2), json)
-    if json != "-":
-        answers.print(timeline_table(timeline))
-        for line in timeline_lines(timeline):
-            answers.print(line, highlight=False)
+        write_json(answer.model_dump_json(indent=2), json)
+    if json == "-":
+        return
+    for part in shown:
+        answers.print(part, highlight=False)
+    if report is not None:
+        answers.print(find_wording().say("cli-report", file=str(report)), soft_wrap=True, highlight=False)
 
 
-def _diagnose(folder: Path, made_in: Cell | None) -> tuple[Diagnosis, Evidence | None, Recording]:
+def _diagnose(folder: Path, made_in: Cell | None, twin: Twin) -> tuple[Diagnosis, Evidence | None, Recording]:
     """One recording, from the twin of the cell that it was made in."""
-    twin = NOMINAL if made_in is None else read_twin(made_in)
     loaded = read_recording(folder)
     loaded = loaded if made_in is None else with_cell_friction(loaded, made_in)
     with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():

@@ -6,16 +6,13 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from pydantic import ValidationError
 
 from core.cell.folder import find_cell, load_cell
+from core.cli.answer_file import read_result_file
 from core.cli.terminal import answers, find_wording, messages
-from core.errors import BadInput, together
-from core.estimation.result import Result
 from core.export.exports import TARGETS, frame_of, payload_of, target_of
 from core.export.target import ExportTarget, Lack
 from core.export.uncertainty import state_uncertainty, uncertainty_of
-from core.files.schema_flaw import schema_flaw
 from core.payload.uncertain_parameters import UncertainParameters
 
 app = typer.Typer()
@@ -48,21 +45,6 @@ def export(
         messages.print(words.say("export-not-held", target=chosen.title), highlight=False, soft_wrap=True)
         for line in state_uncertainty(uncertainty):
             messages.print(words.quote(line), highlight=False, markup=False, soft_wrap=True)
-
-
-def read_result_file(file: Path) -> Result:
-    """A result that was written as JSON.
-
-    Raises:
-        BadInput: there is none in the file.
-    """
-    try:
-        return Result.model_validate_json(file.read_bytes())
-    except OSError as error:
-        raise BadInput(str(file), "cli-result-unreadable", reason=str(error.strerror)) from error
-    except ValidationError as error:
-        flaw = schema_flaw(error.errors()[0]).refusal(BadInput, str(file))
-        raise together([flaw, BadInput(str(file), "cli-no-result")]) from error
 
 
 def lack_sentences(target: ExportTarget, payload: UncertainParameters) -> list[str]:

@@ -10,7 +10,7 @@ import typer
 
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
-from core.cli.exports import read_result_file
+from core.cli.answer_file import read_result_file
 from core.cli.options import CellArgument, JsonOption, PayloadOption, check_new, choose_payload
 from core.cli.terminal import answers, find_wording
 from core.errors import BadInput

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from core.cli.exports import read_result_file
+from core.cli.answer_file import read_result_file
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
 from core.estimation.result import Result, SecondsPart, result_of

@@ -37,13 +37,8 @@ def timeline_lines(timeline: Timeline) -> list[str]:
 
 def find_leading_parameter(effect: EffectTimeline) -> str | None:
     """That which stands out most from its uncertainty in any recording that shows the effect; None where nothing was fitted."""
-    certain = {
-        name: max(_certainty(value), 0.0)
-        for sighting in effect.sightings
-        if sighting.state != "absent"
-        for name, value in sighting.parameters.items()
-    }
-    return max(certain, key=lambda name: certain[name], default=None)
+    shown = [item for sighting in effect.sightings if sighting.state != "absent" for item in sighting.parameters.items()]
+    return max(shown, key=lambda item: _certainty(item[1]), default=(None, None))[0]
 
 
 def _certainty(value: Value) -> float:

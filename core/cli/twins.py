@@ -12,7 +12,7 @@ import typer
 from rich.table import Table
 
 from core.cell.folder import find_cell, load_cell
-from core.cli.diagnosis_file import read_diagnosis
+from core.cli.answer_file import read_diagnosis_file
 from core.cli.options import CellArgument
 from core.cli.terminal import answers, find_wording, messages
 from core.errors import BadInput, BadTwin
@@ -39,7 +39,7 @@ def add(
     loaded = load_cell(find_cell(cell))
     before = read_twin(loaded)
     if recording.is_file():
-        after = add_found(before, loaded, read_diagnosis(recording), effect, datetime.now(UTC))
+        after = add_found(before, loaded, read_diagnosis_file(recording), effect, datetime.now(UTC))
     else:
         with messages.status(find_wording().say("cli-fitting")) if messages.is_terminal else nullcontext():
             after = with_effect(before, loaded, recording, effect)

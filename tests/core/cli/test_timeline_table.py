@@ -56,6 +56,12 @@ def test_where_nothing_was_fitted_there_is_no_parameter() -> None:
     assert find_leading_parameter(told.effects[0]) is None
 
 
+def test_the_leading_parameter_is_the_one_that_any_recording_shows_most_certainly_not_the_one_that_the_last_does() -> None:
+    first = diagnosis("explained", effects=[found("time_delay", delay_s=0.02)])
+    last = diagnosis("explained", effects=[found("time_delay", delay_s=0.002, slight=0.01)])
+    assert find_leading_parameter(trace_effects(["one", "two"], [first, last]).effects[0]) == "delay_s"
+
+
 def test_an_experiment_continues_one_recording_only(tmp_path: Path) -> None:
     both = [written(tmp_path, "one"), written(tmp_path, "two")]
     said = CliRunner().invoke(app, ["diagnose", *both, "--cell", "lwr4_bench", "--experiment", str(tmp_path / "next.json")])

@@ -19,21 +19,21 @@ export function Viewer({ cell, children }: { cell: string; children?: ComponentC
   return (
     <div class="view">
       {cell && (
-        <iframe
-          class="viewer"
-          title={words.value.viewer}
-          src={`/viewer/${encodeURIComponent(cell)}/${viewName}/${dark.value ? '?darkMode' : ''}`}
-        />
-      )}
-      {cell && (
-        <fieldset class="looks">
-          <legend class="out-of-sight">{said.from}</legend>
-          {LOOKS.map((look) => (
-            <Press key={look} act={() => turnCamera(cell, look)}>
-              {said.looks[look]}
-            </Press>
-          ))}
-        </fieldset>
+        <>
+          <iframe
+            class="viewer"
+            title={words.value.viewer}
+            src={`/viewer/${encodeURIComponent(cell)}/${viewName}/${dark.value ? '?darkMode' : ''}`}
+          />
+          <fieldset class="looks">
+            <legend class="out-of-sight">{said.from}</legend>
+            {LOOKS.map((look) => (
+              <Press key={look} act={() => turnCamera(cell, look)}>
+                {said.looks[look]}
+              </Press>
+            ))}
+          </fieldset>
+        </>
       )}
       {children}
     </div>
