@@ -12,7 +12,7 @@ from core.estimation.budget import REPEATABILITY, TITLES
 from core.estimation.budget_part import BudgetPart
 from core.estimation.result import Result
 from core.gap.answer import SIDES, Also, Diagnosis, Experiment
-from core.gap.instruction import Instruction
+from core.gap.instruction import Instruction, rank_explanations
 from core.payload.inertia import PHI_NAMES, PHI_UNITS
 from core.planning.plan import Plan
 from core.planning.settings import Scope
@@ -294,9 +294,15 @@ def diagnosis_lines(diagnosis: Diagnosis) -> list[str]:
     lines += [_also_line(also, words) for also in diagnosis.also]
     lines += [words.say("result-minor", effect=minor.id, seen=minor.message) for minor in diagnosis.minor]
     lines += [words.quote(diagnosis.consequence)] if diagnosis.consequence else []
-    if diagnosis.effects and diagnosis.verdict in ("explained", "ambiguous"):
-        lines.append(words.say("result-to-do", advice=diagnosis.effects[0].advice))
+    if diagnosis.verdict in ("explained", "ambiguous"):
+        lines += [words.say("result-to-do", advice=advice) for advice in _find_advice(diagnosis)]
     return lines + [words.say("result-not-looked-at", limit=limit) for limit in diagnosis.limits]
+
+
+def _find_advice(diagnosis: Diagnosis) -> list[Message]:
+    """Of each effect of the most probable explanation."""
+    advice = {effect.id: effect.advice for effect in diagnosis.effects}
+    return [advice[name] for _, names in rank_explanations(diagnosis)[:1] for name in names if name in advice]
 
 
 def _instruction_lines(instruction: Instruction, words: Wording) -> list[str]:

@@ -149,6 +149,18 @@ class JointGap(DiagnosisPart):
     )
 
 
+class ContactPart(DiagnosisPart):
+    """A stretch in which something touched the payload."""
+
+    begin_s: float = Field(description="When it began, s.", examples=[4.1])
+    end_s: float = Field(description="When it ended, s.", examples=[5.4])
+    most_n: float = Field(description="The largest force, N.", examples=[35.2])
+    force_n: tuple[float, float, float] = Field(description="The mean force on the payload, N, base axes.", examples=[[0.0, 20.1, -3.0]])
+    point_m: tuple[float, float, float] = Field(
+        description="Where it acts, m, sensor axes, as well as its torque tells.", examples=[[0.0, 0.01, 0.09]]
+    )
+
+
 class Where(DiagnosisPart):
     """Where the gap lies; mean squares by direction and by pose (the sensor axis that points up or down) are against noise 1."""
 
@@ -172,6 +184,9 @@ class Where(DiagnosisPart):
         examples=[{"x+": 1.2, "x-": 1.1}],
     )
     joints: list[JointGap] = Field(default_factory=list, description="The same seen at the joints.")
+    contacts: list[ContactPart] = Field(
+        default_factory=list, description="When something touched the payload, where contacts in several stretches explain the gap."
+    )
     message: Seen = Field(description="The same as a message.")
 
 

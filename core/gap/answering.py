@@ -66,8 +66,8 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
         minor=[] if material else _minor(evidence),
         indistinguishable=[_describe_tie(tie, evidence.proposals) for tie in attribution.ties] if material else [],
         where=_where(recording, Residual(windows, nominal), best, verdict),
-        gap=_gap(evidence),
-        payload=PayloadPart(before=_payload(nominal), after=_payload(best)),
+        gap=describe_gap(evidence),
+        payload=PayloadPart(before=describe_payload(nominal), after=describe_payload(best)),
         consequence=payload_shift(nominal, best) if verdict != "unknown" else Message.of("gap-payload-in-doubt"),
         next_experiment=evidence.proposals[0].answer if evidence.proposals else None,
         limits=list(evidence.limits),
@@ -75,7 +75,8 @@ def _answer_from_wrench(recording: Recording, evidence: Evidence) -> Diagnosis:
     )
 
 
-def _gap(evidence: Evidence) -> GapPart:
+def describe_gap(evidence: Evidence) -> GapPart:
+    """Before, and after the best explanation."""
     windows, nominal, after = evidence.windows, evidence.nominal, evidence.best
     return GapPart(
         before=gap_of(windows, nominal),
@@ -118,7 +119,8 @@ def _find_open(evidence: Evidence) -> list[EffectFit]:
     return [fit for k, (fit, p) in enumerate(attribution.explained) if k == 0 or p >= OPEN or fit.name in tied]
 
 
-def _values(fit: EffectFit) -> dict[str, Value]:
+def describe_values(fit: EffectFit) -> dict[str, Value]:
+    """Fitted parameters by name."""
     return {
         p.name: Value(title=find_title(p.name), value=float(v), std=float(s), unit=p.unit, at_bound=bool(v <= p.lower or v >= p.upper))
         for p, v, s in zip(fit.parameters, fit.theta, fit.theta_std, strict=True)
@@ -135,7 +137,7 @@ def explain(evidence: Evidence, fit: EffectFit, probability: float) -> Explanati
         title=effect.title,
         stage=effect.stage,
         probability=probability,
-        parameters=_values(fit),
+        parameters=describe_values(fit),
         gap_after=gap_of(windows, fit),
         closure=closure,
         closure_interval=interval,
@@ -150,7 +152,7 @@ def explain_both(evidence: Evidence, fit: EffectFit, probability: float) -> Pair
     """The same of two effects at once."""
     windows, (a, b) = evidence.windows, fit.effects
     against = why_not_addable(evidence, fit)
-    values = list(_values(fit).items())
+    values = list(describe_values(fit).items())
     count = len(a.parameters(windows.basis.scene))
     return Pair(
         ids=(a.id, b.id),
@@ -177,7 +179,7 @@ def _minor(evidence: Evidence) -> list[Minor]:
     best = evidence.best
     if not best.effects or evidence.attribution.explained[0][1] < EXPLAINED:
         return []
-    return [Minor(id=best.name, parameters=_values(best), message=Message.of("gap-minor"))]
+    return [Minor(id=best.name, parameters=describe_values(best), message=Message.of("gap-minor"))]
 
 
 def _describe_tie(tie: Tie, proposals: tuple[Proposal, ...]) -> Tied:
@@ -207,7 +209,8 @@ def _where(recording: Recording, residual: Residual, best: EffectFit, verdict: V
     )
 
 
-def _payload(fit: EffectFit) -> PhiPart:
+def describe_payload(fit: EffectFit) -> PhiPart:
+    """What a fit makes of the payload."""
     return PhiPart(phi=fit.phi.tolist(), std=fit.phi_std.tolist(), determined=find_determined(fit.phi, fit.phi_std).tolist())
 
 

@@ -95,11 +95,21 @@ def _weigh(nominal: EffectFit, fits: list[EffectFit], trusted: NDArray[np.bool_]
     left, scale = leftover(nominal, best), misfit(best)
     excess = float(nominal.held_out.sum()) - nominal.held_out.size
     scores = np.array([_score(fit, best, scale, excess) for fit in (nominal, *fits)])
-    lapse = LAPSE + (BENT_LAPSE - LAPSE) * _rise(left, BENT_HALF)
+    lapse = find_lapse(left)
     others = np.append(not trusted.any(), trusted)
     shares = (1.0 - lapse) * softmax(np.where(np.append(True, trusted), scores, -np.inf)) + lapse * others / others.sum()
-    unknown = (1.0 - shares[0]) * UNKNOWN_MOST * _rise(left, UNEXPLAINED_HALF)
+    unknown = (1.0 - shares[0]) * find_unknown(left)
     return np.insert((1.0 - unknown) * shares, 1, unknown)
+
+
+def find_lapse(left: float) -> float:
+    """Share of answers that are wrong although the evidence calls them certain, where a share `left` of the excess is left over."""
+    return LAPSE + (BENT_LAPSE - LAPSE) * _rise(left, BENT_HALF)
+
+
+def find_unknown(left: float) -> float:
+    """Probability of `unknown` where there is an effect and the best explanation leaves a share `left` of the excess over."""
+    return UNKNOWN_MOST * _rise(left, UNEXPLAINED_HALF)
 
 
 def _rise(share: float, half: float) -> float:

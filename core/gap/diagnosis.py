@@ -14,6 +14,7 @@ from core.estimation.setup.check import check_setup
 from core.gap.answer import Diagnosis, Origin
 from core.gap.answering import answer, not_enough
 from core.gap.basis import TooLittleError, basis_of
+from core.gap.contact_answer import answer_touched, find_touched, with_contacts
 from core.gap.evidence import Evidence, describe_limits, gather
 from core.gap.fit_all import FitAll, on_all_cores
 from core.gap.proposal import proposals
@@ -58,15 +59,18 @@ def examine(
     if contradiction is not None:
         return not_enough(contradiction, time.perf_counter() - began), None
     windows = Windows(basis, find_terms(twin, basis.scene))
-    evidence = gather(windows, library() if effects is None else effects, fit_all)
+    candidates = library() if effects is None else effects
+    evidence = gather(windows, candidates, fit_all)
     if evidence.verdict == "ambiguous":
         evidence = replace(evidence, proposals=proposals(recording, windows, evidence.rivals))
-    told = answer(recording, evidence)
+    touched = find_touched(evidence, candidates, fit_all) if evidence.verdict == "unknown" else None
+    told = answer(recording, evidence) if touched is None else answer_touched(recording, evidence, touched)
     lacking = describe_limits({find_effect(name): reason for name, reason in explain_lacks(twin, basis.scene).items()})
     apart = _describe_poses(recording) if basis.scene.apart else []
-    held = {"twin": [term.effect.id for term in windows.held], "limits": [*apart, *evidence.limits, *lacking]}
+    held = {"twin": [term.effect.id for term in windows.held], "limits": [*apart, *told.limits, *lacking]}
     origin = None if folder is None else find_origin(recording, folder, twin)
-    return told.model_copy(update={**held, "origin": origin, "seconds": time.perf_counter() - began}), evidence
+    shown = evidence if touched is None else with_contacts(evidence, touched)
+    return told.model_copy(update={**held, "origin": origin, "seconds": time.perf_counter() - began}), shown
 
 
 def _describe_poses(recording: Recording) -> list[Message]:

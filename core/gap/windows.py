@@ -180,6 +180,10 @@ class Windows:
                 result[k:, c] += (band * rows[c])[: rows.shape[1] - k]
         return result
 
+    def average_rotation(self) -> Array:
+        """(K, 3, 3), sensor axes in the base frame at each window."""
+        return self._average(self.basis.scene.rotation)
+
     def on_grid(self, rows: Array) -> Array:
         """(N, 6), rows (6, K) on the scene's grid, in standard deviations of the noise."""
         return np.column_stack([np.interp(self.basis.scene.t, self.centres, channel) for channel in rows])

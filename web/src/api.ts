@@ -3083,6 +3083,58 @@ export interface components {
             motion_s?: number | null;
         };
         /**
+         * ContactPart
+         * @description A stretch in which something touched the payload.
+         */
+        ContactPart: {
+            /**
+             * Begin S
+             * @description When it began, s.
+             * @example 4.1
+             */
+            begin_s: number;
+            /**
+             * End S
+             * @description When it ended, s.
+             * @example 5.4
+             */
+            end_s: number;
+            /**
+             * Most N
+             * @description The largest force, N.
+             * @example 35.2
+             */
+            most_n: number;
+            /**
+             * Force N
+             * @description The mean force on the payload, N, base axes.
+             * @example [
+             *       0,
+             *       20.1,
+             *       -3
+             *     ]
+             */
+            force_n: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Point M
+             * @description Where it acts, m, sensor axes, as well as its torque tells.
+             * @example [
+             *       0,
+             *       0.01,
+             *       0.09
+             *     ]
+             */
+            point_m: [
+                number,
+                number,
+                number
+            ];
+        };
+        /**
          * ContactThresholds
          * @description `[thresholds]`: what the controller takes for contact with somebody. What an error of the payload adds must stay below.
          */
@@ -9738,6 +9790,11 @@ export interface components {
              * @description The same seen at the joints.
              */
             joints?: components["schemas"]["JointGap"][];
+            /**
+             * Contacts
+             * @description When something touched the payload, where contacts in several stretches explain the gap.
+             */
+            contacts?: components["schemas"]["ContactPart"][];
             /** @description The same as a message. */
             message: components["schemas"]["Message"];
         };
@@ -14029,6 +14086,7 @@ export type CommandCreate = components['schemas']['CommandCreate'];
 export type Comparison = components['schemas']['Comparison'];
 export type ComparisonPublic = components['schemas']['ComparisonPublic'];
 export type Conformity = components['schemas']['Conformity'];
+export type ContactPart = components['schemas']['ContactPart'];
 export type ContactThresholds = components['schemas']['ContactThresholds'];
 export type Contribution = components['schemas']['Contribution'];
 export type Control = components['schemas']['Control'];

@@ -93,3 +93,12 @@ gap-other-robot =
 gap-other-recording =
     .found = eine Aufzeichnung mit der SHA-256 { $found_sha256 }…
     .expected = die, für die der Versuch vorgeschlagen wurde, { $sha256 }…; nennen Sie ihren Ordner mit --recording
+gap-contact = { FIXED($begin_s, digits: 1) } bis { FIXED($end_s, digits: 1) } s (bis { FIXED($most_n, digits: 0) } N)
+gap-contacts = Etwas hat die Last { $count ->
+    [one] { "" }
+   *[other] { $count }-mal{ " " }
+ }berührt, und das erklärt die Abweichung: { $contacts }.
+gap-contacts-beside = Der Rest der Aufzeichnung zeigt außerdem { $effects }.
+gap-contacts-rest = Außerhalb davon bleibt eine Abweichung vom { FIXED($gap, digits: 1) }-Fachen des Rauschens, die kein bekannter Effekt erklärt.
+gap-contacts-left-out = die { PERCENT($share, digits: 0) } % der Aufzeichnung, in denen etwas die Last berührt hat: Last und verbleibende Abweichung sind die des Rests
+gap-contact-passes = eine Berührung geht vorüber; die Simulation kann sie nicht wiederholen

@@ -93,3 +93,12 @@ gap-other-robot =
 gap-other-recording =
     .found = a recording with SHA-256 { $found_sha256 }...
     .expected = the one that the experiment was proposed for, { $sha256 }...; name its folder with --recording
+gap-contact = { FIXED($begin_s, digits: 1) } to { FIXED($end_s, digits: 1) } s (up to { FIXED($most_n, digits: 0) } N)
+gap-contacts = Something touched the payload{ $count ->
+    [one] { "" }
+   *[other] { " " }{ $count } times
+ }, and that explains the gap: { $contacts }.
+gap-contacts-beside = The rest of the recording shows { $effects } besides.
+gap-contacts-rest = Outside of that a gap of { FIXED($gap, digits: 1) } times the noise is left, which no effect of the library explains.
+gap-contacts-left-out = the { PERCENT($share, digits: 0) } % of the recording in which something touched the payload: payload and remaining gap are those of the rest
+gap-contact-passes = a contact passes; the simulation cannot repeat it

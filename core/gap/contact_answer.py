@@ -1,0 +1,180 @@
+"""The answer to a recording in which something touched the payload: the rest of it is diagnosed for itself."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import reduce
+
+import numpy as np
+
+from core.effects.effect import Effect
+from core.effects.external_contact import ExternalContact
+from core.effects.parameter_title import find_title
+from core.gap.answer import ContactPart, Diagnosis, Explanation, Pair, PayloadPart, Value, Where
+from core.gap.answering import answer, describe_gap, describe_payload, describe_values
+from core.gap.attribution import Attribution, beyond_chance, find_lapse, find_unknown
+from core.gap.closure import closure_of, gap_of
+from core.gap.contacts import Contact, Contacts, find_contacts
+from core.gap.effect_fit import EffectFit
+from core.gap.evidence import EXPLAINED, Evidence, gather
+from core.gap.fit_all import FitAll
+from core.gap.materiality import payload_shift
+from core.gap.problem import Problem
+from core.gap.symptoms import find_leading
+from core.gap.windows import Windows
+from core.recording.recording import Recording
+from core.words.message import Message
+
+CONTACT = ExternalContact()
+NOT_ADDABLE = Message.of("gap-contact-passes")
+UNITS = {"s": "s", "n": "N", "m": "m"}
+
+
+@dataclass(frozen=True)
+class Touched:
+    """Contacts, and what was fitted to the rest of the recording.
+
+    Args:
+        rest: evidence of the rows that nothing touched.
+        alone: the nominal twin fitted to the rest, on all rows: those of the contacts count as explained.
+        best: the same with the effect that explains the rest, where a single one does.
+        probability: that this is why there is a gap.
+        unknown: that nothing of the library is.
+    """
+
+    contacts: Contacts
+    rest: Evidence
+    alone: EffectFit
+    best: EffectFit
+    probability: float
+    unknown: float
+
+
+def find_touched(evidence: Evidence, effects: Sequence[Effect], fit_all: FitAll) -> Touched | None:
+    """What contacts explain of a gap that no effect explains; None where they explain too little of it."""
+    windows, nominal = evidence.windows, evidence.nominal
+    contacts = find_contacts(windows, nominal)
+    if contacts is None:
+        return None
+    free = contacts.leave_out(windows)
+    if free.X.shape[2] != windows.X.shape[2]:
+        return None  # nothing is free between two pauses: nobody knows what the sensor reads without a load there
+    rest = gather(free, effects, fit_all)
+    explained = rest.best if rest.verdict == "explained" and len(rest.best.effects) == 1 else rest.nominal
+    left = max(0.0, beyond_chance(explained)) / (float(nominal.held_out.mean()) - 1.0)
+    unknown = find_unknown(left)
+    probability = (1.0 - unknown) * (1.0 - find_lapse(left))
+    if probability < EXPLAINED:
+        return None
+    alone, best = (_carry_over(windows, fit, contacts) for fit in (rest.nominal, explained))
+    return Touched(contacts, rest, alone, best, probability, unknown)
+
+
+def _carry_over(windows: Windows, fit: EffectFit, contacts: Contacts) -> EffectFit:
+    """A fit to the free rows, on all of them."""
+    problem, shape = Problem(windows, fit.effects), windows.target.shape
+    change = problem.linearise(fit.theta, fit.phi)[0].reshape(shape) if fit.effects or problem.held else np.zeros(shape)
+    held_out = np.ones(shape)
+    held_out[:, contacts.free] = fit.held_out
+    return replace(fit, residual=windows.target - windows.X @ fit.beta - change, held_out=held_out, change=change)
+
+
+def with_contacts(evidence: Evidence, touched: Touched) -> Evidence:
+    """The evidence with the payload of the rest as its best explanation: what its residual still shows are the contacts."""
+    return replace(evidence, attribution=Attribution(0.0, touched.unknown, ((touched.best, touched.probability),), (), 0.0))
+
+
+def answer_touched(recording: Recording, evidence: Evidence, touched: Touched) -> Diagnosis:
+    """Verdict, cause and gap of the whole recording; payload, limits and what else is seen, of what nothing touched."""
+    whole, rest, shown = answer(recording, evidence), answer(recording, touched.rest), with_contacts(evidence, touched)
+    summary = reduce(lambda said, more: Message.of("gap-summary-and", said=said, more=more), find_leading(rest.also), _summarise(touched))
+    contact, both = _explain(evidence, touched), _explain_both(evidence, touched)
+    beside = rest if touched.best.effects else whole
+    left = 1.0 - touched.unknown - touched.probability
+    others = left / max(1e-12, 1.0 - beside.none_probability - beside.unknown_probability)
+    return rest.model_copy(
+        update={
+            "verdict": "explained",
+            "summary": summary,
+            "effects": [contact, *(each.model_copy(update={"probability": others * each.probability}) for each in beside.effects)],
+            "pairs": [*both, *(each.model_copy(update={"probability": others * each.probability}) for each in beside.pairs)],
+            "none_probability": 0.0,
+            "unknown_probability": touched.unknown,
+            "minor": [],
+            "indistinguishable": [],
+            "where": None if whole.where is None else _place(whole.where, touched),
+            "gap": describe_gap(shown),
+            "payload": PayloadPart(before=describe_payload(evidence.nominal), after=describe_payload(touched.best)),
+            "consequence": payload_shift(evidence.nominal, replace(touched.best, effects=(CONTACT,))),
+            "next_experiment": None,
+            "limits": [Message.of("gap-contacts-left-out", share=1.0 - float(touched.contacts.free.mean())), *rest.limits],
+        }
+    )
+
+
+def _summarise(touched: Touched) -> Message:
+    """When it was touched, and what is left outside of that where it matters."""
+    spans = [Message.of("gap-contact", begin_s=each.begin_s, end_s=each.end_s, most_n=each.most_n) for each in touched.contacts.found]
+    said = Message.of("gap-contacts", count=len(spans), contacts=spans)
+    if touched.best.effects:
+        more = Message.of("gap-contacts-beside", effects=touched.best.effects[0].title)
+    elif touched.rest.verdict != "no_gap":
+        more = Message.of("gap-contacts-rest", gap=gap_of(touched.rest.windows, touched.rest.nominal))
+    else:
+        return said
+    return Message.of("gap-summary-and", said=said, more=more)
+
+
+def _place(where: Where, touched: Touched) -> Where:
+    parts = [
+        ContactPart(begin_s=c.begin_s, end_s=c.end_s, most_n=c.most_n, force_n=tuple(c.force.tolist()), point_m=tuple(c.point.tolist()))
+        for c in touched.contacts.found
+    ]
+    return where.model_copy(update={"stage": CONTACT.stage, "contacts": parts})
+
+
+def _explain(evidence: Evidence, touched: Touched) -> Explanation:
+    """The contacts alone, with the parameters of the strongest; where the rest is explained too, as probable as that it has no gap."""
+    strongest, windows = touched.contacts.strongest, evidence.windows
+    closure, interval = closure_of(windows, evidence.nominal, touched.alone)
+    return Explanation(
+        id=CONTACT.id,
+        title=CONTACT.title,
+        stage=CONTACT.stage,
+        probability=touched.probability * (touched.rest.attribution.none if touched.best.effects else 1.0),
+        parameters=_list_values(strongest),
+        gap_after=gap_of(windows, touched.alone),
+        closure=closure,
+        closure_interval=interval,
+        advice=Message.of("advice-external-contact", force_n=strongest.most_n, begin_s=strongest.begin_s, end_s=strongest.end_s),
+        why_not=NOT_ADDABLE,
+    )
+
+
+def _explain_both(evidence: Evidence, touched: Touched) -> list[Pair]:
+    """The contacts together with the effect that explains the rest, where a single one does."""
+    if not touched.best.effects:
+        return []
+    windows, best = evidence.windows, touched.best
+    name = best.effects[0].id
+    return [
+        Pair(
+            ids=(CONTACT.id, name),
+            probability=touched.probability * (1.0 - touched.rest.attribution.none),
+            gap_after=gap_of(windows, best),
+            closure=closure_of(windows, evidence.nominal, best)[0],
+            parameters={CONTACT.id: _list_values(touched.contacts.strongest), name: describe_values(best)},
+            why_not=NOT_ADDABLE,
+        )
+    ]
+
+
+def _list_values(contact: Contact) -> dict[str, Value]:
+    """By the names of `ExternalContact`; without uncertainty, since nothing was fitted to the force."""
+    numbers = {"at_s": contact.begin_s, "duration_s": contact.end_s - contact.begin_s}
+    numbers |= {f"force_{axis}_n": float(force) for axis, force in zip("xyz", contact.force, strict=True)}
+    numbers |= {f"at_{axis}_m": float(at) for axis, at in zip("xyz", contact.point, strict=True)}
+    return {
+        name: Value(title=find_title(name), value=value, std=None, unit=UNITS[name.rpartition("_")[2]]) for name, value in numbers.items()
+    }

@@ -1,0 +1,136 @@
+"""Contacts against pushes added to the wrench by the lever rule in base axes, with forces drawn as splines through random knots."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.interpolate import PchipInterpolator
+
+from core.effects.library import library
+from core.gap.answer import Diagnosis
+from core.gap.basis import basis_of
+from core.gap.contacts import find_contacts, find_stretches
+from core.gap.diagnosis import diagnose
+from core.gap.effect_fit import fit_nominal
+from core.gap.windows import Windows
+from core.recording.recording import Recording
+from tests.synthetic import Imperfections, Run, payload, record, run_of
+
+SPANS = ((0.12, 0.17), (0.4, 0.52), (0.7, 0.73))
+"""Shares of the run."""
+
+
+def spans_of(run: Run) -> list[tuple[float, float]]:
+    lasts = run.t[-1] - run.t[0]
+    return [(run.t[0] + a * lasts, run.t[0] + b * lasts) for a, b in SPANS]
+
+
+def push(recording: Recording, run: Run, force: np.ndarray, point: tuple[float, float, float], *, lever: bool = True) -> Recording:
+    """Forces (N, 3) on the payload, base axes, at a point, sensor axes: what the sensor exerts on the payload is less by as much."""
+    f = np.einsum("nji,nj->ni", run.rotation, force)
+    torque = np.cross(np.array(point), f) if lever else np.zeros_like(f)
+    return replace(recording, wrench=recording.wrench - np.hstack([f, torque]))
+
+
+def hand(run: Run, seed: int, most_n: float = 20.0) -> np.ndarray:
+    """(N, 3): within each span a force that wanders about a direction of its own, and is nothing at both ends."""
+    rng = np.random.default_rng(seed)
+    force = np.zeros((len(run.t), 3))
+    for begin, end in spans_of(run):
+        knots = np.linspace(begin, end, 7)
+        direction = rng.normal(size=3)
+        values = most_n * (direction / np.linalg.norm(direction) + 0.3 * rng.normal(size=(7, 3)))
+        values[[0, -1]] = 0.0
+        inside = (run.t > begin) & (run.t < end)
+        force[inside] = PchipInterpolator(knots, values)(run.t[inside])
+    return force
+
+
+def shaken(run: Run) -> np.ndarray:
+    """(N, 3): in the same spans a force that goes to and fro."""
+    force = np.zeros((len(run.t), 3))
+    for begin, end in spans_of(run):
+        inside = (run.t > begin) & (run.t < end)
+        force[inside] = 20.0 * np.sin(2.0 * np.pi * 5.0 * (run.t[inside] - begin))[:, None] * [0.6, 0.0, 0.8]
+    return force
+
+
+@pytest.fixture(scope="module")
+def run() -> Run:
+    return run_of(repetitions=1)
+
+
+def found_in(recording: Recording):
+    windows = Windows(basis_of(recording))
+    return find_contacts(windows, fit_nominal(windows))
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_each_push_of_a_hand_is_found_with_its_time_its_force_and_its_point(run: Run, seed: int) -> None:
+    force, point = hand(run, seed), (0.02, -0.01, 0.09)
+    contacts = found_in(push(record(run, payload("steel_block"), np.random.default_rng(seed)), run, force, point))
+    assert contacts is not None
+    assert [(c.begin_s, c.end_s) for c in contacts.found] == [pytest.approx(span, abs=0.1) for span in spans_of(run)]
+    for contact in contacts.found:
+        inside = (run.t >= contact.begin_s) & (run.t <= contact.end_s)
+        assert contact.most_n == pytest.approx(np.linalg.norm(force[inside], axis=1).max(), rel=0.05)
+        assert contact.force == pytest.approx(force[inside].mean(axis=0), abs=1.0)
+        assert contact.point == pytest.approx(point, abs=0.005)
+    free = np.interp(
+        Windows(basis_of(record(run, payload("steel_block"), np.random.default_rng(seed)))).centres, run.t, np.abs(force).max(1)
+    )
+    assert free[contacts.free].max() < 0.05 * np.abs(force).max()
+
+
+def test_nothing_is_found_where_nothing_touched(run: Run) -> None:
+    assert found_in(record(run, payload("steel_block"), np.random.default_rng(4))) is None
+
+
+def test_what_shakes_the_payload_to_and_fro_is_no_contact(run: Run) -> None:
+    assert found_in(push(record(run, payload("steel_block"), np.random.default_rng(5)), run, shaken(run), (0.0, 0.0, 0.1))) is None
+
+
+def test_a_force_without_the_torque_of_any_point_is_no_contact(run: Run) -> None:
+    still = record(run, payload("steel_block"), np.random.default_rng(6))
+    apart = push(still, run, hand(run, 6), (0.0, 0.0, 0.0), lever=False)
+    torque = 2.0 * np.einsum("nji,nj->ni", run.rotation, hand(run, 7))
+    assert found_in(replace(apart, wrench=apart.wrench - np.hstack([np.zeros_like(torque), 0.1 * torque]))) is None
+
+
+def test_stretches_close_together_are_one_and_what_rings_on_is_none_of_them() -> None:
+    t = 0.05 * np.arange(400)
+    size = np.ones(400)
+    size[100:110], size[112:120], size[120:140], size[200:202], size[300:320] = 900.0, 900.0, 9.0, 12.0, 400.0
+    assert find_stretches(t, size) == [slice(100, 120), slice(300, 320)]
+
+
+@pytest.fixture(scope="module")
+def diagnosis(run: Run) -> Diagnosis:
+    tilt = Imperfections(tilt_rad=(0.02, 0.0))
+    recording = push(record(run, payload("steel_block"), np.random.default_rng(8), tilt), run, hand(run, 8), (0.02, -0.01, 0.09))
+    return diagnose(
+        recording, [effect for effect in library() if effect.id in ("base_tilt", "time_delay", "sensor_gain", "external_contact")]
+    )
+
+
+def test_pushes_and_a_base_that_is_not_level_are_both_named_and_the_payload_is_that_of_the_rest(diagnosis: Diagnosis) -> None:
+    assert diagnosis.verdict == "explained"
+    assert diagnosis.pairs[0].ids == ("external_contact", "base_tilt")
+    tilt = diagnosis.pairs[0].parameters["base_tilt"]
+    assert np.hypot(tilt["about_x_rad"].value, tilt["about_y_rad"].value) == pytest.approx(0.02, rel=0.05)
+    after = diagnosis.payload.after
+    truth = payload("steel_block").phi
+    assert abs(after.phi[0] - truth[0]) < 4.0 * after.std[0] + 0.001 * truth[0]
+    assert diagnosis.gap.after < 0.05 * diagnosis.gap.before
+    total = sum(each.probability for each in (*diagnosis.effects, *diagnosis.pairs))
+    assert total + diagnosis.none_probability + diagnosis.unknown_probability == pytest.approx(1.0)
+
+
+def test_the_stretches_are_told_in_the_answer_and_to_the_person_at_the_robot(diagnosis: Diagnosis, run: Run) -> None:
+    told = [(part.begin_s, part.end_s) for part in diagnosis.where.contacts]
+    assert told == [pytest.approx(span, abs=0.1) for span in spans_of(run)]
+    strongest = max(diagnosis.where.contacts, key=lambda part: part.most_n)
+    assert diagnosis.instruction.at_s == pytest.approx(strongest.begin_s)
+    assert diagnosis.where.stage == "environment"

@@ -1,0 +1,73 @@
+"""Logs of real arms, read here by numpy alone: KUKA LBR Med 14 (A. Skrede, NTNU, CC BY 4.0) and UR5 (K. Kufieta, NTNU, Apache-2.0)."""
+
+from __future__ import annotations
+
+import gzip
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation, Slerp
+
+from core.gap.diagnosis import diagnose
+from core.recording.recording import Recording
+
+REAL = Path(__file__).parents[4] / "shared" / "real"
+GRAVITY = np.array([0.0, 0.0, -9.81])
+
+
+def table(file: Path, skip: int = 0) -> np.ndarray:
+    with gzip.open(file, "rt") as text:
+        return np.loadtxt(text, delimiter=",", skiprows=skip)
+
+
+def kuka(name: str) -> Recording:
+    """Time in microseconds, orientations of their own clock; the sign of the wrench is opposite to the paper's."""
+    wrench = table(REAL / f"logs/kuka-med14/{name}_wrench.csv.gz", skip=1)
+    attitude = table(REAL / f"logs/kuka-med14/{name}_orientations.csv.gz", skip=1)
+    turned = Slerp(attitude[:, 0], Rotation.from_matrix(attitude[:, 1:].reshape(-1, 3, 3)))
+    wrench = wrench[(wrench[:, 0] >= attitude[0, 0]) & (wrench[:, 0] <= attitude[-1, 0])]
+    t = (wrench[:, 0] - wrench[0, 0]) * 1e-6
+    return Recording(t=t, gravity=GRAVITY, wrench=-wrench[:, 1:], orientation=turned(wrench[:, 0]).as_matrix())
+
+
+def ur5() -> Recording:
+    """Sensor and robot each with seconds from a beginning of their own."""
+    folder = REAL / "logs/ur5-pushes"
+    begins = [float((folder / name).read_text().split()[0].split(",")[0]) for name in ("log_force_sensor_start_time.csv", "start_time.csv")]
+    wrench, pose = table(folder / "log_force_sensor.csv.gz"), table(folder / "log_tool_vector.csv.gz")
+    t = wrench[:, 0] + begins[0] - begins[1]
+    kept = (t >= pose[0, 0]) & (t <= pose[-1, 0]) & np.append(True, np.diff(t) > 0.0)
+    t, wrench = t[kept], wrench[kept, 1:]
+    turned = Slerp(pose[:, 0], Rotation.from_rotvec(pose[:, 4:7]))
+    position = np.column_stack([np.interp(t, pose[:, 0], pose[:, k]) for k in (1, 2, 3)])
+    return Recording(t=t, gravity=GRAVITY, wrench=wrench, orientation=turned(t).as_matrix(), position=position)
+
+
+def test_a_hand_on_the_tool_is_named_with_its_time_and_the_payload_is_that_of_the_rest() -> None:
+    # the readings themselves leave those of the untouched run from 0.60 s on, and are back at 4.15 s
+    diagnosis = diagnose(kuka("3-vibrations-contact"))
+    assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "external_contact")
+    (contact,) = diagnosis.where.contacts
+    assert (contact.begin_s, contact.end_s) == pytest.approx((0.60, 4.15), abs=0.1)
+    before, after = (abs(payload.phi[0] - 0.932) for payload in (diagnosis.payload.before, diagnosis.payload.after))
+    assert after < 0.03
+    assert before > 0.09
+
+
+@pytest.mark.parametrize("name", ["1-baseline", "2-vibrations"])
+def test_nobody_is_said_to_have_touched_the_tool_of_the_runs_in_which_nobody_did(name: str) -> None:
+    diagnosis = diagnose(kuka(name))
+    assert "external_contact" not in [effect.id for effect in diagnosis.effects[:3]]
+    assert not diagnosis.where.contacts
+
+
+def test_pushes_by_hand_in_a_moving_arm_are_named_and_the_quiet_parts_are_not() -> None:
+    diagnosis = diagnose(ur5())
+    assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "external_contact")
+    spans = [(contact.begin_s, contact.end_s) for contact in diagnosis.where.contacts]
+    assert len(spans) >= 6
+    assert max(contact.most_n for contact in diagnosis.where.contacts) == pytest.approx(52.0, abs=3.0)
+    # nobody pushes before the first 4 s, between 14.5 and 16 s, and in the last 3 s
+    for quiet in ((0.0, 3.5), (14.5, 16.0), (31.0, 34.0)):
+        assert all(end < quiet[0] or begin > quiet[1] for begin, end in spans)
