@@ -7,11 +7,14 @@ HeftError                      exit code 1
 │   ├── BadPayload                 a payload that no rigid body can have
 │   ├── BadTwin                    a twin.json that cannot be used, or an effect that cannot be added to it
 │   ├── BadZone                    a protected zone that somebody draws and that cannot be so
-│   └── BadRecording               a recording that cannot be read
+│   ├── BadRecording               a recording that cannot be read
+│   └── MissingPackage             a driver's package is not installed
 ├── Refused                    3   the cell leaves no safe way to do it; the robot has not moved
 │   ├── NoStartConfiguration       no start configuration for an axis (Algorithm 6)
 │   ├── NoPath                     no collision-free path, or none that can be timed
 │   ├── NoRoomAtHome               the payload box that was asked for is too close to something at home
+│   ├── NotConnected               the robot or its sensor cannot be reached, or lets nobody command it
+│   ├── WrongRobot                 what is connected is not what the cell describes
 │   ├── TooHeavy                   a joint has not the torque to carry the load as planned
 │   └── PlanDisputed               a finished plan that an independent check does not confirm
 ├── Stopped                    4   the guard stopped the robot; carries the last samples
@@ -21,7 +24,9 @@ HeftError                      exit code 1
 │   ├── OverLoad                   the wrist wrench
 │   ├── BadState                   stale, non-finite or inconsistent robot state
 │   │   ├── SensorFrozen           the wrench does not change any more
-│   │   └── RobotStateLate         the robot's state came too late
+│   │   ├── RobotStateLate         the robot's state came too late
+│   │   ├── ControllerStopped      the robot's controller has stopped it, or obeys no longer
+│   │   └── WrongSensor            the wrench does not turn with the robot as the cell says
 │   ├── Held                       the robot keeps its place and goes on when it is told to
 │   │   └── ControlLost            nobody is in control of the robot any more
 │   └── Commanded                  somebody asked to stop; no way back into the same run
@@ -176,6 +181,10 @@ class BadRecording(BadInput):
     """A recording folder that cannot be read."""
 
 
+class MissingPackage(BadInput):
+    """A driver's package is optional, and is not installed."""
+
+
 class Refused(HeftError):
     """The cell leaves no safe way to do what was asked. The robot has not moved.
 
@@ -241,6 +250,14 @@ class NoRoomAtHome(Refused):
 
     def __init__(self, code: str, /, in_the_way: str, **parameters: Parameter) -> None:
         super().__init__(code, in_the_way, **parameters)
+
+
+class NotConnected(Refused):
+    """The robot or its sensor cannot be reached, or lets nobody command it as it is."""
+
+
+class WrongRobot(Refused):
+    """What is connected is not what the cell describes: model, serial number, firmware, limits or kinematics."""
 
 
 class TooHeavy(Refused):
@@ -310,6 +327,14 @@ class RobotStateLate(BadState):
     """The robot's state came later than the control loop may wait for it."""
 
     cause = Cause.ROBOT
+
+
+class ControllerStopped(BadState):
+    """The robot's controller has stopped it by itself, or takes commands no longer."""
+
+
+class WrongSensor(BadState):
+    """The wrench does not turn with the robot as the cell says: another sign, other axes, or no load that could tell."""
 
 
 class Held(Stopped):

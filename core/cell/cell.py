@@ -13,6 +13,7 @@ import numpy as np
 from pydantic import Field
 
 from core.array import Array
+from core.cell.session import Session, SimulatedRobot
 from core.cell.thresholds import ContactThresholds
 from core.cell.tool import Tool
 from core.cell.urdf_elements import MAX_BYTES as MAX_URDF_BYTES
@@ -215,6 +216,7 @@ class Cell(Model):
     sensor: Sensor = Field(description="The wrist force/torque sensor.")
     limits: Limits = Field(default=Limits(), description="Largest speed and smallest distances.")
     control: Control = Field(default=Control(), description="How the robot depends on whoever is in control.")
+    session: Session = Field(default=SimulatedRobot(), description="How the robot is reached; simulated where nobody has said.")
     thresholds: ContactThresholds = Field(
         default=ContactThresholds(), description="From which external torques and forces the controller acts."
     )

@@ -12,6 +12,7 @@ from pydantic_core import ErrorDetails
 
 from core.cell.cell import CELL_FILE, MAX_CELL_BYTES, Cell, Control, Friction, Limits, Obstacle, Payload, Robot, Sensor, Zone
 from core.cell.contradictions import contradictions
+from core.cell.session import DRIVER_NAMES, ROBOT_DRIVERS, NetFtSensor, SimulatedRobot, UniversalRobot
 from core.cell.tool import Tool
 from core.cell.tool_checks import tool_flaws
 from core.cell.urdf import Urdf, check_urdf
@@ -143,6 +144,8 @@ def check_robot(cell: Cell, urdf: Urdf) -> None:
 def _flaw(error: ErrorDetails, where: str) -> BadCell:
     """One of pydantic's errors as one of ours."""
     flaw = schema_flaw(error)
+    if error["loc"][:1] == ("session",):
+        return _session_flaw(error, where)
     if error["type"] == "extra_forbidden":
         for close in difflib.get_close_matches(str(error["loc"][-1]), _keys(), n=1):
             return BadCell(f"{where}: {flaw.key}", "cell-unknown-key", close=close)
@@ -153,10 +156,24 @@ def _flaw(error: ErrorDetails, where: str) -> BadCell:
     return flaw.refusal(BadCell, where)
 
 
+def _session_flaw(error: ErrorDetails, where: str) -> BadCell:
+    """The same of the table [session], whose keys are those of its driver; pydantic has the driver's name among the keys."""
+    named = tuple(part for part in error["loc"] if part not in DRIVER_NAMES)
+    key = ".".join(str(part) for part in named)
+    if error["type"] in {"union_tag_not_found", "union_tag_invalid"}:
+        found = str(error["ctx"].get("tag", "-"))[:MOST_LETTERS]
+        return BadCell(f"{where}: {key}.driver", "cell-unknown-driver", driver=found, drivers=ROBOT_DRIVERS)
+    if error["type"] == "extra_forbidden":
+        for close in difflib.get_close_matches(str(named[-1]), _keys(), n=1):
+            return BadCell(f"{where}: {key}", "cell-unknown-key", close=close)
+    return schema_flaw({**error, "loc": named}).refusal(BadCell, where)
+
+
 def _keys() -> list[str]:
     """Every key of the format."""
+    links = (SimulatedRobot, UniversalRobot, NetFtSensor)
     shapes = (Box, Sphere, Capsule, Cylinder, Pose)
-    models = (Cell, Site, Robot, Friction, Sensor, SensorCalibration, Limits, Control, Payload, Tool, Obstacle, Zone, *shapes)
+    models = (Cell, Site, Robot, Friction, Sensor, SensorCalibration, Limits, Control, Payload, Tool, Obstacle, Zone, *shapes, *links)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})
 
 

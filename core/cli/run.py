@@ -32,8 +32,8 @@ from core.procedure.progress import watch
 from core.report.page import write_report
 from core.requirement.target import parse_target
 from core.robot.model import RobotModel
+from core.sessions.opening import Simulation, is_simulated, open_session
 from core.sessions.pace import AsFastAsPossible, RealTime
-from core.sessions.simulated import SimulatedSession
 from core.twin.file import read_twin
 
 app = typer.Typer()
@@ -63,7 +63,10 @@ def run(
     *,
     language: LanguageOption,
 ) -> None:
-    """Plan and run the procedure on the simulated robot, identify the payload, write recording, answer and report."""
+    """Plan and run the procedure on the cell's robot, identify the payload, write recording, answer and report.
+
+    The robot is simulated unless cell.toml names a real one.
+    """
     loaded = limit_speed(load_cell(find_cell(cell)), speed, "--speed")
     scope = scope_of(axes, holds_only=holds_only)
     if experiment is not None and (start is not None or scope != WHOLE):
@@ -72,17 +75,25 @@ def run(
     if experiment is not None and wanted is not None:
         raise BadInput("--target", "target-beside-experiment")
     asked, before = (None, None) if experiment is None else read_request(experiment, recording, loaded)
-    name, carried = choose_payload(loaded, payload or (asked.payload if asked else None))
-    folder = out or Path("recordings") / f"{loaded.name}-{name}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
+    simulated = is_simulated(loaded)
+    if start is not None and not simulated:
+        raise BadInput("--from", "cli-from-beside-robot", driver=loaded.session.driver)
+    named = payload or (asked.payload if asked else None)
+    # nobody knows what a real robot carries, unless somebody says so
+    name, carried = choose_payload(loaded, named) if simulated or named else (None, None)
+    folder = out or Path("recordings") / f"{loaded.name}-{name or 'unknown'}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
     check_new(folder, json)
     pace = RealTime() if real_time else AsFastAsPossible()
     twin = read_twin(loaded)
     stands = starting_point(start, loaded, RobotModel.of_cell(loaded))
-    session = SimulatedSession(loaded, carried.parameters, seed=seed + (before is not None), pace=pace, twin=twin, start=stands)
+    load = None if carried is None else carried.parameters
+    simulation = Simulation(load, seed=seed + (before is not None), pace=pace, twin=twin, start=stands)
+    session = open_session(loaded, simulation)
+    stands = session.find_start()
     steps = identify(
         loaded,
         session,
-        carried.box,
+        loaded.payload_box if carried is None else carried.box,
         stops=Stops.of_procedure(scope) if asked is None else Stops(asked.stops),
         before=before,
         payload=name if asked is None else None,
@@ -94,7 +105,7 @@ def run(
         out=folder,
         twin=twin,
         target=wanted,
-        clock_waits=not real_time,
+        clock_waits=simulated and not real_time,
     )
     outcome = watch(steps, messages)
     at = datetime.now(UTC)

@@ -207,6 +207,10 @@ class LeasedSession(RobotSession):
         self._last: Array | None = None
         self._moving = False
 
+    def find_start(self) -> Array:
+        """Where the robot stands, (n,), rad; needs no lease."""
+        return self.inner.find_start()
+
     def __enter__(self) -> Self:
         self.inner.__enter__()
         self.lease.begin()

@@ -42,6 +42,15 @@ class RobotSession(ABC):
     """Control period, s."""
 
     @abstractmethod
+    def find_start(self) -> Array:
+        """Joint positions (n,) from which the first command has to go on, rad; to be asked before the entry. A driver of a real robot
+        connects for it, checks that it is the cell's, and lets it go again without having moved it.
+
+        Raises:
+            MissingPackage, NotConnected, WrongRobot: it cannot be used.
+        """
+
+    @abstractmethod
     def __enter__(self) -> Self: ...
 
     @abstractmethod

@@ -79,6 +79,10 @@ class SimulatedSession(RobotSession):
         self._open = False
         self._stopped = False
 
+    def find_start(self) -> Array:
+        """Where it stands, (n,), rad."""
+        return self._q_now
+
     def __enter__(self) -> Self:
         self._open = True
         self._stopped = False

@@ -28,9 +28,9 @@ from core.recording.recording import Recording, check_same_robot
 from core.report.page import write_report
 from core.robot.model import RobotModel
 from core.sessions.leased import Lease, LeasedSession
+from core.sessions.opening import Simulation, open_session
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.sample_log import SampleLog
-from core.sessions.simulated import SimulatedSession
 from core.twin.file import read_twin
 from core.words.catalogue import LANGUAGES
 from core.words.message import Message
@@ -89,9 +89,9 @@ def _carry_out(
     pace = RealTime() if order.pace == "real_time" else AsFastAsPossible()
     twin = read_twin(order.cell)
     before = None if order.continues is None else read_recording(order.continues.recording)
-    start = _find_start(order, before)
-    robot = SimulatedSession(order.cell, _find_carried(order), seed=order.seed, pace=pace, twin=twin, start=start)
-    session = LeasedSession(robot, lease)
+    simulation = Simulation(_find_carried(order), order.seed, pace, twin, _find_start(order, before))
+    session = LeasedSession(open_session(order.cell, simulation), lease)
+    start = session.find_start()
     model = RobotModel.of_cell(order.cell)
     done = 0
     if order.continues is not None and before is not None:

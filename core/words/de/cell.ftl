@@ -10,6 +10,9 @@ cell-shape-without-kind =
 cell-unknown-shape =
     .found = „{ $kind }“
     .expected = box, sphere, capsule oder cylinder
+cell-unknown-driver =
+    .found = '{ $driver }'
+    .expected = eines von { $drivers }
 
 cell-argument = Zelle
 cell-nearly-named =

@@ -13,3 +13,23 @@ session-command-after-stop = ein Befehl nach einem Stopp; geben Sie mit release(
 session-command-not-finite = ein Befehl aus { $count } Gelenkstellungen, davon { $not_finite } nicht endlich: erwartet { $joints } endliche Gelenkstellungen; der Roboter wurde gestoppt.
 session-command-out-of-limits = Gelenk { $joint }: befohlene Stellung { FIXED($value, digits: 4) } rad (Grenze { FIXED($limit, digits: 4) } rad); die Antriebe nahmen sie nicht an und stoppten. Prüfen Sie die Gelenkgrenzen des Plans.
 session-command-too-far = Gelenk { $joint }: { FIXED($step_rad, digits: 5) } rad in einer Periode befohlen, { FIXED($value, digits: 3) } rad/s (Grenze { FIXED($limit, digits: 3) } rad/s); die Antriebe nahmen es nicht an und stoppten. Beginnen Sie bei der jetzt befohlenen Stellung (q_cmd).
+
+# Was ein Treiber findet, bevor sich ein Roboter bewegt.
+session-no-package =
+    .found = ein Treiber, dessen Paket '{ $module }' sich nicht laden lässt ({ $reason })
+    .expected = pip install "heft[{ $extra }]" auf dem Rechner, der den Roboter führt
+session-no-mount =
+    .found = nichts, was sagt, wo der Sensor am Flansch sitzt
+    .expected = sensor.mount (xyz_m, rpy_rad): ohne das lässt sich die Kinematik des Roboters nicht mit der der Steuerung vergleichen
+session-wrong-model = der Roboter an { $host } nennt sich { $found }, und { $at } erwartet { $expected }; nichts hat sich bewegt. Schließen Sie den Roboter der Zelle an, oder berichtigen Sie session.model und die URDF.
+session-wrong-serial = der Arm an { $host } hat die Seriennummer { $found }, und { $at } erwartet { $expected }; nichts hat sich bewegt. Schließen Sie den Arm der Zelle an, oder berichtigen Sie session.serial, nachdem Zonen und Hindernisse für diesen geprüft sind.
+session-wrong-firmware = die Steuerung hat die Version { $found }, und { $at } erwartet { $expected }; nichts hat sich bewegt. Ist die Aktualisierung gewollt, so erproben Sie die Zelle langsam und berichtigen session.firmware.
+session-unknown-firmware = die Steuerung hat die Version { $found }; dieser Treiber kennt { $supported }. Nichts hat sich bewegt. Aktualisieren Sie die Steuerung.
+session-wrong-joint-count = die Steuerung hat { $found } Gelenke, die URDF der Zelle { $expected }; nichts hat sich bewegt. Schließen Sie den Roboter der Zelle an oder berichtigen Sie die URDF.
+session-limit-lower = Gelenk { $joint }: die Steuerung hält bei { DEGREES($found) }°, die URDF erlaubt bis hinab zu { DEGREES($expected) }°; nichts hat sich bewegt. Engen Sie die Grenze der URDF ein, oder erweitern Sie die der Steuerung.
+session-limit-upper = Gelenk { $joint }: die Steuerung hält bei { DEGREES($found) }°, die URDF erlaubt bis hinauf zu { DEGREES($expected) }°; nichts hat sich bewegt. Engen Sie die Grenze der URDF ein, oder erweitern Sie die der Steuerung.
+session-limit-speed = Gelenk { $joint }: die Steuerung erlaubt { FIXED($found, digits: 2) } rad/s, die Zelle { FIXED($expected, digits: 2) } rad/s; nichts hat sich bewegt. Senken Sie robot.velocity_rad_s in der Zelle, oder erlauben Sie mehr in den Sicherheitseinstellungen der Steuerung.
+session-kinematics-differ = die Steuerung hat ihren Flansch { MILLI($distance_m, digits: 1) } mm (Grenze { MILLI($limit_m, digits: 1) } mm) und { DEGREES($angle_rad, digits: 2) }° (Grenze { DEGREES($limit_rad, digits: 2) }°) von dort, wo ihn die URDF der Zelle hat
+session-joints-swapped = { session-kinematics-differ }; mit vertauschten Gelenken { $first } und { $second } stimmen sie überein. Nichts hat sich bewegt. Berichtigen Sie die Reihenfolge der Gelenke in der URDF.
+session-joint-sign = { session-kinematics-differ }; mit anderem Vorzeichen des Gelenks { $joint } stimmen sie überein. Nichts hat sich bewegt. Drehen Sie die Achse dieses Gelenks in der URDF um.
+session-wrong-kinematics = { session-kinematics-differ }; nichts hat sich bewegt. Prüfen Sie die URDF (auch ihre Kalibrierung), session.base, sensor.mount, und ob der Werkzeugmittelpunkt der Steuerung der ist, den sie angibt.

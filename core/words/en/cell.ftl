@@ -11,6 +11,9 @@ cell-shape-without-kind =
 cell-unknown-shape =
     .found = '{ $kind }'
     .expected = box, sphere, capsule or cylinder
+cell-unknown-driver =
+    .found = '{ $driver }'
+    .expected = one of { $drivers }
 
 # Which cell is meant.
 cell-argument = cell

@@ -15,3 +15,23 @@ session-command-after-stop = a command after a stop; call release() when it is s
 session-command-not-finite = a command of { $count } joint positions, { $not_finite } of them not finite: expected { $joints } finite joint positions; the robot was stopped.
 session-command-out-of-limits = joint { $joint }: commanded position { FIXED($value, digits: 4) } rad (limit { FIXED($limit, digits: 4) } rad); the drives refused it and stopped. Check the plan's joint limits.
 session-command-too-far = joint { $joint }: commanded { FIXED($step_rad, digits: 5) } rad away in one period, { FIXED($value, digits: 3) } rad/s (limit { FIXED($limit, digits: 3) } rad/s); the drives refused it and stopped. Start from the robot's present q_cmd.
+
+# What a driver finds before a robot moves.
+session-no-package =
+    .found = a driver whose package '{ $module }' cannot be loaded ({ $reason })
+    .expected = pip install "heft[{ $extra }]" on the computer that runs the robot
+session-no-mount =
+    .found = nothing that says where the sensor is on the flange
+    .expected = sensor.mount (xyz_m, rpy_rad): without it the robot's kinematics cannot be held against the controller's
+session-wrong-model = the robot at { $host } calls itself { $found }, and { $at } expects { $expected }; nothing has moved. Connect the cell's robot, or correct session.model and the URDF.
+session-wrong-serial = the arm at { $host } has the serial number { $found }, and { $at } expects { $expected }; nothing has moved. Connect the cell's arm, or correct session.serial after its zones and obstacles were checked for this one.
+session-wrong-firmware = the controller has version { $found }, and { $at } expects { $expected }; nothing has moved. If the update is meant, try the cell at reduced speed and correct session.firmware.
+session-unknown-firmware = the controller has version { $found }; this driver knows { $supported }. Nothing has moved. Update the controller.
+session-wrong-joint-count = the controller has { $found } joints, the cell's URDF { $expected }; nothing has moved. Connect the cell's robot or correct the URDF.
+session-limit-lower = joint { $joint }: the controller stops at { DEGREES($found) }°, the URDF allows down to { DEGREES($expected) }°; nothing has moved. Draw the URDF's limit in, or widen the controller's.
+session-limit-upper = joint { $joint }: the controller stops at { DEGREES($found) }°, the URDF allows up to { DEGREES($expected) }°; nothing has moved. Draw the URDF's limit in, or widen the controller's.
+session-limit-speed = joint { $joint }: the controller allows { FIXED($found, digits: 2) } rad/s, the cell { FIXED($expected, digits: 2) } rad/s; nothing has moved. Lower robot.velocity_rad_s in the cell, or allow more in the controller's safety settings.
+session-kinematics-differ = the controller has its flange { MILLI($distance_m, digits: 1) } mm (limit { MILLI($limit_m, digits: 1) } mm) and { DEGREES($angle_rad, digits: 2) }° (limit { DEGREES($limit_rad, digits: 2) }°) from where the cell's URDF has it
+session-joints-swapped = { session-kinematics-differ }; with the joints { $first } and { $second } swapped they agree. Nothing has moved. Correct the order of the joints in the URDF.
+session-joint-sign = { session-kinematics-differ }; with the sign of joint { $joint } changed they agree. Nothing has moved. Turn the axis of that joint round in the URDF.
+session-wrong-kinematics = { session-kinematics-differ }; nothing has moved. Check the URDF (its calibration, too), session.base, sensor.mount, and that the controller's tool centre point is what it says.

@@ -9,9 +9,30 @@ from core.cell.folder import load_cell
 from core.errors import BadState, OutOfLimits, TooFast
 from core.plant.imperfections import Imperfections
 from core.sessions.simulated import SimulatedSession
+from tests.core.sessions.conformance import Bench, Conformance
 
 CELLS = {name: load_cell(Path(__file__).parents[3] / "cells" / name) for name in ("lwr4_bench", "ur5e_line")}
 PERIOD = 0.001
+
+
+class SimulatedBench(Bench):
+    linked = False
+
+    def __init__(self, name):
+        self.cell = CELLS[name]
+
+    def open(self, cell=None):  # noqa: ARG002 - there is no other robot that it could be held against
+        self.session = session_of(self.cell.name)
+        return self.session
+
+    def where(self):
+        return self.session.plant.truth.q
+
+
+class TestConformance(Conformance):
+    @pytest.fixture(params=CELLS)
+    def bench(self, request):
+        return SimulatedBench(request.param)
 
 
 def session_of(name="lwr4_bench", **options):
