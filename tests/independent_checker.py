@@ -250,7 +250,7 @@ class IndependentChecker:
         """Of two bodies: of their hulls, and where that is not enough and one of them is hollow, of their triangles."""
         first, second = frames[self._groups[i]], frames[self._groups[k]]
         low, high = bounds(self._packed, i, k, first, second)
-        if low > 0.0 and high - low > EXACT_M:
+        if low > 0.0 and high - low > EXACT_M * max(1.0, 10.0 * high):  # a millionth of what is far away will do
             raise ArithmeticError(f"{self._bodies[i].name} - {self._bodies[k].name}: a distance between {low} and {high} m")
         if low >= enough_m or (self._bodies[i].triangles is None and self._bodies[k].triangles is None):
             return float(low)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from heapq import heappop, heappush
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +13,7 @@ from core.array import Array
 from core.cell.cell import Cell
 from core.planning.grid import Postures
 from core.planning.link_room import LinkRoom
+from core.planning.room_bound import RoomBound
 from core.planning.timing import MotionLimits
 from core.robot.collision import CollisionModel
 from core.robot.inverse_kinematics import solve_poses
@@ -34,30 +37,67 @@ class Weights:
     travel_per_s: float = 0.01
 
 
-@dataclass(frozen=True)
 class Candidates:
-    """Solutions of the inverse kinematics, one per row.
+    """Solutions of the inverse kinematics, one per row; their distances are computed as late as possible.
+
+    What a row scores is known from above at once, and exactly once it has been `ranked`: before that its objective, score and clearance are
+    NaN.
 
     Args:
         q: (N, n), rad.
         vertex: (N,), index of the vertex they belong to.
-        objective: (N,), Eq. (6).
-        score: (N,), the objective minus what the way there costs.
-        clearance: (N,), smallest distance to obstacles, zones and the floor, m; that of links near their mount counted larger.
         manipulability: (N,), smallest over largest singular value of the Jacobian.
         tried: how many inverse kinematics problems were posed.
+        rest: (N,), the score without the distances.
+        bound: (N,), the score at most.
+        travel: (N,), what the way there costs, in the unit of the score.
+        evaluate: from joint positions (n,) to the smallest distance to obstacles, zones and the floor, m, that of links near their mount
+            counted larger; and to what the distances add to the score.
+
+    Attributes:
+        objective: (N,), Eq. (6).
+        score: (N,), the objective minus what the way there costs.
+        clearance: (N,), the smallest distance, m.
     """
 
-    q: Array
-    vertex: NDArray[np.intp]
-    objective: Array
-    score: Array
-    clearance: Array
-    manipulability: Array
-    tried: int
+    def __init__(
+        self,
+        q: Array,
+        vertex: NDArray[np.intp],
+        manipulability: Array,
+        tried: int,
+        *,
+        rest: Array,
+        bound: Array,
+        travel: Array,
+        evaluate: Callable[[Array], tuple[float, float]],
+    ) -> None:
+        self.q, self.vertex, self.manipulability, self.tried = q, vertex, manipulability, tried
+        self._rest, self._bound, self._travel, self._evaluate = rest, bound, travel, evaluate
+        self.objective, self.score, self.clearance = (np.full(len(q), np.nan) for _ in range(3))
 
     def __len__(self) -> int:
         return len(self.q)
+
+    def rank(self, above: float = -np.inf) -> Iterator[int]:
+        """The rows with scores above a value, best first; of equal ones the first."""
+        known: list[tuple[float, int]] = []
+        for row in np.argsort(-self._bound, kind="stable"):
+            while known and -known[0][0] > self._bound[row]:
+                yield heappop(known)[1]
+            if self._bound[row] <= above:
+                break
+            self._look_at(int(row))
+            if self.score[row] > above:
+                heappush(known, (-float(self.score[row]), int(row)))
+        while known:
+            yield heappop(known)[1]
+
+    def _look_at(self, row: int) -> None:
+        if np.isnan(self.score[row]):
+            self.clearance[row], distance = self._evaluate(self.q[row])
+            self.score[row] = self._rest[row] + distance
+            self.objective[row] = self.score[row] + self._travel[row]
 
 
 class CandidateSearch:
@@ -84,6 +124,7 @@ class CandidateSearch:
         self._lower, self._upper = limits
         self._near = near
         self._room = LinkRoom(robot, collision, limits, diameter)
+        self._bound = RoomBound(robot.chain, collision, self._room)
         self._weights = weights
         self._motion = MotionLimits.of_cell(cell, robot, collision)
 
@@ -98,24 +139,30 @@ class CandidateSearch:
         return self._evaluate(q, vertex[solutions.solved], len(which))
 
     def of(self, q: Array) -> Candidates:
-        """Given configurations (N, n) as candidates."""
-        return self._evaluate(q, np.zeros(len(q), dtype=np.intp), len(q))
+        """Given configurations (N, n) as candidates, all of them looked at."""
+        candidates = self._evaluate(q, np.zeros(len(q), dtype=np.intp), len(q))
+        for _ in candidates.rank():
+            pass
+        return candidates
 
     def _evaluate(self, q: Array, vertex: NDArray[np.intp], tried: int) -> Candidates:
         """Eq. (6) and the way there."""
         weights = self._weights
-        distances = self._room.distances(q)
-        clearance = distances.min(axis=1, initial=np.inf)
         manipulability = self._manipulability(q)
-        least = self._room.normalise(distances).min(axis=1, initial=1.0)
-        objective = weights.distance * least + weights.manipulability * manipulability
-        score = objective - weights.travel_per_s * self._travel_seconds(q)
-        return Candidates(q, vertex, objective, score, clearance, manipulability, tried)
+        travel = weights.travel_per_s * self._travel_seconds(q)
+        rest = weights.manipulability * manipulability - travel
+        bound = rest + weights.distance * self._bound.least(q)
+        return Candidates(q, vertex, manipulability, tried, rest=rest, bound=bound, travel=travel, evaluate=self._look_around)
+
+    def _look_around(self, q: Array) -> tuple[float, float]:
+        distances = self._room.distances(q[None])
+        least = self._room.normalise(distances).min(initial=1.0)
+        return float(distances.min(initial=np.inf)), float(self._weights.distance * least)
 
     def _manipulability(self, q: Array) -> Array:
         if len(q) == 0:
             return np.zeros(0)
-        sigma = np.linalg.svd(np.stack([self._robot.sensor_jacobian(row) for row in q]), compute_uv=False)
+        sigma = np.linalg.svd(self._robot.sensor_jacobians(q), compute_uv=False)
         return np.asarray(sigma[:, -1] / sigma[:, 0])
 
     def _travel_seconds(self, q: Array) -> Array:

@@ -27,16 +27,18 @@ class LinkRoom:
     Attributes:
         names: of the L links that are watched, the payload among them.
         most: (L,), the most room that each has over random configurations, at least the clearance, m.
+        scale: (L,), what distances are divided by, m.
     """
 
     def __init__(self, robot: RobotModel, collision: CollisionModel, limits: tuple[Array, Array], diameter: float) -> None:
-        self._collision, self._diameter = collision, diameter
+        self._collision = collision
         self._required = collision.cell.limits.clearance_m
         pairs = collision.pairs[0]
         self.names = list(dict.fromkeys(body.name for body, _ in pairs))
         self._pairs_of = [[k for k, (body, _) in enumerate(pairs) if body.name == name] for name in self.names]
         drawn = np.random.default_rng(0).uniform(*limits, (SAMPLES, robot.n))
         self.most = self.distances(drawn).max(axis=0, initial=self._required)
+        self.scale = diameter * self.most / self.most.max(initial=self._required)
 
     def distances(self, q: Array) -> Array:
         """(N, L), smallest distance of each link to any obstacle, zone or the floor at q (N, n), m.
@@ -54,5 +56,4 @@ class LinkRoom:
         The link that can have the most room is measured by the diameter of the workspace, as printed; each other one by as much less as
         it can have less.
         """
-        scale = self._diameter * self.most / self.most.max(initial=self._required)
-        return np.asarray(np.minimum(distances / scale, 1.0))
+        return np.asarray(np.minimum(distances / self.scale, 1.0))

@@ -7,6 +7,7 @@ import time
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from threading import Thread
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ import numpy as np
 from core.array import Array
 from core.cell.cell import Box, Cell
 from core.cell.tools import widest_box
-from core.errors import NoPath, Refused
+from core.errors import BadRobot, NoPath, Refused
 from core.events import Event, Planned, StartConfigurationFound, TransferPlanned, drive
 from core.planning.commanded_path import compute_joint_paths
 from core.planning.effort import PATH_ITERATIONS, grid_rounds, path_iterations
@@ -35,6 +36,7 @@ from core.robot.collision import CollisionModel
 from core.robot.decoupling import decoupling_profile, predict_inertia, repetitions_for
 from core.robot.model import RobotModel
 from core.robot.trajectory import AngularProfile
+from core.second_opinion.arm import build_solid_arm
 from core.second_opinion.opinion import JointPath, Opinion, second_opinion
 from core.second_opinion.refusal import refuse_disputed
 
@@ -77,6 +79,7 @@ def plan_stops(
         PlanDisputed: the second opinion does not confirm the plan, or a motion of it cannot be carried out.
     """
     began = time.perf_counter()
+    Thread(target=_read_ahead, args=(cell, payload_box), daemon=True).start()
     timing = timing or Timing()
     torques = check_standing(cell, robot, collision, start, load or guess_load(cell, payload_box, mass_guess_kg), period)
     search = _Search(cell, robot, collision, payload_box, period, planner, seed, torques, effort)
@@ -95,6 +98,12 @@ def plan_stops(
     plan = Plan(tuple(legs), back, timing, time.perf_counter() - began, found.opinion, found.torques, found.commanded)
     yield Planned(robot_s=plan.robot_s, plan_s=plan.plan_s, least_margin_m=plan.least_margin_m)
     return plan
+
+
+def _read_ahead(cell: Cell, payload_box: Box) -> None:
+    """The second opinion's own reader reads the robot's meshes while the plan is sought; what it refuses is refused when it is asked."""
+    with suppress(BadRobot):
+        build_solid_arm(cell, payload_box)
 
 
 def _group_opposites(stops: Sequence[Stop]) -> Iterator[tuple[Stop, ...]]:

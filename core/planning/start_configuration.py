@@ -8,7 +8,6 @@ comes off, at whatever moment, flies into a protected zone.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Self
 
@@ -263,14 +262,7 @@ def find_start_configuration(
 
 def _first_accepted(candidates: Candidates, checks: Checks, above: float = -np.inf) -> Accepted | None:
     """The candidate with the best score above a value that passes every check."""
-    return next((found for row in _best_first(candidates, above) if (found := checks.check_candidate(candidates, row))), None)
-
-
-def _best_first(candidates: Candidates, above: float) -> Iterator[int]:
-    for row in np.argsort(-candidates.score, kind="stable"):
-        if candidates.score[row] <= above:
-            return
-        yield int(row)
+    return next((found for row in candidates.rank(above) if (found := checks.check_candidate(candidates, row))), None)
 
 
 def _describe_start(axis: str, candidates: Candidates, accepted: Accepted, collision: CollisionModel, tried: int) -> StartConfiguration:
@@ -296,7 +288,7 @@ def _refusal(axis: str, everything: list[Candidates], checks: Checks, collision:
     reached = [candidates for candidates in everything if len(candidates)]
     if not reached:
         return NoStartConfiguration(axis, reasons)
-    best = max(reached, key=lambda candidates: candidates.clearance.max())
-    nearest = collision.obstacle_distance(best.q[np.argmax(best.clearance)])
+    best = max(reached, key=lambda candidates: np.nanmax(candidates.clearance))
+    nearest = collision.obstacle_distance(best.q[np.nanargmax(best.clearance)])
     in_the_way = checks.thrown_into or nearest.second
     return NoStartConfiguration(axis, reasons, nearest.distance_m, name_body(collision.cell, nearest.second), in_the_way)

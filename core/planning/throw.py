@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from core.array import Array
-from core.cell.cell import Box, Capsule, Cell, Cylinder, Shape, Sphere
+from core.cell.cell import Box, Cell
+from core.planning.solid_distance import Solids, solid_distance
 from core.robot.model import SensorPose
 from core.robot.trajectory import AngularProfile
 
@@ -94,22 +95,6 @@ def _list_flying_points(box: Box) -> tuple[Array, Array]:
 
 
 @njit(cache=True)
-def _distance(kind: int, size: Array, x: float, y: float, z: float) -> float:
-    """Signed distance of a point in a shape's own frame.
-
-    0 box with half sides `size`; 1 capsule, 2 cylinder, both of radius size[0] and half length size[2], the cylinder with size[1] infinite.
-    """
-    if kind == 1:
-        z -= min(max(z, -size[2]), size[2])
-        return float(np.sqrt(x * x + y * y + z * z) - size[0])
-    if kind == 2:  # a box of the plane through its axis and the point
-        x, y = np.sqrt(x * x + y * y), 0.0
-    dx, dy, dz = abs(x) - size[0], abs(y) - size[1], abs(z) - size[2]
-    outside = np.sqrt(max(dx, 0.0) ** 2 + max(dy, 0.0) ** 2 + max(dz, 0.0) ** 2)
-    return float(outside + min(max(dx, dy, dz), 0.0))
-
-
-@njit(cache=True)
 def _nearest_flight(
     position: Array,
     velocity: Array,
@@ -142,7 +127,7 @@ def _nearest_flight(
                 nearest = np.inf
                 for s in range(len(kind)):
                     d0, d1, d2 = y0 - p[s, 0], y1 - p[s, 1], y2 - p[s, 2]
-                    d = _distance(
+                    d = solid_distance(
                         kind[s],
                         size[s],
                         R[s, 0, 0] * d0 + R[s, 1, 0] * d1 + R[s, 2, 0] * d2,
@@ -165,11 +150,7 @@ class ThrowCheck:
         self._zones = cell.zones
         self._gravity = cell.gravity
         self._floor_z = cell.floor_z_m
-        solids = [_solid(zone.shape) for zone in cell.zones]
-        self._kind = np.array([kind for kind, _ in solids], dtype=np.int64)
-        self._size = np.array([size for _, size in solids]).reshape(-1, 3)
-        self._R = np.array([zone.shape.pose.rotation for zone in cell.zones]).reshape(-1, 3, 3)
-        self._p = np.array([zone.shape.pose.translation for zone in cell.zones]).reshape(-1, 3)
+        self._solids = Solids.of([zone.shape for zone in cell.zones])
 
     def nearest(self, loads: Loads, rotation: Array, position: Array) -> Throw | None:
         """The flight nearest to a zone when the motion starts with the sensor at a pose; None when the cell has no zones.
@@ -217,7 +198,7 @@ class ThrowCheck:
     def _nearest(self, loads: Loads) -> Throw:
         """The flight nearest to a zone of loads given in the world."""
         x, v = np.ascontiguousarray(loads.position), np.ascontiguousarray(loads.velocity)
-        distance, m, k = _nearest_flight(x, v, loads.radius, self._gravity, self._floor_z, self._kind, self._size, self._R, self._p)
+        distance, m, k = _nearest_flight(x, v, loads.radius, self._gravity, self._floor_z, *self._solids)
         speed = float(np.linalg.norm(v[m], axis=1).max())
         return Throw(self._zones[k].name, float(distance), float(loads.time[m]), speed)
 
@@ -226,17 +207,3 @@ class ThrowCheck:
         g, up = -float(self._gravity[2]), float(loads.velocity[..., 2].max())
         height = max(float(loads.position[..., 2].max()) - self._floor_z, 0.0)
         return min((max(up, 0.0) + float(np.sqrt(max(up, 0.0) ** 2 + 2.0 * g * height))) / g, _LONGEST_FALL_S)
-
-
-def _solid(shape: Shape) -> tuple[int, tuple[float, float, float]]:
-    """Kind and size of a zone's shape, as `_distance` takes them."""
-    match shape:
-        case Box():
-            x, y, z = shape.size_m
-            return 0, (0.5 * x, 0.5 * y, 0.5 * z)
-        case Capsule():
-            return 1, (shape.radius_m, 0.0, 0.5 * shape.length_m)
-        case Sphere():
-            return 1, (shape.radius_m, 0.0, 0.0)
-        case Cylinder():
-            return 2, (shape.radius_m, np.inf, 0.5 * shape.length_m)

@@ -73,6 +73,7 @@ class CollisionModel:
         self.reach = reach_of(robot, self.points)
         """(n,), the largest distance from axis i of any point behind joint i over all configurations, m."""
         self._why: dict[tuple[str, str], Message] = {}
+        self._placements: dict[int, Any] = {}  # of things that were moved
         standing = [(body, thing) for body in self._moving for thing in things]
         first_links = [pair for pair in standing if may_be_near(pair[0])]
         near = [pair for pair in first_links if not self._is_zone(pair[1])]
@@ -191,7 +192,12 @@ class CollisionModel:
         thing, placement = self._things[name], pin.SE3(pose.rotation, pose.translation)
         for group in (*self._standing.values(), self._clear):
             group.move(thing, placement)
+        self._placements[id(thing)] = placement
         self._watch_standing(thing, placement)
+
+    def placement_of(self, thing: Body) -> Any:
+        """Where an obstacle, a zone or the floor is now, world frame."""
+        return self._placements.get(id(thing), thing.placement)
 
     def change_zone(self, name: str, shape: Shape | None) -> None:
         """A zone is this now: another place, another size, a new one; None takes it away. World frame.
