@@ -29,7 +29,7 @@ REPETITIONS = 3
 
 
 def search(robot: RobotModel, collision: CollisionModel, vertices: int) -> Array:
-    """Joint positions of all candidates of one grid with sensor axis x along gravity; everything but the checks of the best."""
+    """Joint positions of all candidates of one grid with sensor axis x along gravity; the best is found, nothing else is checked of it."""
     home = np.array(collision.cell.robot.home_rad)
     limits = robot.lower + LIMIT_MARGIN_RAD, robot.upper - LIMIT_MARGIN_RAD
     axis, down = np.array([1.0, 0.0, 0.0]), collision.cell.gravity / np.linalg.norm(collision.cell.gravity)
@@ -38,7 +38,9 @@ def search(robot: RobotModel, collision: CollisionModel, vertices: int) -> Array
     evaluation = CandidateSearch(
         collision.cell, robot, collision, limits=limits, near=home, diameter=2.0 * float(collision.reach[0]), weights=Weights()
     )
-    return evaluation.at(first_grid(postures, vertices)[0], postures, 10).q
+    candidates = evaluation.at(first_grid(postures, vertices)[0], postures, 10)
+    next(candidates.rank(), None)
+    return candidates.q
 
 
 def bare_queries(robot: RobotModel, pairs: list[tuple[Body, Body]], q: Array) -> None:
