@@ -204,8 +204,7 @@ class LeasedSession(RobotSession):
         self.lease = lease
         self.period = inner.period
         self._sleep = sleep
-        self._last: Array | None = None
-        self._moving = False
+        self._states = 0  # since the last command
 
     def find_start(self) -> Array:
         """Where the robot stands, (n,), rad; needs no lease."""
@@ -221,6 +220,7 @@ class LeasedSession(RobotSession):
 
     def state(self) -> RobotState:
         """Waits for the next period and returns the robot's state at it; needs no lease."""
+        self._states += 1
         return self.inner.state()
 
     def command(self, q: Array) -> None:
@@ -236,15 +236,15 @@ class LeasedSession(RobotSession):
             self.inner.stop()
             raise refusal
         self.inner.command(q)
-        self._moving = self._last is not None and not np.array_equal(q, self._last)
-        self._last = q
+        self._states = 0
 
     def _catch_up(self) -> None:
         """The loop got no time: neither did the thread that takes the renewals. The robot is not commanded while it does.
 
-        Between two motions the robot stands, and the loop may take its time to prepare the next one.
+        Between two motions the loop may take its time to prepare the next one: the last state of a motion has no command, so that its
+        successor's first command comes after two. A hold is a motion: it is commanded in every period.
         """
-        if not self._moving:
+        if self._states != 1:
             self.lease.begin()
             self.lease.look()
         for _ in range(round(CATCH_UP_S / 0.001)):

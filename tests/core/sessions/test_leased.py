@@ -232,7 +232,8 @@ def test_a_loop_that_was_away_for_longer_than_a_robots_watchdog_waits_does_not_g
         q = session.state().q_cmd
         lease.renew(Renewal(1, 0, clock.now))
         session.command(q)
-        clock.now += 0.31  # it stands, and may take its time
+        session.state()  # the motion is over
+        clock.now += 0.31  # the next one is prepared
         lease.renew(Renewal(1, 1, clock.now))
         session.state()
         session.command(q + 1e-4)
@@ -248,6 +249,21 @@ def test_a_loop_that_was_away_for_longer_than_a_robots_watchdog_waits_does_not_g
         lease.renew(Renewal(1, 3, clock.now))
         session.release()
         session.command(q)
+
+
+def test_a_loop_that_was_away_while_a_pose_was_held_does_not_go_on_by_itself(lease, clock, robot):
+    session = LeasedSession(robot, lease)
+    with session:
+        q = session.state().q_cmd
+        for number in range(3):
+            lease.renew(Renewal(1, number, clock.now))
+            session.command(q)
+            clock.now += 0.001
+            session.state()
+        clock.now += 0.31
+        lease.renew(Renewal(1, 3, clock.now))
+        with pytest.raises(ControlLost, match="got no time"):
+            session.command(q)
 
 
 def test_a_hold_waits_for_whoever_is_in_control_and_ends_when_nobody_comes_back(lease, clock):
