@@ -7,6 +7,7 @@ import sys
 
 BENCHES = (
     ("online",),
+    ("clocks",),
     ("sns_step",),
     ("plant_speed",),
     ("start_search",),

@@ -15,6 +15,7 @@ HeftError                      exit code 1
 │   ├── NoRoomAtHome               the payload box that was asked for is too close to something at home
 │   ├── NotConnected               the robot or its sensor cannot be reached, or lets nobody command it
 │   ├── WrongRobot                 what is connected is not what the cell describes
+│   ├── UnusableSensor             a sensor is another one than the cell says, or is set up so that it cannot be used
 │   ├── TooHeavy                   a joint has not the torque to carry the load as planned
 │   └── PlanDisputed               a finished plan that an independent check does not confirm
 ├── Stopped                    4   the guard stopped the robot; carries the last samples
@@ -26,7 +27,9 @@ HeftError                      exit code 1
 │   │   ├── SensorFrozen           the wrench does not change any more
 │   │   ├── RobotStateLate         the robot's state came too late
 │   │   ├── ControllerStopped      the robot's controller has stopped it, or obeys no longer
-│   │   └── WrongSensor            the wrench does not turn with the robot as the cell says
+│   │   ├── WrongSensor            the wrench does not turn with the robot as the cell says
+│   │   ├── SensorLate             a sensor with a line of its own sends nothing
+│   │   └── SensorFault            a sensor says that its reading is none
 │   ├── Held                       the robot keeps its place and goes on when it is told to
 │   │   └── ControlLost            nobody is in control of the robot any more
 │   └── Commanded                  somebody asked to stop; no way back into the same run
@@ -260,6 +263,10 @@ class WrongRobot(Refused):
     """What is connected is not what the cell describes: model, serial number, firmware, limits or kinematics."""
 
 
+class UnusableSensor(Refused):
+    """A sensor with a line of its own is another one than the cell says, or is set up so that its wrench cannot be used."""
+
+
 class TooHeavy(Refused):
     """The load asks more torque of a joint than it has."""
 
@@ -335,6 +342,16 @@ class ControllerStopped(BadState):
 
 class WrongSensor(BadState):
     """The wrench does not turn with the robot as the cell says: another sign, other axes, or no load that could tell."""
+
+
+class SensorLate(BadState):
+    """A sensor with a line of its own has sent nothing for longer than the guard allows."""
+
+    cause = Cause.SENSOR
+
+
+class SensorFault(BadState):
+    """The sensor itself says that its reading is no measurement: saturated, too hot, broken."""
 
 
 class Held(Stopped):

@@ -6,16 +6,21 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from pydantic import ValidationError
 
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer_file import read_result_file
 from core.cli.terminal import answers, find_wording, messages
-from core.export.exports import TARGETS, frame_of, payload_of, target_of
+from core.errors import BadInput
+from core.export.exports import TARGETS, payload_of, require_mount, target_of
 from core.export.target import ExportTarget, Lack
 from core.export.uncertainty import state_uncertainty, uncertainty_of
+from core.files.schema_flaw import schema_flaw
+from core.payload.shapes import Pose
 from core.payload.uncertain_parameters import UncertainParameters
 
 app = typer.Typer()
+Triple = tuple[float, float, float]
 
 
 @app.command()
@@ -23,12 +28,13 @@ def export(
     result: Annotated[Path, typer.Argument(metavar="RESULT", help="The answer of `heft run` or `heft identify`, as --json wrote it.")],
     target: Annotated[str | None, typer.Option(metavar="NAME", help="For whom; the targets are listed where none is named.")] = None,
     cell: Annotated[str | None, typer.Option(metavar="CELL", help="Whose sensor mount counts. [default: the cell of the result]")] = None,
+    mount_xyz: Annotated[
+        Triple | None, typer.Option(metavar="X Y Z", help="Without a cell: where the sensor's frame is in the flange's, m.")
+    ] = None,
+    mount_rpy: Annotated[Triple | None, typer.Option(metavar="R P Y", help="And how it is turned there, rad. [default: 0 0 0]")] = None,
 ) -> None:
     """Write the payload as a robot's controller or a simulator takes it, on standard output; say what that cannot hold."""
     found = read_result_file(result)
-    name = cell or found.cell
-    made_in = None if name is None else load_cell(find_cell(name))
-    payload = payload_of(found, made_in)
     words = find_wording()
     if target is None:
         for each in TARGETS:
@@ -36,15 +42,30 @@ def export(
             answers.print(f"{each.name:<13} {told}", highlight=False, soft_wrap=True)
         return
     chosen = target_of(target)
-    uncertainty = uncertainty_of(found, made_in)
+    mount = _find_mount(cell or found.cell, mount_xyz, mount_rpy, cell_given=cell is not None)
+    payload, uncertainty = payload_of(found, mount), uncertainty_of(found, mount)
     answers.print(chosen.render_file(payload, uncertainty), end="", markup=False, highlight=False, soft_wrap=True)
-    messages.print(words.say("cli-export-frame", frame=frame_of(made_in), says=chosen.says), highlight=False, soft_wrap=True)
+    messages.print(words.say("cli-export-frame", says=chosen.says), highlight=False, soft_wrap=True)
     for sentence in lack_sentences(chosen, payload):
         messages.print(sentence, highlight=False, soft_wrap=True)
     if not chosen.holds_uncertainty:
         messages.print(words.say("export-not-held", target=chosen.title), highlight=False, soft_wrap=True)
         for line in state_uncertainty(uncertainty):
             messages.print(words.quote(line), highlight=False, markup=False, soft_wrap=True)
+
+
+def _find_mount(name: str | None, xyz_m: Triple | None, rpy_rad: Triple | None, *, cell_given: bool) -> Pose:
+    """As it was stated, else of the cell."""
+    if xyz_m is None and rpy_rad is None:
+        return require_mount(None if name is None else load_cell(find_cell(name)))
+    if cell_given:
+        raise BadInput("--mount-xyz", "export-two-mounts")
+    if xyz_m is None:
+        raise BadInput("--mount-xyz", "export-mount-incomplete")
+    try:
+        return Pose(xyz_m=xyz_m, rpy_rad=rpy_rad or (0.0, 0.0, 0.0))
+    except ValidationError as error:
+        raise schema_flaw(error.errors()[0]).refusal(BadInput, "--mount-xyz, --mount-rpy") from error
 
 
 def lack_sentences(target: ExportTarget, payload: UncertainParameters) -> list[str]:

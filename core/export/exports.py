@@ -18,8 +18,8 @@ from core.export.target import ExportTarget
 from core.export.universal_robots import UniversalRobots
 from core.export.urdf import Urdf
 from core.export.xarm import XArm
+from core.payload.shapes import Pose
 from core.payload.uncertain_parameters import UncertainParameters
-from core.words.message import Message
 
 TARGETS: tuple[ExportTarget, ...] = (
     UniversalRobots(), KukaKrl(), KukaSunrise(), Abb(), Franka(), Flexiv(), XArm(), OpcUa(), MuJoCo(), Urdf(),
@@ -38,8 +38,21 @@ def target_of(name: str) -> ExportTarget:
     raise BadInput("target", "export-unknown-target", name=name[:40], known=[target.name for target in TARGETS])
 
 
-def payload_of(result: Result, cell: Cell | None) -> UncertainParameters:
-    """What was identified, in the flange's frame where the cell says how the sensor is mounted on it, else in the sensor's.
+def require_mount(cell: Cell | None) -> Pose:
+    """The sensor's frame in the flange's, from which every target counts.
+
+    Raises:
+        BadInput: nobody has said how the sensor is mounted.
+    """
+    if cell is None:
+        raise BadInput("sensor.mount", "export-no-cell")
+    if cell.sensor.mount is None:
+        raise BadInput("sensor.mount", "export-no-mount", cell=cell.name)
+    return cell.sensor.mount
+
+
+def payload_of(result: Result, mount: Pose | None) -> UncertainParameters:
+    """What was identified, in the frame in which `mount` is the pose of the sensor; in the sensor's own where there is none.
 
     Raises:
         BadPayload: nothing was identified.
@@ -49,12 +62,4 @@ def payload_of(result: Result, cell: Cell | None) -> UncertainParameters:
     phi = np.array(result.estimate.phi, dtype=float)
     covariance = np.array(result.estimate.covariance, dtype=float)
     found = UncertainParameters(phi, covariance)
-    mount = None if cell is None else cell.sensor.mount
     return found if mount is None else found.in_frame(mount.rotation, mount.translation)
-
-
-def frame_of(cell: Cell | None) -> Message:
-    """In which frame `payload_of` gives it."""
-    if cell is None or cell.sensor.mount is None:
-        return Message.of("export-sensor-frame")
-    return Message.of("export-flange-frame")

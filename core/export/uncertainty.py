@@ -9,12 +9,12 @@ import numpy as np
 from pydantic import Field
 
 from core.array import Array
-from core.cell.cell import Cell
 from core.errors import BadPayload
 from core.estimation.budget import ASSUMED, REPEATABILITY, TITLES
 from core.estimation.budget_part import BudgetPart
 from core.estimation.result import Result
 from core.estimation.result_part import Numbers, ResultPart, to_json_numbers
+from core.payload.shapes import Pose
 from core.payload.uncertain_parameters import UncertainParameters
 from core.words.message import Message
 
@@ -25,7 +25,6 @@ SourceName = Literal["repeatability", "sensor_gain", "sensor_crosstalk", "joint_
 
 SOURCES: tuple[SourceName, ...] = get_args(SourceName)
 
-AXES = {"flange": Message.of("export-axes-flange"), "sensor": Message.of("export-axes-sensor")}
 PARTS = {
     "mass": Message.of("export-part-mass"),
     "centre_of_mass": Message.of("export-part-com"),
@@ -36,7 +35,9 @@ PARTS = {
 class ExportUncertainty(ResultPart):
     """Half-widths of 95 % intervals, SI; null is what is not determined."""
 
-    frame: Literal["flange", "sensor"] = Field(description="Along whose axes centre of mass and inertia are given.", examples=["flange"])
+    frame: Literal["flange"] = Field(
+        default="flange", description="Along whose axes centre of mass and inertia are given.", examples=["flange"]
+    )
     mass_half_width_kg: float | None = Field(description="Of the mass, all in, kg.", examples=[0.031])
     com_half_width_m: Numbers = Field(description="Of the centre of mass, all in, m.", examples=[[0.0002, 0.0002, 0.0004]])
     inertia_com_half_width_kg_m2: Numbers = Field(
@@ -59,8 +60,8 @@ class ExportUncertainty(ResultPart):
     )
 
 
-def uncertainty_of(result: Result, cell: Cell | None) -> ExportUncertainty:
-    """Of what `core.export.exports.payload_of` gives, in the same frame.
+def uncertainty_of(result: Result, mount: Pose) -> ExportUncertainty:
+    """Of what `core.export.exports.payload_of` gives for the sensor's pose in the flange's frame.
 
     Raises:
         BadPayload: nothing was identified.
@@ -68,17 +69,14 @@ def uncertainty_of(result: Result, cell: Cell | None) -> ExportUncertainty:
     found = result.estimate
     if found is None:
         raise BadPayload("estimate", "export-nothing-identified", verdict=result.verdict)
-    mount = None if cell is None else cell.sensor.mount
     phi, covariance = np.array(found.phi, dtype=float), np.array(found.covariance, dtype=float)
 
     def place(part: Array) -> UncertainParameters:
-        known = UncertainParameters(phi, part)
-        return known if mount is None else known.in_frame(mount.rotation, mount.translation)
+        return UncertainParameters(phi, part).in_frame(mount.rotation, mount.translation)
 
     parts = {name: place(part) for name, part in _parts(found.budget, covariance).items()}
     whole, repeats = place(covariance), parts[REPEATABILITY]
     return ExportUncertainty(
-        frame="sensor" if mount is None else "flange",
         mass_half_width_kg=to_json_numbers(INTERVAL * whole.std)[0],
         com_half_width_m=to_json_numbers(INTERVAL * whole.com_std),
         inertia_com_half_width_kg_m2=to_json_numbers(INTERVAL * whole.inertia_com_std),
@@ -124,7 +122,7 @@ def _find_assumed(budget: BudgetPart) -> list[SourceName]:
 
 def state_uncertainty(found: ExportUncertainty) -> list[Message]:
     """It in words, a line each."""
-    lines = [Message.of("export-uncertainty", axes=AXES[found.frame])]
+    lines = [Message.of("export-uncertainty")]
     mass = ([found.mass_half_width_kg], [found.mass_repeatability_kg])
     com = (found.com_half_width_m, found.com_repeatability_m)
     inertia = (found.inertia_com_half_width_kg_m2, found.inertia_com_repeatability_kg_m2)

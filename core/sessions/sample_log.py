@@ -51,7 +51,8 @@ class SampleLog:
         return self.states[-1].t - self.states[0].t if self.states else 0.0
 
     def extend(self, states: Iterable[RobotState], phase: str) -> list[RobotState]:
-        """Appends samples of one phase, but for those that no recording can hold: not finite, or with a clock that stands still.
+        """Appends samples of one phase, but for those that no recording can hold: not finite, with a clock that stands still, or
+        with a wrench that was not measured then.
 
         The guard stops the robot at such a sample, and its error carries it. Returns what was appended.
         """
@@ -65,7 +66,7 @@ class SampleLog:
     def _fits(self, state: RobotState) -> bool:
         later = not self.states or state.t > self.states[-1].t
         finite = np.isfinite(state.t + state.q.sum() + state.dq.sum() + state.q_cmd.sum() + state.wrench.sum())
-        return later and bool(finite) and (state.tau is None or bool(np.isfinite(state.tau).all()))
+        return later and state.wrench_measured and bool(finite) and (state.tau is None or bool(np.isfinite(state.tau).all()))
 
     def recording(self) -> Recording:
         """The samples so far, after those of the recording that they continue."""

@@ -21,6 +21,7 @@ class RobotState:
         wrench: (6,) raw wrist wrench in the paper's sign, offsets included.
         tau: (n,) joint torques, None where the robot does not give them.
         temperature: of the sensor, degC, None where unknown.
+        wrench_measured: whether the wrench was measured at `t`; one that is held for want of it may be looked at, and is not recorded.
     """
 
     t: float
@@ -30,6 +31,7 @@ class RobotState:
     wrench: Array
     tau: Array | None = None
     temperature: float | None = None
+    wrench_measured: bool = True
 
 
 class RobotSession(ABC):

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated
 
 from fastapi import APIRouter, Path, Response
 from pydantic import Field
 
 from core.cell.cell import Cell
-from core.errors import BadPayload
+from core.errors import BadInput
 from core.estimation.result import Result
-from core.export.exports import TARGETS, frame_of, payload_of, target_of
+from core.export.exports import TARGETS, payload_of, require_mount, target_of
 from core.export.target import ExportTarget
 from core.export.uncertainty import ExportUncertainty, uncertainty_of
 from core.payload.uncertain_parameters import UncertainParameters
@@ -58,10 +59,11 @@ class ExportPublic(Answer):
 
 
 class ExportsPublic(Answer):
-    """All targets; `frame` says in which frame they get the payload."""
+    """All targets; they get the payload in the flange's frame."""
 
-    frame: Message = Field(description="In which frame the targets get the payload.")
-    uncertainty: ExportUncertainty = Field(description="How exactly what is written is known.")
+    uncertainty: ExportUncertainty | None = Field(
+        description="How exactly what is written is known; null where the cell does not say how the sensor sits on the flange."
+    )
     targets: list[ExportPublic] = Field(description="All ways to write the result.")
 
 
@@ -69,10 +71,12 @@ class ExportsPublic(Answer):
 def list_exports(run: RunPath, cells: CellsDep, conductor: ConductorDep) -> ExportsPublic:
     """How the result can be written, and what each way cannot hold."""
     result, cell = _read(cells, conductor, run)
-    payload = payload_of(result, cell)
-    return ExportsPublic(
-        frame=frame_of(cell), uncertainty=uncertainty_of(result, cell), targets=[_describe(target, payload) for target in TARGETS]
-    )
+    try:
+        mount = require_mount(cell)
+    except BadInput as error:
+        return ExportsPublic(uncertainty=None, targets=[_name_target(target, refused=error.message) for target in TARGETS])
+    payload = payload_of(result, mount)
+    return ExportsPublic(uncertainty=uncertainty_of(result, mount), targets=[_describe(target, payload) for target in TARGETS])
 
 
 @router.get("/{target}", response_class=Response, responses=downloads.TEXT)
@@ -80,7 +84,8 @@ def download_export(run: RunPath, target: TargetPath, cells: CellsDep, conductor
     """The result as a file that a controller or a simulator takes."""
     chosen = target_of(target)
     result, cell = _read(cells, conductor, run)
-    text = chosen.render_file(payload_of(result, cell), uncertainty_of(result, cell))
+    mount = require_mount(cell)
+    text = chosen.render_file(payload_of(result, mount), uncertainty_of(result, mount))
     return downloads.text(text, f"{name_after(conductor.row_of(run))}-{chosen.file}")
 
 
@@ -91,18 +96,20 @@ def _read(cells: CellFolder, conductor: Conductor, run: str) -> tuple[Result, Ce
 
 
 def _describe(target: ExportTarget, payload: UncertainParameters) -> ExportPublic:
-    refused: Message | None = None
     try:
         target.render_file(payload)
-    except BadPayload as error:
-        refused = error.message
-    lost = [] if refused else [ExportLoss.model_validate(lack) for lack in target.lacks(payload)]
+    except BadInput as error:
+        return _name_target(target, refused=error.message)
+    return _name_target(target, lost=[ExportLoss.model_validate(lack) for lack in target.lacks(payload)])
+
+
+def _name_target(target: ExportTarget, *, refused: Message | None = None, lost: Sequence[ExportLoss] = ()) -> ExportPublic:
     return ExportPublic(
         target=target.name,
         title=target.title,
         file=target.file,
         says=target.says,
         refused=refused,
-        lost=lost,
+        lost=list(lost),
         holds_uncertainty=target.holds_uncertainty,
     )

@@ -69,8 +69,8 @@ def compare_runs(run: RunPath, other: OtherRunPath, cells: CellsDep, conductor: 
     rows = conductor.row_of(run), conductor.row_of(other)
     results = [run_ledger.load_result(row) for row in rows]
     frame: Frame = "sensor" if rows[0].cell == rows[1].cell else "flange"
-    mounted = [None if frame == "sensor" else require_mount(cells, row) for row in rows]
-    first, second = (payload_of(result, cell) for result, cell in zip(results, mounted, strict=True))
+    mounts = [None if frame == "sensor" else require_mount(cells, row).sensor.mount for row in rows]
+    first, second = (payload_of(result, mount) for result, mount in zip(results, mounts, strict=True))
     parts = [each.estimate for each in results if each.estimate is not None]
     offsets = [(np.array(part.offset, float), np.array(part.offset_std, float)) for part in parts]
     budgets = [part.budget for part in parts if part.budget is not None]

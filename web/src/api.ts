@@ -4416,10 +4416,11 @@ export interface components {
             /**
              * Frame
              * @description Along whose axes centre of mass and inertia are given.
+             * @default flange
              * @example flange
-             * @enum {string}
+             * @constant
              */
-            frame: "flange" | "sensor";
+            frame?: "flange";
             /**
              * Mass Half Width Kg
              * @description Of the mass, all in, kg.
@@ -4507,13 +4508,11 @@ export interface components {
         };
         /**
          * ExportsPublic
-         * @description All targets; `frame` says in which frame they get the payload.
+         * @description All targets; they get the payload in the flange's frame.
          */
         ExportsPublic: {
-            /** @description In which frame the targets get the payload. */
-            frame: components["schemas"]["Message"];
-            /** @description How exactly what is written is known. */
-            uncertainty: components["schemas"]["ExportUncertainty"];
+            /** @description How exactly what is written is known; null where the cell does not say how the sensor sits on the flange. */
+            uncertainty: components["schemas"]["ExportUncertainty"] | null;
             /**
              * Targets
              * @description All ways to write the result.

@@ -86,7 +86,7 @@ cli-twin-entered = aufgenommen
 cli-trial-sealed = Versuch { $seed }: versiegelt { $hash }
 cli-trial-answered = Versuch { $seed }: verborgen { $planted }, Größe { FIXED($size, digits: 2) }; Antwort { $answer }: { $mark }
 cli-export-target = { $title }: { $says }
-cli-export-frame = In: { $frame }; { $says }.
+cli-export-frame = Im Koordinatensystem des Flanschs, von dem die Steuerung ausgeht; { $says }.
 cli-export-lack = { $target } hat keinen Platz für { $name } = { SIGNIFICANT($lost, digits: 3) } { $unit }, das { FIXED($times, digits: 1) }-fache seiner Unsicherheit.
 cli-nothing-to-settle = Es gibt nichts zu klären: { $file } wird nicht geschrieben.
 cli-report = Bericht: { $file }

@@ -93,7 +93,7 @@ cli-trial-sealed = trial { $seed }: sealed { $hash }
 cli-trial-answered = trial { $seed }: planted { $planted }, size { FIXED($size, digits: 2) }; answered { $answer }: { $mark }
 # Exports
 cli-export-target = { $title }: { $says }
-cli-export-frame = In { $frame }; { $says }.
+cli-export-frame = In the flange's frame, from which the controller counts; { $says }.
 cli-export-lack = { $target } has no place for { $name } = { SIGNIFICANT($lost, digits: 3) } { $unit }, { FIXED($times, digits: 1) } times its uncertainty.
 # Experiments and reports
 cli-nothing-to-settle = There is nothing to settle: { $file } is not written.

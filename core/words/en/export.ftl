@@ -1,6 +1,3 @@
-# In which frame a payload is written.
-export-sensor-frame = the sensor's frame: the cell does not say how the sensor is mounted on the flange (sensor.mount in cell.toml)
-export-flange-frame = the flange's frame, from which the controller counts
 # Units, order and frame of what each target takes.
 export-ur = kg, m, kg m2; inertia about the centre of mass along the flange's axes: Ixx Iyy Izz Ixy Ixz Iyz
 export-kuka-krl = kg, mm, deg, kg m2; principal moments J about the centre of mass, along axes that A B C turn from the flange's
@@ -16,6 +13,18 @@ export-urdf = kg, m, kg m2; inertia about the centre of mass along the link's ax
 export-unknown-target =
     .found = '{ $name }'
     .expected = one of { $known }
+export-no-cell =
+    .found = a payload in the sensor's frame: the result belongs to no cell
+    .expected = how the sensor sits on the flange, from which controllers count: --cell with the cell that says it, or --mount-xyz and --mount-rpy
+export-no-mount =
+    .found = a payload in the sensor's frame: '{ $cell }' does not say how the sensor sits on the flange
+    .expected = sensor.mount.xyz_m and sensor.mount.rpy_rad in cell.toml, the sensor's frame in the flange's, from which controllers count
+export-two-mounts =
+    .found = a mount beside --cell, which has its own
+    .expected = one of the two: --cell, or --mount-xyz and --mount-rpy without a cell
+export-mount-incomplete =
+    .found = a turn (--mount-rpy) without a place
+    .expected = --mount-xyz X Y Z as well, m; 0 0 0 where sensor and flange have one origin
 export-nothing-identified =
     .found = nothing that was identified
     .expected = a result with a payload; this one says: { $verdict }
@@ -26,9 +35,7 @@ export-too-large =
     .found = { SIGNIFICANT($inertia_kg_m2, digits: 4) } kg m2
     .expected = at most +-{ SIGNIFICANT($most_kg_m2, digits: 6) } kg m2, which the robot takes
 # How exactly it is known, in the file as a remark or beside it.
-export-uncertainty = Half-widths of 95 % intervals, along the axes of { $axes }:
-export-axes-flange = the flange
-export-axes-sensor = the sensor
+export-uncertainty = Half-widths of 95 % intervals, along the axes of the flange:
 export-uncertainty-part = { $part } +- { $half_widths }; repeats within +- { $repeats }; mostly { $mostly }
 export-part-mass = mass
 export-part-com = centre of mass x, y, z

@@ -14,7 +14,7 @@ from core.cli.main import app
 from core.errors import BadInput
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
-from tests.core.export.test_exports import READERS
+from tests.core.export.readers import READERS, read_xarm
 
 
 @pytest.fixture
@@ -36,12 +36,47 @@ def test_the_payload_is_given_in_the_frame_of_the_flange(written: Path):
     assert "the flange's frame" in said.stderr
 
 
-def test_without_a_cell_it_stays_in_the_sensors_frame_and_that_is_said(tmp_path: Path):
-    file = tmp_path / "result.json"
+@pytest.fixture
+def foreign(tmp_path: Path) -> Path:
+    """The answer for a recording that belongs to no cell."""
+    file = tmp_path / "foreign.json"
     file.write_text(answer(cloud(0), None).model_dump_json())
-    said = CliRunner().invoke(app, ["export", str(file), "--target", "kuka_sunrise"])
-    assert "sensor.mount" in said.stderr
-    assert said.stderr.count("has no place for I") == 3
+    return file
+
+
+def test_without_a_mount_nothing_is_written(foreign: Path):
+    said = CliRunner().invoke(app, ["export", str(foreign), "--target", "xarm"])
+    assert said.stdout == ""
+    assert isinstance(said.exception, BadInput)
+    assert "sensor.mount: found a payload in the sensor's frame" in str(said.exception)
+    assert "--mount-xyz" in str(said.exception)
+
+
+def test_a_mount_that_is_stated_turns_the_payload_to_the_flange(foreign: Path):
+    mount = ["--mount-xyz", "0.01", "-0.02", "0.03", "--mount-rpy", "0", "0", "1.5707963267948966"]
+    said = CliRunner().invoke(app, ["export", str(foreign), "--target", "xarm", *mount])
+    assert said.exit_code == 0, said.stderr
+    _, com, _ = read_xarm(said.stdout)
+    x, y, z = cloud(0).com
+    np.testing.assert_allclose(com, [0.01 - y, -0.02 + x, 0.03 + z], atol=1e-9)
+    assert said.stderr.count("has no place for I") == 6
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--mount-rpy", "0", "0", "1"], "--mount-xyz X Y Z as well"),
+        (["--mount-xyz", "0", "0", "0", "--cell", "ur5e_line"], "one of the two"),
+        (["--mount-xyz", "0", "nan", "0"], "--mount-xyz, --mount-rpy: xyz_m.1"),
+        (["--mount-xyz", "0", "0", "0", "--mount-rpy", "0", "0", "90"], "--mount-xyz, --mount-rpy: rpy_rad.2"),
+        (["--cell", "nowhere"], "nowhere"),
+    ],
+)
+def test_a_mount_that_is_none_is_refused_in_words(foreign: Path, options: list[str], words: str):
+    said = CliRunner().invoke(app, ["export", str(foreign), "--target", "xarm", *options])
+    assert said.stdout == ""
+    assert isinstance(said.exception, BadInput)
+    assert words in str(said.exception)
 
 
 def test_the_targets_are_listed_where_none_is_named(written: Path):

@@ -3,100 +3,53 @@
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Callable
+from pathlib import Path
 
-import mujoco
 import numpy as np
-import pinocchio as pin
 import pytest
-from scipy.spatial.transform import Rotation
 
-from core.array import Array
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.errors import BadInput, BadPayload
-from core.export.exports import TARGETS, target_of
+from core.export.exports import TARGETS, payload_of, require_mount, target_of
+from core.payload.shapes import Pose
 from core.payload.uncertain_parameters import UncertainParameters
 from tests.core.export.cloud import cloud, covariance
+from tests.core.export.known_result import answer
+from tests.core.export.readers import PARTLY, READERS, read_sunrise, read_xarm
 
-Body = tuple[float, Array, Array]
-"""Mass (kg), centre of mass (m), inertia about it (kg m2)."""
-
-NUMBER = r"[-+]?[\d.]+(?:e[-+]?\d+)?"
-
-
-def numbers(text: str) -> list[float]:
-    return [float(word) for word in re.findall(rf"(?<![\w.]){NUMBER}", text)]
+CELLS = Path(__file__).parents[3] / "cells"
+MOUNTS = [Pose(xyz_m=(0.012, -0.034, 0.051), rpy_rad=(0.3, -1.1, 2.4)), Pose(xyz_m=(0.0, 0.0, 0.03), rpy_rad=(np.pi, 0.0, np.pi / 4))]
+"""A sensor that sits crooked, and one that hangs upside down."""
 
 
-def full(xx: float, yy: float, zz: float, xy: float, xz: float, yz: float) -> Array:
-    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+def test_every_target_is_read_back_here():
+    assert {target.name for target in TARGETS} == {*READERS, *PARTLY}
 
 
-def read_ur(text: str) -> Body:
-    m, x, y, z, *inertia = numbers(text.splitlines()[1])
-    return m, np.array([x, y, z]), full(*inertia)
+@pytest.mark.parametrize("name", [*READERS, *PARTLY])
+@pytest.mark.parametrize("mount", MOUNTS)
+def test_a_body_that_a_crooked_sensor_saw_is_written_along_the_axes_of_the_flange(name: str, mount: Pose):
+    at_sensor, at_flange = cloud(7), cloud(7).moved(mount.rotation, mount.translation)
+    text = target_of(name).render_file(payload_of(answer(at_sensor, None), mount))
+    m, com, inertia = {**READERS, **PARTLY}[name](text)
+    truth = at_flange.inertia(at_flange.com)
+    assert m == pytest.approx(at_flange.masses.sum(), rel=1e-7)
+    np.testing.assert_allclose(com, at_flange.com, atol=1e-8)
+    held = np.isfinite(inertia)
+    assert held.sum() == {"kuka_sunrise": 3, "xarm": 0}.get(name, 9)
+    np.testing.assert_allclose(inertia[held], truth[held], atol=1e-6 * np.trace(truth))
 
 
-def read_krl(text: str) -> Body:
-    values = numbers(text.partition("=")[2])
-    m, com, abc, moments = values[0], np.array(values[1:4]) / 1000, values[4:7], values[7:]
-    turn = Rotation.from_euler("ZYX", abc, degrees=True).as_matrix()
-    return m, com, turn @ np.diag(moments) @ turn.T
-
-
-def read_sunrise(text: str) -> Body:
-    m, x, y, z, xx, yy, zz = [float(line.split()[-1]) for line in text.splitlines()]
-    return m, np.array([x, y, z]) / 1000, np.diag([xx, yy, zz])
-
-
-def read_abb(text: str) -> Body:
-    values = numbers(text.partition("=")[2])
-    w, x, y, z = values[4:8]
-    turn = Rotation.from_quat([x, y, z, w]).as_matrix()
-    return values[0], np.array(values[1:4]) / 1000, turn @ np.diag(values[8:]) @ turn.T
-
-
-def read_franka(text: str) -> Body:
-    load = json.loads(text)
-    return load["load_mass"], np.array(load["F_x_Cload"]), np.array(load["load_inertia"]).reshape(3, 3).T
-
-
-def read_flexiv(text: str) -> Body:
-    tool = json.loads(text)
-    return tool["mass"], np.array(tool["CoM"]), full(*tool["inertia"])
-
-
-def read_opc_ua(text: str) -> Body:
-    load = json.loads(text)
-    place, turn = load["CenterOfMass"]["CartesianCoordinates"], load["CenterOfMass"]["Orientation"]
-    m, com = load["Mass"]["Value"], np.array([place[name] for name in "XYZ"]) / 1000
-    axes = Rotation.from_euler("ZYX", [turn[name] for name in "ABC"], degrees=True).as_matrix()
-    about_mount = axes @ np.diag([load["Inertia"][name] for name in "XYZ"]) @ axes.T
-    return m, com, about_mount - m * (com @ com * np.eye(3) - np.outer(com, com))
-
-
-def read_mujoco(text: str) -> Body:
-    model = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody><body><freejoint/>{text}</body></worldbody></mujoco>")
-    w, x, y, z = model.body_iquat[1]
-    turn = Rotation.from_quat([x, y, z, w]).as_matrix()
-    return float(model.body_mass[1]), model.body_ipos[1].copy(), turn @ np.diag(model.body_inertia[1]) @ turn.T
-
-
-def read_urdf(text: str) -> Body:
-    joint = '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>'
-    model = pin.buildModelFromXML(f'<robot name="r"><link name="a"/>{joint}<link name="b">{text}</link></robot>')
-    body = model.inertias[1]
-    return float(body.mass), np.array(body.lever), np.array(body.inertia)
-
-
-READERS: dict[str, Callable[[str], Body]] = {
-    "ur": read_ur, "kuka_krl": read_krl, "abb": read_abb, "franka": read_franka, "flexiv": read_flexiv, "opc_ua": read_opc_ua,
-    "mujoco": read_mujoco, "urdf": read_urdf,
-}  # fmt: skip
-
-
-def test_every_target_that_holds_a_whole_body_is_read_back_here():
-    assert {target.name for target in TARGETS} - set(READERS) == {"kuka_sunrise", "xarm"}
+def test_nothing_is_written_in_the_sensors_axes():
+    with pytest.raises(BadInput, match="belongs to no cell"):
+        require_mount(None)
+    cell = load_cell(CELLS / "ur5e_line")
+    assert require_mount(cell) == cell.sensor.mount
+    unsaid = cell.model_copy(update={"sensor": cell.sensor.model_copy(update={"mount": None})})
+    assert isinstance(unsaid, Cell)
+    with pytest.raises(BadInput, match=r"'ur5e_line' does not say how the sensor sits on the flange.*sensor\.mount\.xyz_m"):
+        require_mount(unsaid)
 
 
 @pytest.mark.parametrize("name", READERS)
@@ -133,8 +86,8 @@ def test_xarm_takes_no_inertia_and_needs_none():
     phi[4:], S[4:, :], S[:, 4:] = np.nan, np.nan, np.nan
     static = UncertainParameters(phi, S)
     target = target_of("xarm")
-    m, *com = numbers(target.render_file(static).partition("(")[2])
-    np.testing.assert_allclose([m, *com], [body.masses.sum(), *(1000 * body.com)], rtol=1e-8)
+    m, com, _ = read_xarm(target.render_file(static))
+    np.testing.assert_allclose([m, *com], [body.masses.sum(), *body.com], rtol=1e-8)
     assert list(target.lacks(static)) == []
     assert len(list(target.lacks(known))) == 6
     with pytest.raises(BadPayload, match="Ixx: found not determined"):

@@ -10,20 +10,21 @@ import numpy as np
 import pytest
 
 from core.array import Array
-from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.errors import BadPayload
 from core.estimation.budget import ASSUMED, TITLES
 from core.estimation.budget_part import BudgetPart, SourcePart
 from core.estimation.result import Result
-from core.export.exports import TARGETS, payload_of, target_of
+from core.export.exports import TARGETS, payload_of, require_mount, target_of
 from core.export.uncertainty import ExportUncertainty, state_uncertainty, uncertainty_of
 from core.payload.inertia import InertialParameters
+from core.payload.shapes import Pose
 from tests.core.export.cloud import cloud, covariance
 from tests.core.export.known_result import answer
-from tests.core.export.test_exports import READERS, read_sunrise
+from tests.core.export.readers import READERS, read_sunrise
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "ur5e_line")
+MOUNT = require_mount(CELL)
 BODY = cloud(2)
 HOLD_REMARKS = {"ur": "#", "xarm": "#", "kuka_krl": ";", "abb": "!", "mujoco": "<!--", "urdf": "<!--"}
 HOLD_FIELDS = {"franka", "flexiv", "opc_ua"}
@@ -49,20 +50,18 @@ def judged(gain: float = 0.01) -> Result:
     return whole.model_copy(update={"estimate": estimate})
 
 
-def rendered(name: str, result: Result, cell: Cell | None = CELL) -> tuple[str, ExportUncertainty]:
-    known = uncertainty_of(result, cell)
-    return target_of(name).render_file(payload_of(result, cell), known), known
+def rendered(name: str, result: Result, mount: Pose = MOUNT) -> tuple[str, ExportUncertainty]:
+    known = uncertainty_of(result, mount)
+    return target_of(name).render_file(payload_of(result, mount), known), known
 
 
 def drawn(spread: Array) -> Array:
     """(K, 10), mass, centre of mass and inertia about it of bodies at the flange, drawn at the sensor."""
-    mount = CELL.sensor.mount
-    assert mount is not None
     estimate = judged().estimate
     assert estimate is not None
     found = []
     for row in np.random.default_rng(3).multivariate_normal(np.array(estimate.phi, dtype=float), spread, size=3000):
-        body = InertialParameters(row).to_frame(mount.rotation, mount.translation)
+        body = InertialParameters(row).to_frame(MOUNT.rotation, MOUNT.translation)
         found.append([body.mass, *body.com, *body.inertia_com[np.triu_indices(3)]])
     return np.array(found)
 
@@ -70,7 +69,7 @@ def drawn(spread: Array) -> Array:
 def test_the_half_widths_are_those_of_bodies_drawn_at_the_sensor_and_seen_at_the_flange() -> None:
     result = judged()
     assert result.estimate is not None
-    known = uncertainty_of(result, CELL)
+    known = uncertainty_of(result, MOUNT)
     whole = 1.96 * drawn(np.array(result.estimate.covariance, dtype=float)).std(axis=0)
     repeats = 1.96 * drawn(covariance(0)).std(axis=0)
     stated = [known.mass_half_width_kg, *known.com_half_width_m, *known.inertia_com_half_width_kg_m2]
@@ -82,16 +81,16 @@ def test_the_half_widths_are_those_of_bodies_drawn_at_the_sensor_and_seen_at_the
 
 def test_a_gain_decides_the_mass_and_leaves_the_centre_of_mass_to_the_repeatability() -> None:
     """What scales everything alike moves no centre of mass, seen from the sensor."""
-    known = uncertainty_of(judged(), None)
+    known = uncertainty_of(judged(), Pose())
     assert (known.largest["mass"], known.largest["centre_of_mass"]) == ("sensor_gain", "repeatability")
-    assert (known.assumed, known.repeatability_only, known.frame) == (["sensor_gain"], False, "sensor")
+    assert (known.assumed, known.repeatability_only, known.frame) == (["sensor_gain"], False, "flange")
 
 
 @pytest.mark.parametrize("name", READERS)
 def test_a_file_that_states_its_uncertainty_is_read_as_one_that_does_not(name: str) -> None:
     result = judged()
     text, _ = rendered(name, result)
-    plain = target_of(name).render_file(payload_of(result, CELL))
+    plain = target_of(name).render_file(payload_of(result, MOUNT))
     assert text != plain
     for one, other in zip(READERS[name](text), READERS[name](plain), strict=True):
         np.testing.assert_array_equal(one, other)
@@ -102,7 +101,7 @@ def test_remarks_state_interval_repeatability_what_contributes_most_and_what_is_
     text, known = rendered(name, judged())
     assert text.isascii()
     assert target_of(name).holds_uncertainty
-    plain = target_of(name).render_file(payload_of(judged(), CELL))
+    plain = target_of(name).render_file(payload_of(judged(), MOUNT))
     remarks = [line for line in text.splitlines() if line not in plain.splitlines()]
     assert all(line.startswith(HOLD_REMARKS[name]) for line in remarks)
     said = "\n".join(remarks)
@@ -118,19 +117,19 @@ def test_an_object_states_it_in_a_field_of_its_own_beside_those_of_the_target(na
     text, known = rendered(name, judged())
     written = json.loads(text)
     assert ExportUncertainty.model_validate(written.pop("heft_uncertainty")) == known
-    assert written == json.loads(target_of(name).render_file(payload_of(judged(), CELL)))
+    assert written == json.loads(target_of(name).render_file(payload_of(judged(), MOUNT)))
 
 
 def test_xarm_stays_python_that_calls_with_the_same_numbers() -> None:
     text, _ = rendered("xarm", judged())
-    plain = target_of("xarm").render_file(payload_of(judged(), CELL))
+    plain = target_of("xarm").render_file(payload_of(judged(), MOUNT))
     assert ast.dump(ast.parse(text)) == ast.dump(ast.parse(plain))
 
 
 def test_values_to_be_typed_in_stay_values_alone() -> None:
     text, _ = rendered("kuka_sunrise", judged())
     assert not target_of("kuka_sunrise").holds_uncertainty
-    assert text == target_of("kuka_sunrise").render_file(payload_of(judged(), CELL))
+    assert text == target_of("kuka_sunrise").render_file(payload_of(judged(), MOUNT))
     assert read_sunrise(text)[0] == pytest.approx(BODY.masses.sum())
 
 
@@ -139,7 +138,7 @@ def test_every_target_is_looked_at_here() -> None:
 
 
 def test_a_result_of_an_earlier_version_is_said_to_know_the_repeatability_alone() -> None:
-    known = uncertainty_of(answer(BODY, "ur5e_line"), CELL)
+    known = uncertainty_of(answer(BODY, "ur5e_line"), MOUNT)
     assert known.repeatability_only
     assert known.mass_half_width_kg == known.mass_repeatability_kg
     assert "repeatability alone" in state_uncertainty(known)[-1].text
@@ -159,10 +158,10 @@ def test_what_is_not_determined_is_left_out() -> None:
 
 def test_where_nothing_was_identified_there_is_nothing_to_state() -> None:
     with pytest.raises(BadPayload, match="nothing that was identified"):
-        uncertainty_of(judged().model_copy(update={"estimate": None}), CELL)
+        uncertainty_of(judged().model_copy(update={"estimate": None}), MOUNT)
 
 
 def test_german_has_no_list_of_numbers_that_looks_like_one_number() -> None:
-    said = [line.say("de") for line in state_uncertainty(uncertainty_of(judged(), CELL))]
+    said = [line.say("de") for line in state_uncertainty(uncertainty_of(judged(), MOUNT))]
     assert said[0] == "Halbe Breiten der 95-%-Intervalle, entlang der Achsen des Flansches:"
     assert " mm, " in said[2]

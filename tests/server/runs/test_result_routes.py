@@ -18,7 +18,7 @@ from server.people.roles import Role
 from server.service import Service
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
-from tests.core.export.test_exports import READERS
+from tests.core.export.readers import READERS
 from tests.server.finished_run import finished_run
 from tests.server.made_people import As, Clock
 
@@ -122,7 +122,7 @@ def test_a_series_of_runs_is_answered_with_its_scatter(service: Service, run: st
 
 def test_every_target_is_listed_with_what_it_loses_and_its_file_is_sent(run: str, service: Service, viewer: TestClient) -> None:
     listed = viewer.get(f"/api/runs/{run}/exports").json()
-    assert listed["frame"]["code"] == "export-flange-frame"
+    assert listed["uncertainty"]["frame"] == "flange"
     assert [each["target"] for each in listed["targets"]] == [target.name for target in TARGETS]
     lost = {each["target"]: [lack["name"] for lack in each["lost"]] for each in listed["targets"]}
     assert lost["kuka_sunrise"] == ["Ixy", "Ixz", "Iyz"]
@@ -137,6 +137,17 @@ def test_every_target_is_listed_with_what_it_loses_and_its_file_is_sent(run: str
     assert m == pytest.approx(cloud(0).masses.sum())
     np.testing.assert_allclose(com, cloud(0).moved(mount.rotation, mount.translation).com, atol=1e-8)
     assert viewer.get(f"/api/runs/{run}/exports/fanuc").status_code == 422
+
+
+def test_nothing_is_written_along_the_sensors_axes_as_if_they_were_the_flanges(run: str, service: Service, viewer: TestClient) -> None:
+    file = service.cells.folder / CELL / "cell.toml"
+    file.write_text("".join(line for line in file.read_text().splitlines(keepends=True) if not line.startswith("mount.")))
+    listed = viewer.get(f"/api/runs/{run}/exports").json()
+    assert listed["uncertainty"] is None
+    assert {each["refused"]["code"] for each in listed["targets"]} == {"export-no-mount"}
+    assert [each["target"] for each in listed["targets"]] == [target.name for target in TARGETS]
+    refused = viewer.get(f"/api/runs/{run}/exports/xarm")
+    assert refused.status_code == 422 and "sensor.mount.xyz_m" in refused.json()["detail"]
 
 
 def test_what_is_not_determined_is_not_made_up_for_a_target_that_needs_it(service: Service, viewer: TestClient) -> None:

@@ -1,0 +1,1 @@
+"""Force/torque sensors that are read on a line of their own, one driver per file, and how their clocks go."""
