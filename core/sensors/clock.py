@@ -22,8 +22,10 @@ BUCKET_S = 0.25
 """Of the samples of this time only the one that took least counts."""
 WINDOW_S = 60.0
 """What is older does not count: crystals drift with their temperature."""
-DRIFT_AFTER_S = 5.0
+DRIFT_AFTER_S = 2.0
 """On a shorter stretch the drift is not told from jitter, and none is assumed."""
+SURE_AFTER_S = 10.0
+"""From then on a drift that no clock has is told."""
 MOST_DRIFT = 500e-6
 """No quartz is off by more; a device whose clock seems to be has a wrong rate."""
 STEP_S = 0.5
@@ -156,7 +158,7 @@ class DeviceClock:
         for (x0, y0), (x1, y1) in pairwise(hull):
             if x0 <= reference <= x1:
                 drift = (y1 - y0) / (x1 - x0)
-                if abs(drift) > MOST_DRIFT and self.seconds > 2 * DRIFT_AFTER_S:
+                if abs(drift) > MOST_DRIFT and self.seconds > SURE_AFTER_S:
                     raise BadState("sensors-clock-rate", device=self._name, value=drift, limit=MOST_DRIFT)
                 return min(MOST_DRIFT, max(-MOST_DRIFT, drift))
         return 0.0

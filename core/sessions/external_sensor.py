@@ -36,7 +36,7 @@ GAP_SAMPLES = 4.0
 """Between readings that are farther apart than this many of the sensor's periods nothing counts as measured."""
 KEEP_S = 2.0
 """Readings older than this are no longer needed."""
-WAIT_SHARE = 0.4
+WAIT_SHARE = 0.6
 """Of a control period that a state may wait for the reading behind it."""
 
 
@@ -118,7 +118,11 @@ class ExternalSensorSession(RobotSession):
         clocks = Message.of(
             "sensors-clocks", sensor=self.sensor.name, drift_ppm=1e6 * (robot.drift - sensor.drift), spread_s=sensor.spread_s
         )
-        return [*self.sensor.remarks(), counted, clocks]
+        said = [*self.sensor.remarks(), counted, clocks]
+        if self._spacing_s > 0.6 * self.period:
+            wanted_hz, rate_hz = 2.0 / self.period, 1.0 / self._spacing_s
+            said.append(Message.of("sensors-slow", sensor=self.sensor.name, rate_hz=rate_hz, wanted_hz=wanted_hz))
+        return said
 
     def _wait_for(self, stamp_s: float) -> None:
         """Until there is a reading as new as that, for a share of the period at most."""

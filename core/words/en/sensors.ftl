@@ -30,3 +30,6 @@ sensors-clock-rate = the samples of { $device } come { PERCENT($value, digits: 2
 sensors-late = { $sensor } has sent nothing for { MILLI($value, digits: 0) } ms (limit { MILLI($limit, digits: 0) } ms); { PERCENT($lost, digits: 1) } % of its samples were lost so far. The robot was stopped. Check its cable and its power, and that its line is not shared.
 sensors-counted = { $sensor }: { $received } samples, { $lost } lost, { $overtaken } out of order, { $repeated } repeated, { $malformed } unreadable
 sensors-clocks = { $sensor }: its clock gains { FIXED($drift_ppm, digits: 1) } ppm on the robot's; samples arrive { MILLI($spread_s, digits: 1) } ms after the earliest, in the median
+sensors-slow = { $sensor } sends { FIXED($rate_hz, digits: 0) } samples a second: moments of the robot for which there is none in time are not recorded. Set its rate to { FIXED($wanted_hz, digits: 0) } Hz or more where it can
+sensors-no-frames = { $sensor } sends no frame within { FIXED($seconds, digits: 0) } s. Nothing has moved. Check its power, that session.sensor.port is its line, and that no other program reads it.
+sensors-no-stamps = { $sensor } stamps nothing: its samples have the time at which they arrived. Set the latency of its USB adapter to 1 ms; what is left is a delay, which the result states

@@ -114,6 +114,7 @@ def test_a_slow_sensor_gives_every_state_a_wrench_between_its_readings_or_says_t
     measured = [state for state in states[1000:] if state.wrench_measured]
     assert all(abs(lateness_s(robot, state)) < 0.5e-3 for state in measured)
     assert measured
+    assert "Set its rate to 1000 Hz" in session.remarks()[-1].text
 
 
 def test_the_person_is_told_what_was_lost_and_how_the_clocks_go():
