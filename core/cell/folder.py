@@ -12,7 +12,16 @@ from pydantic_core import ErrorDetails
 
 from core.cell.cell import CELL_FILE, MAX_CELL_BYTES, Cell, Control, Friction, Limits, Obstacle, Payload, Robot, Sensor, Zone
 from core.cell.contradictions import contradictions
-from core.cell.session import DRIVER_NAMES, ROBOT_DRIVERS, NetFtSensor, SimulatedRobot, UniversalRobot
+from core.cell.session import (
+    DRIVER_NAMES,
+    ROBOT_DRIVERS,
+    SENSOR_DRIVERS,
+    BotaSensor,
+    NetFtSensor,
+    RobotiqSensor,
+    SimulatedRobot,
+    UniversalRobot,
+)  # fmt: skip
 from core.cell.tool import Tool
 from core.cell.tool_checks import tool_flaws
 from core.cell.urdf import Urdf, check_urdf
@@ -162,7 +171,12 @@ def _session_flaw(error: ErrorDetails, where: str) -> BadCell:
     key = ".".join(str(part) for part in named)
     if error["type"] in {"union_tag_not_found", "union_tag_invalid"}:
         found = str(error["ctx"].get("tag", "-"))[:MOST_LETTERS]
-        return BadCell(f"{where}: {key}.driver", "cell-unknown-driver", driver=found, drivers=ROBOT_DRIVERS)
+        return BadCell(
+            f"{where}: {key}.driver",
+            "cell-unknown-driver",
+            driver=found,
+            drivers=SENSOR_DRIVERS if named[-1] == "sensor" else ROBOT_DRIVERS,
+        )
     if error["type"] == "extra_forbidden":
         for close in difflib.get_close_matches(str(named[-1]), _keys(), n=1):
             return BadCell(f"{where}: {key}", "cell-unknown-key", close=close)
@@ -171,7 +185,7 @@ def _session_flaw(error: ErrorDetails, where: str) -> BadCell:
 
 def _keys() -> list[str]:
     """Every key of the format."""
-    links = (SimulatedRobot, UniversalRobot, NetFtSensor)
+    links = (SimulatedRobot, UniversalRobot, NetFtSensor, BotaSensor, RobotiqSensor)
     shapes = (Box, Sphere, Capsule, Cylinder, Pose)
     models = (Cell, Site, Robot, Friction, Sensor, SensorCalibration, Limits, Control, Payload, Tool, Obstacle, Zone, *shapes, *links)
     return sorted({key for model in models for key in model.model_fields} - {"folder"})

@@ -9,6 +9,8 @@ from pydantic import Field
 from core.payload.shapes import Model, Pose
 
 Host = Annotated[str, Field(pattern=r"^[A-Za-z0-9]([A-Za-z0-9.:_-]{0,251}[A-Za-z0-9])?$")]
+Port = Annotated[int, Field(ge=1, le=65535)]
+Device = Annotated[str, Field(pattern=r"^/dev/[A-Za-z0-9_./-]{1,100}$")]
 Said = Annotated[str, Field(min_length=1, max_length=64)]
 
 
@@ -18,14 +20,46 @@ class SimulatedRobot(Model):
     driver: Literal["simulated"] = Field(default="simulated", description="Which driver.", examples=["simulated"])
 
 
-class NetFtSensor(Model):
-    """An ATI Net F/T: its Ethernet box, which sends wrenches by RDT."""
+class LinedSensor(Model):
+    """What every driver of a sensor on a line of its own is told."""
+
+    sign: Literal[1, -1] = Field(
+        default=-1,
+        description="-1 where the sensor reports what acts on it, as its maker has it; 1 where its axes are turned so that it reports what "
+        "it exerts on the payload.",
+        examples=[-1],
+    )
+
+
+class NetFtSensor(LinedSensor):
+    """An ATI Net F/T or Ethernet Axia, which sends wrenches by RDT."""
 
     driver: Literal["ati_net_ft"] = Field(description="Which driver.", examples=["ati_net_ft"])
     host: Host = Field(description="Name or address of the sensor's box.", examples=["192.168.1.1"])
+    calibration: Said | None = Field(
+        default=None,
+        description="Serial number of its calibration; another one is refused. Not looked at where null.",
+        examples=["FT27462"],
+    )
+    rdt_port: Port = Field(default=49152, description="UDP port of its RDT.", examples=[49152])
+    http_port: Port = Field(default=80, description="TCP port of its pages.", examples=[80])
 
 
-ExternalSensor = NetFtSensor
+class BotaSensor(LinedSensor):
+    """A sensor of Bota Systems with a serial line."""
+
+    driver: Literal["bota_serial"] = Field(description="Which driver.", examples=["bota_serial"])
+    port: Device = Field(description="Its serial line.", examples=["/dev/ttyUSB0"])
+
+
+class RobotiqSensor(LinedSensor):
+    """A Robotiq FT 300 with a serial line."""
+
+    driver: Literal["robotiq_ft300"] = Field(description="Which driver.", examples=["robotiq_ft300"])
+    port: Device = Field(description="Its serial line.", examples=["/dev/ttyUSB0"])
+
+
+ExternalSensor = Annotated[NetFtSensor | BotaSensor | RobotiqSensor, Field(discriminator="driver")]
 """Sensors that are read on a line of their own; one more is one more model, told apart by `driver`."""
 
 
@@ -57,5 +91,6 @@ class UniversalRobot(RealRobot):
 Session = Annotated[SimulatedRobot | UniversalRobot, Field(discriminator="driver")]
 
 ROBOT_DRIVERS = ("simulated", "ur_rtde")
-DRIVER_NAMES = frozenset({*ROBOT_DRIVERS, "ati_net_ft"})
+SENSOR_DRIVERS = ("ati_net_ft", "bota_serial", "robotiq_ft300")
+DRIVER_NAMES = frozenset({*ROBOT_DRIVERS, *SENSOR_DRIVERS})
 """Of robots and of sensors."""

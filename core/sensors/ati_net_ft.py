@@ -65,6 +65,7 @@ class NetFt(ForceSensor):
     def __enter__(self) -> Self:
         self.configuration, status = read_configuration(self._host, self._http_port)
         self._check(self.configuration, status)
+        self.range = self.configuration.range
         self.tally = Tally()
         self._packets, self._samples = Sequence(WRAP, self.tally), Sequence(WRAP, Tally())
         try:

@@ -34,7 +34,7 @@ class BackgroundSensor(ForceSensor):
 
     def __enter__(self) -> Self:
         self.inner.__enter__()
-        self.tally = self.inner.tally
+        self.tally, self.range = self.inner.tally, self.inner.range
         self._end.clear()
         self._waiting.clear()
         self._error = None

@@ -39,12 +39,15 @@ class ForceSensor(ABC):
     tally: Tally
     """What came of its samples since the entry."""
 
+    range: Array | None = None
+    """(6,), N and N m, from which it is saturated, from the entry on; None where it does not say."""
+
     @abstractmethod
     def __enter__(self) -> Self:
         """Checks that it is the sensor that was told, and starts its stream.
 
         Raises:
-            NotConnected, WrongSensor: it cannot be used.
+            NotConnected, UnusableSensor: it cannot be used.
         """
 
     @abstractmethod

@@ -20,7 +20,8 @@ from typing import Self
 import numpy as np
 
 from core.array import Array
-from core.errors import NotConnected, SensorFault, SensorLate
+from core.errors import NotConnected, SensorFault, SensorLate, UnusableSensor
+from core.payload.channels import CHANNELS
 from core.sensors.clock import DeviceClock
 from core.sensors.sensor import ForceSensor, Reading
 from core.sessions.session import RobotSession, RobotState
@@ -34,6 +35,7 @@ FIRST_S = 5.0
 """Within this time the clocks have to be known."""
 GAP_SAMPLES = 4.0
 """Between readings that are farther apart than this many of the sensor's periods nothing counts as measured."""
+RANGE_TOLERANCE = 1.01
 KEEP_S = 2.0
 """Readings older than this are no longer needed."""
 WAIT_SHARE = 0.6
@@ -47,13 +49,22 @@ class ExternalSensorSession(RobotSession):
         inner: the robot.
         sensor: not entered yet.
         sign: -1 where the sensor reports what acts on it, as makers do; the wrench of a state is what it exerts on the payload.
+        range_: (6,), N and N m, at which the guard stops the robot; the sensor has to measure so much. Not looked at where None.
         clock: monotonic, that of the sensor's arrivals, s.
     """
 
-    def __init__(self, inner: RobotSession, sensor: ForceSensor, *, sign: int = -1, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self,
+        inner: RobotSession,
+        sensor: ForceSensor,
+        *,
+        sign: int = -1,
+        range_: Array | None = None,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
         self.inner, self.sensor = inner, sensor
         self.period = inner.period
-        self._sign, self._clock = float(sign), clock
+        self._sign, self._range, self._clock = float(sign), range_, clock
         self._stack = ExitStack()
 
     def find_start(self) -> Array:
@@ -67,6 +78,7 @@ class ExternalSensorSession(RobotSession):
         self._spacing_s, self._newest_s = np.inf, -np.inf
         with ExitStack() as stack:
             stack.enter_context(self.sensor)
+            self._check_range()
             stack.enter_context(self.inner)
             self._synchronise()
             self._stack = stack.pop_all()
@@ -123,6 +135,17 @@ class ExternalSensorSession(RobotSession):
             wanted_hz, rate_hz = 2.0 / self.period, 1.0 / self._spacing_s
             said.append(Message.of("sensors-slow", sensor=self.sensor.name, rate_hz=rate_hz, wanted_hz=wanted_hz))
         return said
+
+    def _check_range(self) -> None:
+        """Raises UnusableSensor where the sensor is saturated before the guard stops the robot."""
+        if self._range is None or self.sensor.range is None:
+            return
+        for k, (ours, theirs) in enumerate(zip(self._range, self.sensor.range, strict=True)):
+            if ours > RANGE_TOLERANCE * theirs:
+                raise UnusableSensor(
+                    "sensors-range-smaller", sensor=self.sensor.name, channel=CHANNELS[k], found=float(theirs), expected=float(ours),
+                    unit="N" if k < 3 else "N m",
+                )  # fmt: skip
 
     def _wait_for(self, stamp_s: float) -> None:
         """Until there is a reading as new as that, for a share of the period at most."""

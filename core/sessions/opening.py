@@ -9,8 +9,11 @@ import numpy as np
 
 from core.array import Array
 from core.cell.cell import Cell
+from core.cell.session import RealRobot
 from core.errors import BadCell
 from core.payload.inertia import InertialParameters
+from core.sensors.opening import open_sensor
+from core.sessions.external_sensor import ExternalSensorSession
 from core.sessions.pace import Pace
 from core.sessions.session import RobotSession
 from core.sessions.simulated import SimulatedSession
@@ -42,7 +45,7 @@ def is_simulated(cell: Cell) -> bool:
 
 
 def open_session(cell: Cell, simulation: Simulation) -> RobotSession:
-    """The session with the cell's robot, to be entered.
+    """The session with the cell's robot, and with the sensor that has a line of its own, to be entered.
 
     Args:
         simulation: used where the robot is simulated.
@@ -57,4 +60,7 @@ def open_session(cell: Cell, simulation: Simulation) -> RobotSession:
         return SimulatedSession(cell, carried, seed=given.seed, pace=given.pace, twin=given.twin, start=given.start)
     if cell.session.driver not in DRIVERS:
         raise BadCell(cell.locate("session.driver"), "cell-unknown-driver", driver=cell.session.driver, drivers=["simulated", *DRIVERS])
-    return DRIVERS[cell.session.driver](cell)
+    robot, link = DRIVERS[cell.session.driver](cell), cell.session
+    if not isinstance(link, RealRobot) or link.sensor is None:
+        return robot
+    return ExternalSensorSession(robot, open_sensor(link.sensor), sign=link.sensor.sign, range_=np.array(cell.sensor.range))

@@ -2122,6 +2122,31 @@ export interface components {
          */
         Behind: "tool" | "robot";
         /**
+         * BotaSensor
+         * @description A sensor of Bota Systems with a serial line.
+         */
+        BotaSensor: {
+            /**
+             * Sign
+             * @description -1 where the sensor reports what acts on it, as its maker has it; 1 where its axes are turned so that it reports what it exerts on the payload.
+             * @default -1
+             * @example -1
+             * @enum {integer}
+             */
+            sign?: 1 | -1;
+            /**
+             * @description Which driver. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            driver: "bota_serial";
+            /**
+             * Port
+             * @description Its serial line.
+             * @example /dev/ttyUSB0
+             */
+            port: string;
+        };
+        /**
          * Box
          * @description A cuboid with its centre at `pose`.
          */
@@ -2339,6 +2364,14 @@ export interface components {
              *     }
              */
             control?: components["schemas"]["Control"];
+            /**
+             * Session
+             * @description How the robot is reached; simulated where nobody has said.
+             * @default {
+             *       "driver": "simulated"
+             *     }
+             */
+            session?: components["schemas"]["SimulatedRobot"] | components["schemas"]["UniversalRobot"];
             /**
              * @description From which external torques and forces the controller acts.
              * @default {
@@ -5496,6 +5529,51 @@ export interface components {
             point_second_m: number[];
         };
         /**
+         * NetFtSensor
+         * @description An ATI Net F/T or Ethernet Axia, which sends wrenches by RDT.
+         */
+        NetFtSensor: {
+            /**
+             * Sign
+             * @description -1 where the sensor reports what acts on it, as its maker has it; 1 where its axes are turned so that it reports what it exerts on the payload.
+             * @default -1
+             * @example -1
+             * @enum {integer}
+             */
+            sign?: 1 | -1;
+            /**
+             * @description Which driver. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            driver: "ati_net_ft";
+            /**
+             * Host
+             * @description Name or address of the sensor's box.
+             * @example 192.168.1.1
+             */
+            host: string;
+            /**
+             * Calibration
+             * @description Serial number of its calibration; another one is refused. Not looked at where null.
+             * @example FT27462
+             */
+            calibration?: string | null;
+            /**
+             * Rdt Port
+             * @description UDP port of its RDT.
+             * @default 49152
+             * @example 49152
+             */
+            rdt_port?: number;
+            /**
+             * Http Port
+             * @description TCP port of its pages.
+             * @default 80
+             * @example 80
+             */
+            http_port?: number;
+        };
+        /**
          * Obstacle
          * @description Something solid that stands in the cell.
          */
@@ -7338,6 +7416,31 @@ export interface components {
             lateness?: components["schemas"]["Lateness"] | null;
         };
         /**
+         * RobotiqSensor
+         * @description A Robotiq FT 300 with a serial line.
+         */
+        RobotiqSensor: {
+            /**
+             * Sign
+             * @description -1 where the sensor reports what acts on it, as its maker has it; 1 where its axes are turned so that it reports what it exerts on the payload.
+             * @default -1
+             * @example -1
+             * @enum {integer}
+             */
+            sign?: 1 | -1;
+            /**
+             * @description Which driver. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            driver: "robotiq_ft300";
+            /**
+             * Port
+             * @description Its serial line.
+             * @example /dev/ttyUSB0
+             */
+            port: string;
+        };
+        /**
          * Role
          * @description What somebody is at the plant.
          * @enum {string}
@@ -8461,6 +8564,17 @@ export interface components {
          */
         Severity: "high" | "medium" | "low";
         /**
+         * SimulatedRobot
+         * @description The cell's virtual robot; nothing has to be said of it.
+         */
+        SimulatedRobot: {
+            /**
+             * @description Which driver. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            driver: "simulated";
+        };
+        /**
          * Site
          * @description Place of a cell on the earth: it gives the strength of gravity, whose direction is stated apart from it.
          */
@@ -9409,6 +9523,62 @@ export interface components {
              *     ]
              */
             change: (number | null)[];
+        };
+        /**
+         * UniversalRobot
+         * @description A Universal Robots e-series arm over RTDE.
+         */
+        UniversalRobot: {
+            /**
+             * Host
+             * @description Name or address of the robot's controller.
+             * @example 192.168.1.10
+             */
+            host: string;
+            /**
+             * Model
+             * @description The robot's model as its controller names it; another one is refused.
+             * @example UR5e
+             */
+            model: string;
+            /**
+             * Serial
+             * @description The arm's serial number; another arm is refused. Not looked at where null.
+             * @example 20245500123
+             */
+            serial?: string | null;
+            /**
+             * Firmware
+             * @description What the controller's version has to begin with: 5.17 takes 5.17.3. Whatever the driver knows where null.
+             * @example 5.17
+             */
+            firmware?: string | null;
+            /**
+             * @description The base frame of the controller in the cell's `robot.base_frame`; the same where nobody has said.
+             * @default {
+             *       "xyz_m": [
+             *         0,
+             *         0,
+             *         0
+             *       ],
+             *       "rpy_rad": [
+             *         0,
+             *         0,
+             *         0
+             *       ]
+             *     }
+             */
+            base?: components["schemas"]["Pose"];
+            /**
+             * Sensor
+             * @description A sensor that is read on its own line; the robot's own where null.
+             */
+            sensor?: (components["schemas"]["NetFtSensor"] | components["schemas"]["BotaSensor"] | components["schemas"]["RobotiqSensor"]) | null;
+            /**
+             * @description Which driver. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            driver: "ur_rtde";
         };
         /**
          * Value
@@ -14065,6 +14235,7 @@ export type AuditEntryPublic = components['schemas']['AuditEntryPublic'];
 export type AuditNames = components['schemas']['AuditNames'];
 export type AuditVerified = components['schemas']['AuditVerified'];
 export type Behind = components['schemas']['Behind'];
+export type BotaSensor = components['schemas']['BotaSensor'];
 export type Box = components['schemas']['Box'];
 export type BudgetPart = components['schemas']['BudgetPart'];
 export type Capsule = components['schemas']['Capsule'];
@@ -14152,6 +14323,7 @@ export type MotionCreate = components['schemas']['MotionCreate'];
 export type NamedEffect = components['schemas']['NamedEffect'];
 export type NearestFlight = components['schemas']['NearestFlight'];
 export type NearestPart = components['schemas']['NearestPart'];
+export type NetFtSensor = components['schemas']['NetFtSensor'];
 export type Obstacle = components['schemas']['Obstacle'];
 export type OpenedTrial = components['schemas']['OpenedTrial'];
 export type OrderPublic = components['schemas']['OrderPublic'];
@@ -14192,6 +14364,7 @@ export type ResultSummary = components['schemas']['ResultSummary'];
 export type Robot = components['schemas']['Robot'];
 export type RobotOutline = components['schemas']['RobotOutline'];
 export type RobotStopped = components['schemas']['RobotStopped'];
+export type RobotiqSensor = components['schemas']['RobotiqSensor'];
 export type Role = components['schemas']['Role'];
 export type RunApart = components['schemas']['RunApart'];
 export type RunCommand = components['schemas']['RunCommand'];
@@ -14213,6 +14386,7 @@ export type Series = components['schemas']['Series'];
 export type SeriesPublic = components['schemas']['SeriesPublic'];
 export type SessionPublic = components['schemas']['SessionPublic'];
 export type Severity = components['schemas']['Severity'];
+export type SimulatedRobot = components['schemas']['SimulatedRobot'];
 export type Site = components['schemas']['Site'];
 export type SourcePart = components['schemas']['SourcePart'];
 export type Sphere = components['schemas']['Sphere'];
@@ -14239,6 +14413,7 @@ export type TwinEffectCreate = components['schemas']['TwinEffectCreate'];
 export type TwinParameter = components['schemas']['TwinParameter'];
 export type TwinPublic = components['schemas']['TwinPublic'];
 export type TwinSharePart = components['schemas']['TwinSharePart'];
+export type UniversalRobot = components['schemas']['UniversalRobot'];
 export type Value = components['schemas']['Value'];
 export type VerificationPart = components['schemas']['VerificationPart'];
 export type Versions = components['schemas']['Versions'];

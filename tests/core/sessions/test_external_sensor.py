@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from core.array import Array
-from core.errors import NotConnected, SensorFault, SensorLate
+from core.errors import NotConnected, SensorFault, SensorLate, UnusableSensor
 from core.sensors.sensor import Reading
 from core.sessions.external_sensor import ExternalSensorSession
 from core.sessions.session import RobotState
@@ -103,6 +103,16 @@ def test_a_reading_that_the_sensor_calls_none_stops_the_robot():
 def test_a_sensor_that_sends_too_little_to_tell_its_clock_is_refused_and_both_are_let_go():
     session, robot, sensor = put_together(silent=lambda _: True)
     with pytest.raises(NotConnected, match="sent 0 samples within 5 s"):
+        session.__enter__()
+    assert (robot.entered, sensor.entered) == (0, 0)
+
+
+def test_a_sensor_that_is_saturated_before_the_guard_stops_the_robot_is_refused():
+    time = TrueTime()
+    robot, sensor = LockstepRobot(time, offset_s=0.0, drift=0.0, jitter_s=0.0), LockstepSensor(time, ramp)
+    sensor.range = np.array([145.0, 145.0, 290.0, 5.0, 5.0, 5.0])
+    session = ExternalSensorSession(robot, sensor, range_=np.array([145.0, 145.0, 400.0, 5.0, 5.0, 5.0]), clock=time)
+    with pytest.raises(UnusableSensor, match=r"measures fz up to 290\.0 N, the cell's sensor\.range says 400\.0"):
         session.__enter__()
     assert (robot.entered, sensor.entered) == (0, 0)
 

@@ -7,6 +7,10 @@ import pytest
 
 from core.cell.folder import load_cell
 from core.errors import BadCell, MissingPackage
+from core.sensors.ati_net_ft import NetFt
+from core.sensors.bota_serial import BotaSerial
+from core.sensors.robotiq_ft300 import RobotiqFt300
+from core.sessions.external_sensor import ExternalSensorSession
 from core.sessions.opening import Simulation, is_simulated, open_session
 from core.sessions.simulated import SimulatedSession
 from core.sessions.vendor import import_vendor
@@ -45,6 +49,32 @@ host = "192.168.1.1"
     assert (cell.session.host, cell.session.serial, cell.session.sensor.host) == ("192.168.1.10", None, "192.168.1.1")
 
 
+UR = """[session]
+driver = "ur_rtde"
+host = "a"
+model = "UR5e"
+[session.sensor]
+"""
+
+
+@pytest.mark.parametrize(
+    ("sensor", "kind"),
+    [
+        ('driver = "ati_net_ft"\nhost = "b"\ncalibration = "FT27462"\nsign = 1', NetFt),
+        ('driver = "bota_serial"\nport = "/dev/ttyUSB0"', BotaSerial),
+        ('driver = "robotiq_ft300"\nport = "/dev/serial/by-id/usb-FTDI"', RobotiqFt300),
+    ],
+)
+def test_a_sensor_on_a_line_of_its_own_is_put_on_whatever_robot_the_cell_names(tmp_path, monkeypatch, sensor, kind):
+    robot = open_session(load_cell(UR5E), Simulation(None))
+    monkeypatch.setattr("core.sessions.opening.DRIVERS", {"ur_rtde": lambda _: robot})
+    session = open_session(cell_with(tmp_path, UR + sensor), Simulation(None))
+    assert isinstance(session, ExternalSensorSession)
+    assert session.inner is robot
+    assert isinstance(session.sensor.inner, kind)
+    np.testing.assert_array_equal(session.find_start(), robot.find_start())
+
+
 @pytest.mark.parametrize(
     ("table", "key", "found"),
     [
@@ -58,8 +88,11 @@ host = "192.168.1.1"
         (
             '[session]\ndriver = "ur_rtde"\nhost = "a"\nmodel = "UR5e"\nsensor = {driver = "x"}',
             "session.sensor.driver",
-            "ati_net_ft",
+            "expected one of ati_net_ft, bota_serial, robotiq_ft300",
         ),
+        (UR + 'driver = "ati_net_ft"', "session.sensor.host", ""),
+        (UR + 'driver = "ati_net_ft"\nhost = "b"\nsign = 2', "session.sensor.sign", ""),
+        (UR + 'driver = "bota_serial"\nport = "COM3"', "session.sensor.port", "COM3"),
     ],
 )
 def test_a_table_that_cannot_be_used_is_told_by_its_key(tmp_path, table, key, found):
