@@ -6,7 +6,7 @@ The folder is the registry: every module of `core.effects` with an `Effect` clas
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -59,12 +59,22 @@ class Effect(ABC):
     title: ClassVar[Message]
     """As in "the gap is explained by <title>"."""
     stage: ClassVar[Stage]
+    wider_shape: ClassVar[bool] = False
+    """Whether this is a richer shape of an effect that the library has under the same identifier: fitted beside it, never in a twin."""
+    starts_from_most: ClassVar[bool] = False
+    """Whether it spoils the payload's first estimate so much that a fit has to start from the rows which it leaves alone."""
     needs_motion: ClassVar[bool] = False
     """Whether what it does depends on the way from one pose to the next."""
 
     @abstractmethod
     def parameters(self, scene: Scene) -> tuple[Parameter, ...]:
         """The parameters; their number may depend on the number of joints."""
+
+    def smaller_shape(self, scene: Scene) -> int | None:
+        """How many of the parameters, from the first on, make up the shape in which the effect most often occurs; the others stay absent
+        in it. None where all of them belong together."""
+        del scene
+        return None
 
     @abstractmethod
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
@@ -159,9 +169,15 @@ class View:
         holds: rows of each motionless phase.
         noise_std: (6,), of one sample in the motionless phases, trends taken out.
         phi, phi_std: (10,), payload estimate; NaN where not determined.
+        left: (K, 6), what the best explanation leaves of the wrench, windowed, N and N m; no rows where nothing was fitted.
+        expected: (K, 6), what it predicts.
+        left_t: (K,), times of these rows, s.
     """
 
     holds: tuple[slice, ...]
     noise_std: Array
     phi: Array
     phi_std: Array
+    left: Array = field(default_factory=lambda: np.zeros((0, 6)))
+    expected: Array = field(default_factory=lambda: np.zeros((0, 6)))
+    left_t: Array = field(default_factory=lambda: np.zeros(0))

@@ -31,6 +31,10 @@ class JointOffset(Effect):
             for j in range(joint_count(scene))
         )
 
+    def smaller_shape(self, scene: Scene) -> int:
+        """The zeros without waves."""
+        return joint_count(scene)
+
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w` plus what the payload asks more with joints at `q + d + c cos(q) + s sin(q)`."""
         zero, c, s = theta.reshape(3, -1)

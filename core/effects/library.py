@@ -15,7 +15,13 @@ from core.effects.effect import Effect, Symptom
 @cache
 def library() -> tuple[Effect, ...]:
     """One instance of every effect that changes the wrench, in the order of their identifiers."""
-    return tuple(sorted((kind() for kind in _classes() if issubclass(kind, Effect)), key=lambda effect: effect.id))
+    return tuple(sorted((kind() for kind in _classes() if issubclass(kind, Effect) and not kind.wider_shape), key=lambda effect: effect.id))
+
+
+@cache
+def wider_shapes() -> tuple[Effect, ...]:
+    """One instance of every richer shape of an effect of the library, which has its identifier."""
+    return tuple(sorted((kind() for kind in _classes() if issubclass(kind, Effect) and kind.wider_shape), key=lambda effect: effect.id))
 
 
 @cache

@@ -9,12 +9,17 @@ from functools import reduce
 from core.words.message import Message
 
 UNIT = re.compile(r"(_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share))?_per_\w+$|_(rad|s|m|n|nm|nms|kg|kgm|kgm2|hz|share)$")
-NAME = re.compile(r"(?:([ft][xyz]|joint_\d+|mode_\d+|m|mc_[xyz]|i[xyz]{2})(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$")
+NAME = re.compile(r"(?:([ft][xyz]|joint_\d+|mode_\d+|jump_\d+|m|mc_[xyz]|i[xyz]{2})(?:_|$))?(.*?)(?:(?:^|_)([xyz]{1,2}|[ft][xyz]))?$")
 """Of what it is, what it is, and along which axis or from which channel."""
 
-JOINT, MODE = Message.of("effect-parameter-joint"), Message.of("effect-parameter-mode")
+NUMBERED = {
+    "joint": Message.of("effect-parameter-joint"),
+    "jump": Message.of("effect-parameter-jump"),
+    "mode": Message.of("effect-parameter-mode"),
+}
 PIECES = {
     "about": Message.of("effect-parameter-about"),
+    "acceleration": Message.of("effect-parameter-acceleration"),
     "amplitude": Message.of("effect-parameter-amplitude"),
     "asymmetry": Message.of("effect-parameter-asymmetry"),
     "at": Message.of("effect-parameter-at"),
@@ -84,8 +89,8 @@ def _split(name: str) -> Iterator[Message]:
     match = NAME.match(UNIT.sub("", name))
     of, what, axis = match.groups(default="") if match else ("", name, "")
     kind, _, index = of.partition("_")
-    if kind in ("joint", "mode"):
-        yield JOINT if kind == "joint" else MODE
+    if kind in NUMBERED:
+        yield NUMBERED[kind]
         yield Message.of("text", text=index)
     elif of:
         yield Message.of("text", text=of.replace("_", " "))

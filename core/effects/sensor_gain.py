@@ -25,6 +25,10 @@ class SensorGain(Effect):
             *shares("asymmetry_share", lower=-0.25, upper=0.25, scale=0.01),
         )
 
+    def smaller_shape(self, scene: Scene) -> int:
+        """The gain errors without asymmetry."""
+        return 6
+
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w + e w + a |w|` in each channel."""
         return np.asarray(w * (1.0 + theta[:6]) + np.abs(w) * theta[6:])

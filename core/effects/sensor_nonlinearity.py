@@ -29,6 +29,10 @@ class SensorNonlinearity(Effect):
             *shares("slope_error_share", lower=-0.5, upper=0.5, scale=0.02),
         )
 
+    def smaller_shape(self, scene: Scene) -> int:
+        """The bends without an error of the slope."""
+        return 6
+
     def wrench(self, scene: Scene, w: Array, theta: Array) -> Array:
         """`w + s w + e w |w| / FS` in each channel."""
         return np.asarray(w * (1.0 + theta[6:] + theta[:6] / full_scale(scene, w) * np.abs(w)))

@@ -74,6 +74,16 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> At
     return Attribution(none, unknown, explained, find_ties(windows, [fit for fit, _ in explained], unit), leftover(nominal, best))
 
 
+def choose_shapes(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
+    """One fit for each name: of the shapes of an effect the one that is more probable, which is the smaller where both predict alike."""
+    best = _best(nominal, fits)
+    excess = float(nominal.held_out.sum()) - nominal.held_out.size
+    chosen: dict[str, EffectFit] = {}
+    for fit in sorted(fits, key=lambda fit: -_score(fit, best, misfit(best), excess)):
+        chosen.setdefault(fit.name, fit)
+    return list(chosen.values())
+
+
 def probabilities(nominal: EffectFit, fits: list[EffectFit]) -> tuple[float, float, list[float]]:
     """Of no effect, of one that the library does not have, and of each fit; they sum to 1.
 
@@ -129,7 +139,7 @@ def _score(fit: EffectFit, best: EffectFit, scale: float, excess: float) -> floa
     unit = max(1.0, float(best.held_out.mean()))
     if not fit.effects:
         return float(np.log(NONE_PRIOR)) - 0.5 * worse / unit
-    few, more = min(len(fit.theta), STIFF), max(0, len(fit.theta) - STIFF)
+    few, more = min(fit.free, STIFF), max(0, fit.free - STIFF)
     draws = best.held_out.size * unit / scale
     schwarz = BEND * float(np.log(draws))
     further = min(schwarz, 0.5 * BENT * max(0.0, excess) / scale)

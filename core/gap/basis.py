@@ -14,7 +14,7 @@ from core.estimation.noise import WrenchNoise, sensor_noise, unknown_noise
 from core.estimation.scene import scene_of, scene_of_poses
 from core.estimation.segments import Segment, cut_at_gaps, hold_label, motionless, segments_of_motion, segments_of_phase, stretches
 from core.estimation.weak_form import RawFeatures, regressor_of
-from core.gap.windows import Basis, Rows, window_matrix, window_rows
+from core.gap.windows import ZERO_STD_RAD, Basis, Rows, window_matrix, window_rows
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
 
@@ -26,6 +26,8 @@ SHORTEST_S, FEWEST_SAMPLES = 3.0, 200
 NARROW_S = 0.0125
 """Knot spacing of the narrow windows."""
 NOTHING_MOVES_RAD = 0.02
+LEAST_ZERO_STD_RAD = 1e-6
+"""A prior needs some width."""
 FEWEST_POSES = 16
 """A linear channel under any gravity that drifts can follow eleven of them whatever the noise."""
 
@@ -83,6 +85,7 @@ def basis_of_poses(recording: Recording, poses: Poses, wrench: Array) -> Basis:
         w,
         V,
         None if known is None else known.phi,
+        find_zero_std(recording),
         each,
         csr_array(each.shape),
         Rows(t, poses.period, each, np.zeros(len(t), dtype=np.intp)),
@@ -118,7 +121,13 @@ def build_unchecked_basis(recording: Recording, poses: Poses, wrench: Array) -> 
     known = recording.reference_of_whole
     reference = None if known is None else known.phi
     V, rows = regressor_of(a - g, B), window_rows(poses, t)
-    return Basis(poses, noise, segments, scene, np.asarray(spread @ wrench), V, reference, spread, raw.difference, rows)
+    measured, zero_std = np.asarray(spread @ wrench), find_zero_std(recording)
+    return Basis(poses, noise, segments, scene, measured, V, reference, zero_std, spread, raw.difference, rows)
+
+
+def find_zero_std(recording: Recording) -> float:
+    """Standard uncertainty of the joints' zeros, rad: as stated, or assumed."""
+    return ZERO_STD_RAD if recording.zero_std_rad is None else max(recording.zero_std_rad, LEAST_ZERO_STD_RAD)
 
 
 def segments_of(recording: Recording, motion: Motion, speed: Array) -> tuple[Segment, ...]:

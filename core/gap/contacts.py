@@ -7,24 +7,16 @@ the recording: the payload is the one that most rows agree on, and a contact is 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.array import Array
 from core.gap.effect_fit import EffectFit
-from core.gap.quadratic import solve_scaled
+from core.gap.most_rows import DRAWN, FREE, PARTS, fit_most
 from core.gap.windows import Windows
 from core.payload.rotations import cross
 
-FREE = 1.0 / 3.0
-"""Share of the rows that nothing touches, at least. The payload is the one that fits the best of so many rows best (least trimmed
-squares: Rousseeuw 1984)."""
-PARTS, DRAWN = 12, 3
-"""The search begins at every choice of so many of so many equal parts of the recording,"""
-KEPT, ROUNDS = 8, 30
-"""and goes on from the best ones, by so many concentration steps at most (Rousseeuw and Van Driessen 2006)."""
 BEGINS, STANDS_OUT = 4.0, 10.0
 """A stretch reaches as far as rows are so many times the median of the free ones, and somewhere it is as large as that."""
 EDGE = 0.02
@@ -83,7 +75,8 @@ def find_contacts(windows: Windows, nominal: EffectFit) -> Contacts | None:
     """When something touched the payload; None where nothing did, or where what leaves the payload does not look like that."""
     if windows.basis.scene.apart or len(windows) < PARTS * DRAWN:
         return None
-    residual = _fit_most(windows, windows.target - nominal.change)
+    target = windows.target - nominal.change
+    residual = target - windows.X @ fit_most(windows, target)
     stretches = find_stretches(windows.centres, np.sqrt((residual**2).mean(axis=0)))
     free = np.ones(len(windows), dtype=bool)
     for rows in stretches:
@@ -112,36 +105,6 @@ def find_stretches(t: Array, size: Array) -> list[slice]:
 def _trim(run: NDArray[np.intp], size: Array) -> slice:
     above = run[size[run] > EDGE * float(size[run].max())]
     return slice(int(above[0]), int(above[-1]) + 1)
-
-
-def _fit_most(windows: Windows, target: Array) -> Array:
-    """(6, K), what is left of target rows (6, K) by the payload, offsets and imperfections that fit the best of the rows best."""
-    X = windows.X
-    normal, right = np.einsum("ckn,ckm->knm", X, X), np.einsum("ckn,ck->kn", X, target)
-    prior = np.diag(windows.prior_std**-2.0)
-    most = round(FREE * len(windows))
-
-    def fit(rows: NDArray[np.intp]) -> Array:
-        residual = target - X @ solve_scaled(normal[rows].sum(axis=0) + prior, right[rows].sum(axis=0))
-        return np.asarray(residual)
-
-    def rank(residual: Array) -> NDArray[np.intp]:
-        return np.argsort((residual**2).sum(axis=0))[:most]
-
-    def cost(residual: Array) -> float:
-        return float(np.sort((residual**2).sum(axis=0))[:most].sum())
-
-    def concentrate(residual: Array) -> Array:
-        for _ in range(ROUNDS):
-            closer = fit(rank(residual))
-            if cost(closer) >= (1.0 - 1e-9) * cost(residual):
-                break
-            residual = closer
-        return residual
-
-    parts = np.array_split(np.arange(len(windows)), PARTS)
-    begun = sorted((fit(np.concatenate(drawn)) for drawn in combinations(parts, DRAWN)), key=cost)
-    return min(map(concentrate, begun[:KEPT]), key=cost)
 
 
 def _describe(t: Array, wrench: Array, rotation: Array) -> Contact:

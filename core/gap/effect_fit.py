@@ -5,7 +5,7 @@ The `Problem` is minimised by Levenberg-Marquardt. The evidence is Laplace's; th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -40,6 +40,7 @@ class EffectFit:
         held_out: (6, K), chi-square of each row predicted from the other motions, its own prediction's uncertainty counted, and what
             the effects spare themselves by smoothing noise given back.
         change: (6, K), what the effects add, whitened.
+        kept_absent: how many of the parameters were kept absent: a smaller shape of the effect.
     """
 
     effects: tuple[Effect, ...]
@@ -53,6 +54,12 @@ class EffectFit:
     log_evidence: float
     held_out: Array
     change: Array
+    kept_absent: int = 0
+
+    @property
+    def free(self) -> int:
+        """How many parameters were fitted."""
+        return len(self.theta) - self.kept_absent
 
     @property
     def name(self) -> str:
@@ -84,13 +91,21 @@ def fit_nominal(windows: Windows) -> EffectFit:
     return _finish(problem, beta, np.zeros(0))
 
 
-def fit_effects(windows: Windows, effects: tuple[Effect, ...], start: EffectFit, thetas: list[Array]) -> EffectFit:
-    """The best fit from several starting values of theta, payload and offsets starting from another fit."""
-    problem = Problem(windows, effects)
+def fit_effects(
+    windows: Windows, effects: tuple[Effect, ...], start: EffectFit, thetas: list[Array], first: int | None = None
+) -> EffectFit:
+    """The best fit from several starting values of theta, payload and offsets starting from another fit.
+
+    Args:
+        first: how many of the parameters are fitted, from the first on; all where not given.
+    """
+    problem = Problem(windows, effects, first)
+    fitted = np.arange(len(problem.absent)) < (len(problem.absent) if first is None else first)
+    thetas = [np.where(fitted, theta, problem.absent) for theta in thetas]
     candidates = [descend(problem, start.beta, np.clip(theta, problem.lower, problem.upper), iterations=2) for theta in thetas]
     _, beta, theta = min(candidates, key=lambda found: found[0])
     _, beta, theta = descend(problem, beta, theta, iterations=ITERATIONS)
-    return _finish(problem, beta, theta)
+    return replace(_finish(problem, beta, theta), kept_absent=0 if first is None else len(theta) - first)
 
 
 def descend(problem: Problem, beta: Array, theta: Array, *, iterations: int) -> tuple[float, Array, Array]:

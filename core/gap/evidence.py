@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from core.effects.effect import Effect
+from core.effects.library import wider_shapes
 from core.effects.scene import Scene
 from core.gap.answer import Verdict
-from core.gap.attribution import Attribution, attribute, leftover, probabilities
+from core.gap.attribution import Attribution, attribute, choose_shapes, leftover, probabilities
 from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.materiality import is_material
+from core.gap.most_rows import DRAWN, PARTS, fit_most
 from core.gap.partners import partners
 from core.gap.proposal import Proposal
 from core.gap.tie import Tie, distance_sigma
-from core.gap.windows import Windows
+from core.gap.windows import PHI, Windows
 from core.words.message import Message
 
 EXPLAINED = 0.5
@@ -25,6 +27,8 @@ FIRSTS, SECONDS = 2, 3
 """A second effect is sought for the best single ones, and the most promising ones are fitted."""
 ONE_IS_ENOUGH = 0.01
 """Share of the excess left over by one effect below which a second one is not sought: it would only pick up what a model gets wrong."""
+ONE_IS_CLEAR = 3e-4
+"""The same below which no effect is started from the rows that most agree on: what spoils the first estimate leaves more to the others."""
 SECOND_EXPLAINS = 1.0 / 3.0
 """A second effect has to explain most of what the first leaves over, or it is none."""
 
@@ -89,13 +93,34 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     scene = windows.basis.scene.with_phi(nominal.phi)
     absences = {effect: _explain_absence(effect, scene) for effect in effects}
     shown = [effect for effect, reason in absences.items() if reason is None]
+    wider = [effect for effect in wider_shapes() if effect.id in {each.id for each in shown}]
     residual = windows.on_grid(nominal.residual)
     known = {term.effect.id: [term.theta] for term in windows.held}
-    tasks: list[Task] = [((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in shown]
-    singles = fit_all(windows, tasks)
+    tasks = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in shown]
+    tasks += [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider if effect.id not in known]
+    smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
+    singles = choose_shapes(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
+    if leftover(nominal, min(singles, key=_total, default=nominal)) > ONE_IS_CLEAR:
+        singles = choose_shapes(nominal, [*singles, *_fit_from_most(windows, nominal, shown, fit_all)])
     pairs = _pairs(windows, nominal, singles, shown, fit_all)
     attribution = attribute(windows, nominal, [*singles, *pairs])
     return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribution, describe_limits(absences))
+
+
+def _fit_from_most(windows: Windows, nominal: EffectFit, effects: Sequence[Effect], fit_all: FitAll) -> list[EffectFit]:
+    """Effects that spoil the first estimate, started from the payload that most rows agree on."""
+    wanted = [effect for effect in effects if effect.starts_from_most]
+    if not wanted or len(windows) < PARTS * DRAWN:
+        return []
+    beta = fit_most(windows, windows.target - nominal.change)
+    scene = windows.basis.scene.with_phi(beta[PHI])
+    residual = windows.on_grid(windows.target - nominal.change - windows.X @ beta)
+    start = replace(nominal, beta=beta)
+    return fit_all(windows, [Task((effect,), start, effect.starts(scene, residual)) for effect in wanted])
+
+
+def _total(fit: EffectFit) -> float:
+    return float(fit.held_out.sum())
 
 
 def _explain_absence(effect: Effect, scene: Scene) -> Message | None:
@@ -113,7 +138,7 @@ def describe_limits(reasons: Mapping[Effect, Message | None]) -> tuple[Message, 
 
 def _pairs(windows: Windows, nominal: EffectFit, singles: list[EffectFit], effects: list[Effect], fit_all: FitAll) -> list[EffectFit]:
     """Two effects at once, where one leaves something to explain; each pair once, as well as it was fitted from either side."""
-    ranked = sorted(singles, key=lambda fit: float(fit.held_out.sum()))
+    ranked = sorted(singles, key=_total)
     if not ranked or leftover(nominal, ranked[0]) < ONE_IS_ENOUGH:
         return []
     none, *_ = probabilities(nominal, singles)

@@ -5,18 +5,27 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
+from core.array import Array
 from core.effects.effect import STAGES, Effect
 from core.gap.effect_fit import EffectFit, fit_effects
 from core.gap.windows import Windows
 
-Task: TypeAlias = tuple[tuple[Effect, ...], EffectFit, list[NDArray[np.float64]]]
-"""Effects to fit together, the fit to start from, and starting values of their parameters."""
+
+class Task(NamedTuple):
+    """Effects to fit together, the fit to start from, and starting values of their parameters; how many of these, from the first on, where
+    it is not all of them."""
+
+    effects: tuple[Effect, ...]
+    start: EffectFit
+    thetas: list[Array]
+    first: int | None = None
+
+
 FitAll: TypeAlias = Callable[[Windows, list[Task]], list[EffectFit]]
 """Fits each task on its own; the results are in the order of the tasks."""
 
@@ -38,7 +47,7 @@ def pair_of(a: EffectFit, b: EffectFit) -> Task:
     """Two effects at once, each from where it ended alone."""
     first, second = sorted((a, b), key=lambda fit: STAGES.index(fit.effects[0].stage))
     start = min(a, b, key=lambda fit: fit.cost)
-    return (*first.effects, *second.effects), start, [np.concatenate((first.theta, second.theta))]
+    return Task((*first.effects, *second.effects), start, [np.concatenate((first.theta, second.theta))])
 
 
 _shared: Windows

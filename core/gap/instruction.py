@@ -78,6 +78,7 @@ FIXED: dict[str, Said] = {
     "sensor_rotation": Said("ask", Message.of("instruction-sensor-rotation"), Message.of("instruction-sensor-rotation-next")),
     "sensor_saturation": Said("act", Message.of("instruction-sensor-saturation"), Message.of("instruction-sensor-saturation-next")),
     "sensor_translation": Said("ask", Message.of("instruction-sensor-translation"), Message.of("instruction-sensor-translation-next")),
+    "structure_vibration": Said("act", Message.of("instruction-structure-vibration"), Message.of("instruction-structure-vibration-next")),
     "time_delay": Said("ask", Message.of("instruction-time-delay"), Message.of("instruction-time-delay-next")),
     "tool_flexibility": Said("act", Message.of("instruction-tool-flexibility"), Message.of("instruction-tool-flexibility-next")),
 }

@@ -42,7 +42,7 @@ def partners(windows: Windows, first: EffectFit, effects: Sequence[Effect], coun
     found = [
         _join(windows, first, columns, problem.precision, effect, theta)
         for effect in effects
-        if effect not in first.effects
+        if effect.id not in {each.id for each in first.effects}
         for theta in effect.starts(scene, residual)[:STARTS]
     ]
     best: dict[str, Partner] = {}
@@ -72,4 +72,4 @@ def _join(windows: Windows, first: EffectFit, columns: Array, precision: Array, 
 def _pair(first: EffectFit, partner: Partner) -> Task:
     terms = [(first.effects[0], first.theta), (partner.effect, partner.theta)]
     terms.sort(key=lambda term: STAGES.index(term[0].stage))
-    return tuple(effect for effect, _ in terms), first, [np.concatenate([theta for _, theta in terms])]
+    return Task(tuple(effect for effect, _ in terms), first, [np.concatenate([theta for _, theta in terms])])

@@ -19,7 +19,7 @@ from core.gap.basis import build_unchecked_basis
 from core.gap.effect_fit import EffectFit
 from core.gap.problem import STEP, Problem
 from core.gap.quadratic import find_bounded_minimum, inverse
-from core.gap.windows import BACKGROUND, OFFSET, Windows
+from core.gap.windows import OFFSET, Windows
 from core.payload.inertia import Motion
 from core.recording.recording import BETWEEN_RUNS_S, Recording
 
@@ -77,7 +77,7 @@ class Prediction:
         J = (rows[..., 1:] - rows[..., :1]) / steps
         earlier = np.zeros((*X.shape[:2], len(fit.beta) - X.shape[2]))  # offsets of the parts of the present recording
         columns = np.concatenate((X, earlier, J, STEP_STD * X[..., OFFSET]), axis=2)
-        predicted = X @ fit.beta[: BACKGROUND.stop] + rows[..., 0]
+        predicted = X @ fit.beta[: X.shape[2]] + rows[..., 0]
         return predicted.ravel(), columns.reshape(-1, columns.shape[2])
 
 

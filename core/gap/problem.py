@@ -13,10 +13,12 @@ from core.array import Array
 from core.effects.effect import STAGES, Effect, Parameter
 from core.effects.scene import Scene
 from core.gap.quadratic import find_bounded_minimum
-from core.gap.windows import BACKGROUND, PHI, Windows
+from core.gap.windows import PHI, Windows
 
 PRIOR_WIDTH = 2.0
 """Standard deviation of the prior in plausible sizes."""
+ABSENT_WIDTH = 1e-5
+"""The same of a parameter that stays absent."""
 STEP = 1e-3
 """Of the finite differences, in plausible sizes."""
 SMALL = 2.5
@@ -24,9 +26,13 @@ SMALL = 2.5
 
 
 class Problem:
-    """Rows and derivatives for one set of effects."""
+    """Rows and derivatives for one set of effects.
 
-    def __init__(self, windows: Windows, effects: tuple[Effect, ...]) -> None:
+    Args:
+        first: how many of the parameters are free, from the first on; the others stay absent. All where not given.
+    """
+
+    def __init__(self, windows: Windows, effects: tuple[Effect, ...], first: int | None = None) -> None:
         self.windows = windows
         self.effects = tuple(sorted(effects, key=lambda effect: STAGES.index(effect.stage)))
         parameters = [parameters_of(windows, effect) for effect in self.effects]
@@ -44,9 +50,11 @@ class Problem:
         self.X = windows.X.reshape(-1, windows.X.shape[2])
         self.XX = self.X.T @ self.X
         self.target = windows.target.ravel()
-        self.precision = np.concatenate((windows.prior_std, PRIOR_WIDTH * self.scale)) ** -2.0
+        width = np.full(len(self.parameters), PRIOR_WIDTH)
+        width[len(width) if first is None else first :] = ABSENT_WIDTH
+        self.precision = np.concatenate((windows.prior_std, width * self.scale)) ** -2.0
         small = np.full(len(windows.prior_std), np.inf)
-        small[BACKGROUND] = SMALL * windows.prior_std[BACKGROUND]
+        small[windows.background] = SMALL * windows.prior_std[windows.background]
         self.bounds = np.array([np.concatenate((-small, self.lower)), np.concatenate((small, self.upper))])
 
     def change(self, theta: Array, scene: Scene, known: dict[bytes, Array] | None = None) -> Array:

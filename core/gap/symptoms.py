@@ -33,7 +33,9 @@ def observe_symptoms(recording: Recording, windows: Windows, nominal: EffectFit,
         nominal, fit: without and with what explains the wrench best; what that changes in the payload counts as its uncertainty.
     """
     holds = tuple(part.rows for part in windows.basis.segments if part.is_hold)
-    view = View(holds, windows.basis.noise.std, fit.phi, np.hypot(fit.phi_std, fit.phi - nominal.phi))
+    left, measured = windows.unwhiten(fit.residual), windows.unwhiten(windows.target)
+    phi_std = np.hypot(fit.phi_std, fit.phi - nominal.phi)
+    view = View(holds, windows.basis.noise.std, fit.phi, phi_std, left, measured - left, windows.centres)
     acting = {effect.id for effect in fit.effects}
     found: list[tuple[Symptom, Finding]] = []
     for symptom in symptoms():

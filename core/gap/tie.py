@@ -53,7 +53,7 @@ def find_ties(windows: Windows, explained: Sequence[EffectFit], unit: float) -> 
         return ()
     first = singles[0]
     most = float((first.residual**2).sum()) + ((INSEPARABLE_SIGMA + SWAY_SIGMA) * unit) ** 2
-    rivals = [fit for fit in singles[1:] if len(fit.theta) <= len(first.theta) + BENDS and float((fit.residual**2).sum()) <= most]
+    rivals = [fit for fit in singles[1:] if fit.free <= first.free + BENDS and float((fit.residual**2).sum()) <= most]
     ties = [Tie(first, fit, distance_sigma(windows, first, fit) / unit) for fit in rivals]
     return tuple(sorted((tie for tie in ties if tie.distance_sigma < INSEPARABLE_SIGMA), key=lambda tie: tie.distance_sigma))
 

@@ -18,6 +18,8 @@ from scipy.sparse import csr_array
 
 from core.array import Array
 from core.effects.composition import Term
+from core.effects.joint_error import joint_count, true_motion, without_joints
+from core.effects.rigid_body import wrench_change
 from core.effects.scene import Scene
 from core.estimation.banded import bands_of, count_bands, factorise, whiten
 from core.estimation.drift import STEP_STD
@@ -27,19 +29,25 @@ from core.estimation.segments import Segment, stretches
 from core.estimation.weak_form import STEP_S, tilt_axes
 from core.payload.inertia import Motion, spatial_inertia
 from core.payload.rigid_wrench import wrench
+from core.payload.rotations import cross
 from core.recording.recording import PAUSE_S
 
 PHI = slice(0, 10)
 OFFSET = slice(10, 16)
-BACKGROUND = slice(16, 26)
-"""Small imperfections that every cell has: two tilts, a delay, a blur, six gains. Always in the model, with tight priors."""
 LATE, BLUR = 18, 19
 """The delay, s, and the blur, a variance in s2."""
 
 PHI_STD = np.concatenate(([30.0], np.full(3, 3.0), np.full(6, 1.0)))
 OFFSET_STD = np.full(6, 1e3)
-BACKGROUND_STD = np.concatenate((np.full(2, 4e-4), [3e-4, 2e-6], np.full(6, 5e-4)))
-"""0.02 deg, 0.3 ms, a blur of 2 ms (interpolation between samples, jitter), 0.05 %."""
+BACKGROUND_STD = np.concatenate((np.full(2, 4e-4), [3e-4, 2e-6], np.full(6, 1e-3)))
+"""Small imperfections that every cell has, always in the model with tight priors: two tilts of 0.02 deg, a delay of 0.3 ms, a blur of 2 ms
+(interpolation between samples, jitter), six gains of 0.1 %; then the zeros of the joints, and where no position is known the place that
+the sensor turns about."""
+ZERO_STD_RAD = 3.5e-4
+"""0.02 deg, of a joint's zero where nobody states it; a larger one is an effect and has to be named."""
+ZERO_STEP_RAD = 1e-4
+TURNING_STD_M = 1.0
+"""Of where a sensor whose position nobody knows turns about, each coordinate: an arm's length."""
 NOISE_DRAWS = 16
 """Of the noise of the kinematics; a mean over them is right to a few units of chi-square."""
 FORGOTTEN_S = 0.5
@@ -78,6 +86,7 @@ class Basis:
         wrench: (N, 6), measured, on the fine grid.
         V: (N, 6, 10), nominal regressor, likewise.
         reference: (10,), the payload as somebody else knows it, None where nobody does.
+        zero_std_rad: of the joints' zeros.
         spread: (N, samples), the narrow windows; `difference`: (samples, samples), second differences of the poses.
         rows: of the equations.
     """
@@ -89,6 +98,7 @@ class Basis:
     wrench: Array
     V: Array
     reference: Array | None
+    zero_std_rad: float
     spread: csr_array
     difference: csr_array
     rows: Rows
@@ -117,12 +127,17 @@ class Windows:
         late = self._average(np.stack((-rate, 0.5 * np.gradient(rate, t, axis=0)), axis=2))
         gain = np.einsum("kc,cd->kcd", V @ phi, np.eye(6))
         constant, later = np.split(self._offsets(), [6], axis=2)
-        self.X = self.whiten(np.concatenate((V, constant, self._average(self._tilt(phi)), late, gain, later), axis=2))
-        """(6, K, 26 + 6 p): columns of the nominal twin with its small imperfections, and what p pauses changed in its offsets."""
+        zeros = self._average(_find_zero_columns(basis.scene.with_phi(phi)))
+        turning = self._average(_find_turning_columns(basis.scene, phi))
+        self.X = self.whiten(np.concatenate((V, constant, self._average(self._tilt(phi)), late, gain, zeros, turning, later), axis=2))
+        """(6, K, 26 + n + 6 p): columns of the nominal twin with its small imperfections, and what p pauses changed in its offsets."""
         self.target = self.whiten(y[..., None])[..., 0]
         """(6, K)."""
-        pauses = later.shape[2] // 6
-        self.prior_std = np.concatenate((PHI_STD, OFFSET_STD, BACKGROUND_STD, np.tile(STEP_STD, pauses)))
+        zero_std = np.full(zeros.shape[2], basis.zero_std_rad)
+        small = np.concatenate((BACKGROUND_STD, zero_std, np.full(turning.shape[2], TURNING_STD_M)))
+        self.background = slice(OFFSET.stop, OFFSET.stop + len(small))
+        """Columns of the small imperfections."""
+        self.prior_std = np.concatenate((PHI_STD, OFFSET_STD, small, np.tile(STEP_STD, later.shape[2] // 6)))
         self.group = self._groups()
 
     def __len__(self) -> int:
@@ -222,6 +237,25 @@ class Windows:
     def samples_per_row(self) -> float:
         """Samples of the recording for each window."""
         return self.step / self.basis.poses.period
+
+
+def _find_zero_columns(scene: Scene) -> Array:
+    """(N, 6, n), change of the wrench per radian of each joint's zero; none without joints."""
+    if without_joints(scene) is not None:
+        return np.zeros((len(scene), 6, 0))
+    steps = ZERO_STEP_RAD * np.eye(joint_count(scene))
+    moved = [wrench_change(scene, true_motion(scene, np.tile(step, (len(scene), 1)))) for step in steps]
+    return np.stack(moved, axis=2) / ZERO_STEP_RAD
+
+
+def _find_turning_columns(scene: Scene, phi: Array) -> Array:
+    """(N, 6, 3), change of the wrench per metre from a place at rest to a sensor whose position is not known, sensor axes: turning about
+    it, the sensor's origin is accelerated by `alpha x r + omega x (omega x r)`; none where the position is known, or nothing moves."""
+    if scene.position is not None or scene.apart:
+        return np.zeros((len(scene), 6, 0))
+    m, still = scene.motion, np.zeros_like(scene.motion.g)
+    by_axis = (cross(m.alpha, axis) + cross(m.omega, cross(m.omega, axis)) for axis in np.eye(3))
+    return np.stack([wrench(Motion(still, a, still, still), phi) for a in by_axis], axis=2)
 
 
 def window_rows(poses: Poses, t: Array) -> Rows:

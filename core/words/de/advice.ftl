@@ -36,5 +36,6 @@ advice-sensor-rotation = Berichtigen Sie das Sensorkoordinatensystem in der URDF
 advice-sensor-saturation-above = Wählen Sie einen größeren Messbereich des Sensors oder eine leichtere Last: { $channel } wird über { $clipped_at } begrenzt (ohne Nullpunkt), der Lauf braucht { $needed }.
 advice-sensor-saturation-below = Wählen Sie einen größeren Messbereich des Sensors oder eine leichtere Last: { $channel } wird unter { $clipped_at } begrenzt (ohne Nullpunkt), der Lauf braucht { $needed }.
 advice-sensor-translation = Verschieben Sie das Sensorkoordinatensystem in der URDF um { MILLI($x_m, digits: 1) } mm, { MILLI($y_m, digits: 1) } mm und { MILLI($z_m, digits: 1) } mm längs seiner Achsen x, y und z.
+advice-structure-vibration = Suchen Sie, was mit { FIXED($frequency_hz, digits: 1) } Hz schwingt (eine Maschine neben dem Roboter, ein Tisch, der nicht fest steht, ein Stoß), oder halten Sie länger und messen Sie, wenn es ruhig ist.
 advice-time-delay = Stempeln Sie Kräfte und Gelenke mit einer Uhr, oder stellen Sie in der Aufzeichnung eine Verzögerung von { MILLI($delay_s, digits: 1) } ms ein.
 advice-tool-flexibility = Versteifen Sie das Werkzeug, oder glätten Sie die Bewegung: es schwingt mit { FIXED($frequency_hz, digits: 1) } Hz bei { PERCENT($damping_ratio) } % der kritischen Dämpfung.

@@ -27,6 +27,7 @@ effect-sensor-quantization-title = Grobe Stufen im Signal des Sensors
 effect-sensor-rotation-title = Verdreht montierter Sensor
 effect-sensor-saturation-title = Begrenzung des Sensors
 effect-sensor-translation-title = Versetzter Ursprung des Sensors
+effect-structure-vibration-title = Schwingung dessen, was den Roboter trägt
 effect-time-delay-title = Kraftmessung später als die Gelenke
 effect-tool-flexibility-title = Schwingendes Werkzeug
 effect-and = { $first } und { $second }
@@ -50,6 +51,7 @@ effect-one-place = der Sensor bleibt an einem Ort
 effect-nothing-turns = in dieser Aufzeichnung dreht sich nichts: im Stillstand zeigt sich nicht, wo der Ursprung des Sensors liegt
 effect-poses-apart = es wurden nur Lagen aufgezeichnet, und er zeigt sich auf dem Weg dazwischen
 effect-sensor-still = der Sensor steht still (unter { SIGNIFICANT($rate_rad_s, digits: 3) } rad/s), und der Zeitbezug zeigt sich nur, solange sich Lasten ändern
+effect-shape-of-run = die Form, die in diesem Lauf gefunden wurde, behält ein Zwilling nicht
 effect-no-range = seine Parameter sind Anteile am Messbereich des Sensors, den die Aufzeichnung nicht angibt; an dessen Stelle stand die größte Last dieses Laufs
 
 # Values with their units.
@@ -61,6 +63,7 @@ effect-angle = { DEGREES($angle_rad, digits: 2) }°
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
 effect-parameter-part = { $first } { $then }
 effect-parameter-about = um
+effect-parameter-acceleration = Beschleunigung
 effect-parameter-amplitude = Amplitude
 effect-parameter-asymmetry = Asymmetrie
 effect-parameter-at = bei
@@ -88,6 +91,7 @@ effect-parameter-half-width = halbe Breite
 effect-parameter-hanging = hängender Anteil
 effect-parameter-held = gehalten
 effect-parameter-joint = Gelenk
+effect-parameter-jump = Sprung
 effect-parameter-lag = Nachlauf
 effect-parameter-lost = verloren
 effect-parameter-lower-limit = untere Grenze

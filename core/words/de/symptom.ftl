@@ -7,6 +7,7 @@ symptom-line = Eine Linie bei { $place } mit Amplituden bis zu { $amplitude }, i
 symptom-frequency = { FIXED($frequency_hz, digits: 2) } Hz
 symptom-mains = { FIXED($frequency_hz, digits: 2) } Hz (Netz, { FIXED($source_hz, digits: 0) } Hz)
 symptom-mains-alias = { FIXED($frequency_hz, digits: 2) } Hz (Netz, { FIXED($source_hz, digits: 0) } Hz, sichtbar als Spiegelfrequenz bei { FIXED($samples_per_second, digits: 0) } Messwerten je Sekunde)
+symptom-vibration = Die Last schwingt mit { FIXED($frequency_hz, digits: 1) } Hz und { FIXED($force_n, digits: 2) } N ({ FIXED($acceleration_m_s2, digits: 2) } m/s²), dem { FIXED($times, digits: 1) }-fachen des Rauschens, als schwänge der ganze Roboter.
 
 # The payload against its reference.
 symptom-other-payload = Die Last ist nicht { $reference }: { $differences }.

@@ -27,6 +27,7 @@ effect-sensor-quantization-title = coarse steps of the sensor's signal
 effect-sensor-rotation-title = a sensor that is mounted turned
 effect-sensor-saturation-title = clipping of the sensor
 effect-sensor-translation-title = a sensor origin that is off
+effect-structure-vibration-title = a vibration of what carries the robot
 effect-time-delay-title = a delay of the wrench against the joints
 effect-tool-flexibility-title = a tool that rings
 effect-and = { $first } and { $second }
@@ -50,6 +51,7 @@ effect-one-place = the sensor stays in one place
 effect-nothing-turns = nothing turns in this recording: the place of the sensor's origin does not show at rest
 effect-poses-apart = only poses were recorded, and it shows on the way between them
 effect-sensor-still = the sensor stays still (below { SIGNIFICANT($rate_rad_s, digits: 3) } rad/s), and timing shows only while loads change
+effect-shape-of-run = the shape that was found in this run is one that a twin does not keep
 effect-no-range = its parameters are shares of the sensor's range, which the recording does not state; the largest load of this run stood for it
 
 # Values with their units.
@@ -61,6 +63,7 @@ effect-angle = { DEGREES($angle_rad, digits: 2) } deg
 # The names of parameters, put together: of what ("joint 3", "fx"), what, along which axis.
 effect-parameter-part = { $first } { $then }
 effect-parameter-about = about
+effect-parameter-acceleration = acceleration
 effect-parameter-amplitude = amplitude
 effect-parameter-asymmetry = asymmetry
 effect-parameter-at = at
@@ -88,6 +91,7 @@ effect-parameter-half-width = half width
 effect-parameter-hanging = hanging part
 effect-parameter-held = held
 effect-parameter-joint = joint
+effect-parameter-jump = jump
 effect-parameter-lag = lag
 effect-parameter-lost = lost
 effect-parameter-lower-limit = lower limit

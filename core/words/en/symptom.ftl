@@ -7,6 +7,7 @@ symptom-line = There is a line at { $place } with amplitudes up to { $amplitude 
 symptom-frequency = { FIXED($frequency_hz, digits: 2) } Hz
 symptom-mains = { FIXED($frequency_hz, digits: 2) } Hz (mains, { FIXED($source_hz, digits: 0) } Hz)
 symptom-mains-alias = { FIXED($frequency_hz, digits: 2) } Hz (mains, { FIXED($source_hz, digits: 0) } Hz, seen as its alias at { FIXED($samples_per_second, digits: 0) } samples per second)
+symptom-vibration = The payload shakes at { FIXED($frequency_hz, digits: 1) } Hz with { FIXED($force_n, digits: 2) } N ({ FIXED($acceleration_m_s2, digits: 2) } m/s²), { FIXED($times, digits: 1) } times the noise, as if the whole robot did.
 
 # The payload against its reference.
 symptom-other-payload = The payload is not { $reference }: { $differences }.

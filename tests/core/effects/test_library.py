@@ -12,7 +12,7 @@ import pytest
 
 import core.effects
 from core.effects.effect import Effect, Parameter, Symptom
-from core.effects.library import library
+from core.effects.library import library, wider_shapes
 from core.effects.scene import Scene
 from tests.core.effects.synthetic_scene import first_rows, poses_only, scene
 
@@ -47,8 +47,9 @@ TABLE = {
     "tool_flexibility",
     "cable_drag",
     "external_contact",
+    "structure_vibration",
 }
-"""The effects of the project's specification, `unknown` apart."""
+"""The effects of the project's specification, `unknown` apart, and what shakes the structure, which has no name there."""
 
 DIMENSIONLESS = re.compile(r".*(_share|_ratio|_factor|correlation|_n_per_n|_nm_per_nm)$")
 
@@ -68,7 +69,7 @@ def run() -> Scene:
     return scene(seconds=9.0)
 
 
-every_effect = pytest.mark.parametrize("effect", library(), ids=lambda effect: effect.id)
+every_effect = pytest.mark.parametrize("effect", (*library(), *wider_shapes()), ids=lambda effect: type(effect).__name__)
 
 
 def drawn(parameters: tuple[Parameter, ...], rng: np.random.Generator) -> np.ndarray:

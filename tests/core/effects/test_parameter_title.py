@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from core.effects.library import library, symptoms
+from core.effects.library import library, symptoms, wider_shapes
 from core.effects.parameter_title import find_title
 from core.words.message import Message
 from tests.core.effects.planted_mechanics import scene
@@ -18,6 +18,7 @@ from tests.core.effects.test_joint_friction import friction, recording
     [
         ("joint_3_gear_ratio", "joint 3 gear ratio", "Gelenk 3 Übersetzung"),
         ("mode_2_frequency_hz", "mode 2 frequency", "Mode 2 Frequenz"),
+        ("jump_2_fx_n", "jump 2 fx", "Sprung 2 fx"),
         ("delay_s", "delay", "Verzögerung"),
         ("joint_1_coulomb_nm", "joint 1 Coulomb friction", "Gelenk 1 Coulombsche Reibung"),
         ("joint_2_rad_per_nm", "joint 2", "Gelenk 2"),
@@ -34,7 +35,7 @@ def test_a_title_is_put_together_from_what_it_is_of_what_and_along_which_axis(na
 
 
 def test_every_piece_of_a_parameters_name_has_words() -> None:
-    named = {p.name for effect in library() for p in effect.parameters(scene())}
+    named = {p.name for effect in (*library(), *wider_shapes()) for p in effect.parameters(scene())}
     named |= {p.name for symptom in symptoms() for p in symptom.parameters(recording(friction()))}
     unworded = {name for name in named for each in leaves(find_title(name)) if each.code == "text" and each.text not in SYMBOLS}
     assert unworded == set()

@@ -55,9 +55,18 @@ def test_a_hand_on_the_tool_is_named_with_its_time_and_the_payload_is_that_of_th
     assert before > 0.09
 
 
-@pytest.mark.parametrize("name", ["1-baseline", "2-vibrations"])
-def test_nobody_is_said_to_have_touched_the_tool_of_the_runs_in_which_nobody_did(name: str) -> None:
-    diagnosis = diagnose(kuka(name))
+def test_a_run_in_which_nothing_happened_has_no_gap_that_matters_and_nothing_beside() -> None:
+    diagnosis = diagnose(kuka("1-baseline"))
+    assert diagnosis.verdict == "no_gap"
+    assert not diagnosis.also
+    assert not diagnosis.where.contacts
+
+
+def test_blows_of_a_hammer_are_a_vibration_with_the_frequency_that_their_author_states_and_no_contact() -> None:
+    diagnosis = diagnose(kuka("2-vibrations"))
+    (vibration,) = [each for each in diagnosis.also if each.id == "structure_vibration"]
+    assert vibration.material
+    assert vibration.parameters["frequency_hz"].value == pytest.approx(12.0, abs=0.3)
     assert "external_contact" not in [effect.id for effect in diagnosis.effects[:3]]
     assert not diagnosis.where.contacts
 

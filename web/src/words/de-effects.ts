@@ -30,6 +30,7 @@ export const deEffects: typeof enEffects = {
     sensor_rotation: 'Verdreht montierter Sensor',
     sensor_saturation: 'Begrenzung des Sensors',
     sensor_translation: 'Versetzter Ursprung des Sensors',
+    structure_vibration: 'Schwingung des Aufbaus',
     time_delay: 'Verzögertes Kraftsignal',
     tool_flexibility: 'Schwingendes Werkzeug',
     unknown: 'Ein Effekt außerhalb der Bibliothek',

@@ -29,6 +29,7 @@ export const enEffects = {
     sensor_rotation: 'Sensor mounted rotated',
     sensor_saturation: 'Clipping of the sensor',
     sensor_translation: 'Sensor origin offset',
+    structure_vibration: 'Vibration of the structure',
     time_delay: 'Force signal delay',
     tool_flexibility: 'Tool vibration',
     unknown: 'An effect outside the library',

@@ -1,0 +1,101 @@
+"""Families with several shapes: of a smaller and a richer one that predict alike, the smaller is taken; over zeros as real arms have them.
+
+Recordings of `tests.synthetic` (point masses, Newton's law), changed here by numpy alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core.effects.library import library
+from core.gap.answer import Diagnosis
+from core.gap.basis import basis_of
+from core.gap.closure import gap_of
+from core.gap.diagnosis import examine
+from core.gap.effect_fit import fit_nominal
+from core.gap.fit_all import one_by_one
+from core.gap.windows import Windows
+from core.recording.recording import Recording
+from tests.synthetic import Run, payload, record, run_of
+
+Array = np.ndarray
+ZEROS_DEG = 0.01
+OF_GAIN = ("sensor_gain", "sensor_nonlinearity", "sensor_hysteresis")
+
+
+@pytest.fixture(scope="module")
+def run() -> Run:
+    return run_of(repetitions=1, period=0.008)
+
+
+def recorded(run: Run, seed: int, zeros_deg: float = ZEROS_DEG) -> tuple[Recording, Array]:
+    """A recording over zeros of the encoders, and its true load (N, 6) without offset."""
+    rng = np.random.default_rng(seed)
+    recording = record(run, payload("steel_block"), rng)
+    load = recording.wrench - [3.1, -2.2, 5.3, 0.11, -0.2, 0.07]
+    return replace(recording, q=recording.q + np.radians(zeros_deg) * rng.normal(size=run.q.shape[1])), load
+
+
+def explain(recording: Recording, *names: str) -> Diagnosis:
+    return examine(recording, [effect for effect in library() if effect.id in names], fit_all=one_by_one)[0]
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_pure_gain_is_no_non_linearity_although_that_can_bend_to_it(run: Run, seed: int) -> None:
+    recording, load = recorded(run, seed)
+    share = 0.02 * np.random.default_rng(seed).choice([-1, 1], 6)
+    diagnosis = explain(
+        replace(recording, wrench=recording.wrench + share * load), "sensor_gain", "sensor_nonlinearity", "sensor_hysteresis"
+    )
+    assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "sensor_gain")
+    assert diagnosis.effects[0].parameters["fx_asymmetry_share"].value == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_bend_is_no_gain(run: Run) -> None:
+    recording, load = recorded(run, 4)
+    bent = 0.04 * load * np.abs(load) / np.abs(load).max(axis=0)
+    diagnosis = explain(replace(recording, wrench=recording.wrench + bent), *OF_GAIN)
+    assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "sensor_nonlinearity")
+
+
+def test_several_jumps_are_one_effect_with_their_times_and_no_twin_takes_them(run: Run) -> None:
+    recording, _ = recorded(run, 5)
+    share = (run.t - run.t[0]) / (run.t[-1] - run.t[0])
+    rng, wrench = np.random.default_rng(5), recording.wrench
+    for at in (0.2, 0.45, 0.6, 0.85):
+        wrench = wrench + np.outer(share > at, rng.normal(size=6) * [1.0, 1.0, 1.0, 0.04, 0.04, 0.04])
+    diagnosis = explain(replace(recording, wrench=wrench), "sensor_offset_step", "sensor_drift", "base_tilt")
+    best = diagnosis.effects[0]
+    assert (diagnosis.verdict, best.id) == ("explained", "sensor_offset_step")
+    times = sorted(value.value for name, value in best.parameters.items() if name.endswith(("step_time_s", "at_s")))
+    assert times == pytest.approx(np.array([0.2, 0.45, 0.6, 0.85]) * (run.t[-1] - run.t[0]), abs=0.1)
+    assert not best.addable
+    assert best.why_not is not None
+
+
+def test_one_jump_is_one_jump(run: Run) -> None:
+    recording, _ = recorded(run, 6)
+    jump = np.outer(run.t > run.t[0] + 17.0, [1.2, -0.6, 0.9, 0.03, -0.05, 0.02])
+    diagnosis = explain(replace(recording, wrench=recording.wrench + jump), "sensor_offset_step", "sensor_drift")
+    assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "sensor_offset_step")
+    assert "jump_2_at_s" not in diagnosis.effects[0].parameters
+
+
+def test_two_channels_that_end_at_half_of_their_load_are_clipped(run: Run) -> None:
+    recording, load = recorded(run, 7)
+    limit = np.abs(load).max(axis=0) * [0.45, 9, 9, 9, 0.6, 9]
+    clipped = recording.wrench - load + np.clip(load, -limit, limit)
+    diagnosis = explain(replace(recording, wrench=clipped), "sensor_saturation", "sensor_nonlinearity", "sensor_gain", "cable_drag")
+    assert (diagnosis.verdict, diagnosis.effects[0].id) == ("explained", "sensor_saturation")
+
+
+def test_zeros_as_real_arms_have_them_are_no_gap_and_larger_ones_are(run: Run) -> None:
+    gaps = []
+    for zeros_deg in (0.0, 0.03, 1.0):
+        windows = Windows(basis_of(recorded(run, 8, zeros_deg)[0]))
+        gaps.append(gap_of(windows, fit_nominal(windows)))
+    assert gaps[1] == pytest.approx(gaps[0], abs=0.02)
+    assert gaps[2] > gaps[0] + 0.2
