@@ -41,6 +41,11 @@ class DriftOfTwoRates(SensorDrift):
         one = SensorDrift().starts(scene, residual)[0]
         return [np.concatenate((one[:6], [slow], one[7:], np.zeros(6), [fast])) for slow, fast in RATES]
 
+    def find_drift(self, scene: Scene, theta: Array) -> Array:
+        """Of both rates together."""
+        seconds = np.array([float(scene.t[-1] - scene.t[0])])
+        return super().find_drift(scene, theta[:-7]) + theta[-7:-1] * settling(seconds, theta[-1])
+
 
 def _name_second(name: str) -> str:
     """`fx_first_minute_n` becomes `mode_2_first_minute_fx_n`."""

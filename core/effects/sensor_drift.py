@@ -55,10 +55,14 @@ class SensorDrift(Effect):
     def advice(self, scene: Scene, theta: Array) -> Message:
         """Advises 20 min of warming up and taring before the run, with the drift over the run in N and N m."""
         seconds = float(scene.t[-1] - scene.t[0])
-        drift = theta[:6] * settling(np.array([seconds]), theta[6])
+        return Message.of("advice-sensor-drift", drift=say_largest(self.find_drift(scene, theta)), within_s=seconds)
+
+    def find_drift(self, scene: Scene, theta: Array) -> Array:
+        """(6,), N and N m, from the first row to the last."""
+        drift = theta[:6] * settling(np.array([float(scene.t[-1] - scene.t[0])]), theta[6])
         if scene.temperature is not None:
             drift = drift + theta[7:] * (scene.temperature[-1] - scene.temperature[0])
-        return Message.of("advice-sensor-drift", drift=say_largest(drift), within_s=seconds)
+        return np.asarray(drift)
 
 
 def settling(t: Array, k: float) -> Array:
