@@ -22,6 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from core.estimation.identification import identify_recording
 from core.payload.inertia import PHI_NAMES
+from tests.foreign_bound import least_std
 from tests.foreign_recordings import Condition, make
 
 INTERVAL = 1.96
@@ -55,11 +56,16 @@ CONDITIONS = {
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one recording: errors and standard uncertainties (10,), combined and by repeatability alone, NaN where not known; warnings."""
+    """Of one recording: errors and standard uncertainties (10,), combined and by repeatability alone, NaN where not known; warnings.
+
+    Args:
+        least: (10,), bound of Cramér and Rao on the combined one; NaN where it is not worked out.
+    """
 
     error: Array
     std: Array
     repeatability: Array
+    least: Array
     warnings: tuple[str, ...]
 
 
@@ -71,9 +77,10 @@ def outcome_of(job: tuple[str, int]) -> Outcome:
     codes = tuple(warning.code for warning in found.warnings)
     if found.estimate is None:
         nothing = np.full(10, np.nan)
-        return Outcome(nothing, nothing, nothing, codes)
-    estimate = found.estimate
-    return Outcome(estimate.phi - made.phi, estimate.std, estimate.repeatability.std, codes)
+        return Outcome(nothing, nothing, nothing, nothing, codes)
+    estimate, least = found.estimate, least_std(CONDITIONS[name], made)
+    least = np.full(10, np.nan) if least is None else least
+    return Outcome(estimate.phi - made.phi, estimate.std, estimate.repeatability.std, least, codes)
 
 
 def coverage(outcomes: list[Outcome]) -> Array:
@@ -83,24 +90,40 @@ def coverage(outcomes: list[Outcome]) -> Array:
     return np.asarray(np.where(given > 0, (z <= INTERVAL).sum(axis=0) / np.maximum(given, 1), np.nan))
 
 
+def widths_over_bound(outcomes: list[Outcome]) -> Array:
+    """(10,), mean standard uncertainty over its bound; NaN where either is not known."""
+    ratio = np.array([each.std / each.least for each in outcomes])
+    known = np.isfinite(ratio)
+    return np.asarray(np.where(known.any(axis=0), np.where(known, ratio, 0.0).sum(axis=0) / np.maximum(known.sum(axis=0), 1), np.nan))
+
+
+def _say_widths(outcomes: list[Outcome]) -> str:
+    ratio = widths_over_bound(outcomes)
+    if np.isnan(ratio).all():
+        return "width over the bound -"
+    return f"width over the bound {np.nanmin(ratio):.2f} to {np.nanmax(ratio):.2f} ({PHI_NAMES[int(np.nanargmax(ratio))]})"
+
+
 def main() -> None:
     """Prints a line for each condition, and the worst figure of all."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=200, help="recordings of each condition")
+    parser.add_argument("--first", type=int, default=0, help="seed of the first recording")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--only", default="", help="conditions whose name contains this")
     arguments = parser.parse_args()
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    print(f"{'':28}" + "".join(f"{name:>6}" for name in PHI_NAMES) + "   median half-width of m, all in (repeatability alone); warnings")
+    columns = "   median half-width of m, all in (repeatability alone); warnings; mean width over the Cramér-Rao bound"
+    print(f"{'':28}" + "".join(f"{name:>6}" for name in PHI_NAMES) + columns)
     worst = ("", 1.0)
     with ProcessPoolExecutor(arguments.processes) as pool:
         for name in (name for name in CONDITIONS if arguments.only in name):
-            outcomes = list(pool.map(outcome_of, [(name, seed) for seed in range(arguments.count)], chunksize=4))
+            outcomes = list(pool.map(outcome_of, [(name, arguments.first + k) for k in range(arguments.count)], chunksize=4))
             shares = coverage(outcomes)
             said = Counter(code.removeprefix("estimation-") for each in outcomes for code in each.warnings)
             half = INTERVAL * np.nanmedian([[each.std[0], each.repeatability[0]] for each in outcomes], axis=0)
             cells = "".join(f"{'-' if np.isnan(share) else f'{100 * share:.0f}':>6}" for share in shares)
-            print(f"{name:28}{cells}   {half[0]:.5f} ({half[1]:.5f}) kg  {dict(said) or ''}", flush=True)
+            print(f"{name:28}{cells}   {half[0]:.5f} ({half[1]:.5f}) kg  {dict(said) or ''}  {_say_widths(outcomes)}", flush=True)
             if not np.isnan(shares).all() and np.nanmin(shares) < worst[1]:
                 worst = (name, float(np.nanmin(shares)))
     print(f"worst: {100 * worst[1]:.0f} % ({worst[0]})")

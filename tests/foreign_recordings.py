@@ -7,15 +7,18 @@ Newton's law. What a real sensor, real encoders and a real recorder do to that i
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.array import Array
 from core.payload.calibration import SensorCalibration
 from core.payload.site import GRAVITY_STD_M_S2, Site
 from core.recording.recording import Recording, RobotDescription, SensorDescription
+from tests.foreign_arm import Arm, Moving, Path, rotation_of
 
 GRAVITY = np.array([0.0, 0.0, -9.81])
 NOISE_STD = np.array([0.05, 0.05, 0.07, 0.003, 0.003, 0.003])
@@ -58,43 +61,70 @@ class Condition:
 
 
 @dataclass(frozen=True)
+class Truth:
+    """What a recording was made of.
+
+    Args:
+        path: of the joints; t: (N,), s, when the wrench of each sample was felt. masses: (P,); places: (P, 3), of the payload.
+        mount: (3, 3), of the sensor on the flange; gravity: (3,), base frame.
+        kept: (N,), samples that were recorded; None where rows are means of them.
+    """
+
+    arm: Arm
+    path: Path
+    t: Array
+    masses: Array
+    places: Array
+    mount: Array
+    gravity: Array
+    kept: NDArray[np.bool_] | None
+
+
+@dataclass(frozen=True)
 class Made:
-    """A recording and the truth (10,), in the frame of the sensor as it is mounted."""
+    """A recording and the truth, `phi` (10,) in the frame of the sensor as it is mounted."""
 
     recording: Recording
     phi: Array
+    truth: Truth
 
 
-def make(condition: Condition, seed: int) -> Made:
-    """One recording under a condition; arm, motion, payload and every error are drawn from the seed."""
+def make(condition: Condition, seed: int, plan: int | None = None) -> Made:
+    """One recording under a condition; arm, motion, payload and every error are drawn from the seed.
+
+    Args:
+        plan: which of several runs in one cell: they have arm, payload, zeros, gains, mounting and gravity in common.
+    """
     rng = np.random.default_rng([seed, 17])
-    arm = _Arm.draw(rng)
-    t = _instants(condition, rng)
-    true_t = t + condition.jitter_s * rng.normal(size=len(t)) * (np.abs(t - t.mean()) < 0.49 * np.ptp(t))
-    q_path = _Path.draw(arm.n, rng, one_axis=condition.one_axis, seconds=float(t[-1]))
+    run = rng if plan is None else np.random.default_rng([seed, 17, plan])
+    arm = Arm.draw(rng)
+    t = _instants(condition, run)
+    true_t = t + condition.jitter_s * run.normal(size=len(t)) * (np.abs(t - t.mean()) < 0.49 * np.ptp(t))
+    q_path = Path.draw(arm.n, run, one_axis=condition.one_axis, seconds=float(t[-1]))
     masses, places = _payload(condition.body, rng)
-    mount = _rotation(rng.normal(scale=condition.mount_std_rad, size=3)) if condition.mount_std_rad else np.eye(3)
+    mount = rotation_of(rng.normal(scale=condition.mount_std_rad, size=3)) if condition.mount_std_rad else np.eye(3)
     zeros = rng.normal(scale=condition.zero_std_rad, size=arm.n) if condition.zero_std_rad else np.zeros(arm.n)
-    tilt = _rotation(np.append(rng.normal(scale=condition.tilt_rad, size=2), 0.0)) if condition.tilt_rad else np.eye(3)
+    tilt = rotation_of(np.append(rng.normal(scale=condition.tilt_rad, size=2), 0.0)) if condition.tilt_rad else np.eye(3)
     gravity = tilt @ GRAVITY * (1.0 + GRAVITY_STD_M_S2 / 9.81 * rng.normal())
 
     late = true_t - condition.delay_s
-    wrench = _wrench(arm.move(*q_path.at(late)), mount, masses, places, gravity)
+    wrench = wrench_of(arm.move(*q_path.at(late)), mount, masses, places, gravity)
     wrench = wrench * (1.0 + (rng.normal(scale=condition.gain_std, size=6) if condition.gain_std else np.zeros(6)))
-    wrench = wrench + rng.normal(size=6) * [4, 4, 4, 0.2, 0.2, 0.2] + _slow(condition, t, rng) + NOISE_STD * _noise(condition.noise, t, rng)
+    wrench = wrench + run.normal(size=6) * [4, 4, 4, 0.2, 0.2, 0.2] + _slow(condition, t, run) + NOISE_STD * _noise(condition.noise, t, run)
     q = q_path.at(true_t)[0]
-    read = q - zeros + 2e-6 * rng.normal(size=q.shape)
+    read = q - zeros + 2e-6 * run.normal(size=q.shape)
+    kept = run.random(len(t)) >= condition.lost if condition.lost else np.ones(len(t), dtype=bool)
     if condition.averaged:
-        t, wrench, read = _averaged(t, wrench, read, q_path)
-    elif condition.lost:
-        kept = rng.random(len(t)) >= condition.lost
+        t, wrench, read = average_holds(t, wrench, read, q_path)
+    else:
         t, wrench, read = t[kept], wrench[kept], read[kept]
     if condition.quantised:
         wrench = np.round(wrench / RESOLUTION) * RESOLUTION
-    return Made(_recording(condition, arm, t, wrench, read), _phi(masses, places))
+    truth = Truth(arm, q_path, late, masses, places, mount, gravity, None if condition.averaged else kept)
+    return Made(_recording(condition, arm, t, wrench, read), phi_of(masses, places), truth)
 
 
-def _recording(condition: Condition, arm: _Arm, t: Array, wrench: Array, q: Array) -> Recording:
+def _recording(condition: Condition, arm: Arm, t: Array, wrench: Array, q: Array) -> Recording:
     calibration = replace_gain(condition) if condition.gain_std else condition.calibration
     sensor = SensorDescription(NOISE_STD, RANGE, RESOLUTION, calibration=calibration, mount_std_rad=condition.mount_std_rad)
     plain = Recording(t, GRAVITY, wrench=wrench, sensor=sensor, zero_std_rad=condition.zero_std_rad)
@@ -103,6 +133,33 @@ def _recording(condition: Condition, arm: _Arm, t: Array, wrench: Array, q: Arra
         return replace(plain, q=q, robot=RobotDescription(arm.urdf, joints, "base", "sensor"), site=_SITE)
     pose = arm.move(q, np.zeros_like(q), np.zeros_like(q))
     return replace(plain, orientation=pose.rotation, site=_SITE)
+
+
+@dataclass(frozen=True)
+class LongRun:
+    """A sound recording of any length, in pieces: white noise, and nothing wrong with it. The truth (10,) is `phi`."""
+
+    phi: Array
+    pieces: Iterator[Recording]
+
+
+def make_long(seconds: float, rate_hz: float, seed: int, piece_s: float = 30.0) -> LongRun:
+    """One recording of so many seconds; arm, motion and payload are drawn from the seed."""
+    rng = np.random.default_rng([seed, 18])
+    arm = Arm.draw(rng)
+    path = Path.draw(arm.n, rng, one_axis=False, seconds=seconds)
+    masses, places = _payload("compact", rng)
+    offset = rng.normal(size=6) * [4, 4, 4, 0.2, 0.2, 0.2]
+
+    def pieces() -> Iterator[Recording]:
+        count, rows = round(seconds * rate_hz), round(piece_s * rate_hz)
+        for first in range(0, count, rows):
+            t = np.arange(first, min(first + rows, count)) / rate_hz
+            moved = path.at(t)
+            wrench = wrench_of(arm.move(*moved), np.eye(3), masses, places, GRAVITY) + offset + NOISE_STD * rng.normal(size=(len(t), 6))
+            yield _recording(Condition(rate_hz=rate_hz), arm, t, wrench, moved[0] + 2e-6 * rng.normal(size=moved[0].shape))
+
+    return LongRun(phi_of(masses, places), pieces())
 
 
 def replace_gain(condition: Condition) -> SensorCalibration:
@@ -114,137 +171,12 @@ _SITE = Site(latitude_deg=50.0)
 """Says that gravity is known as well as a formula knows it; each recording's own is drawn from that."""
 
 
-@dataclass(frozen=True)
-class _Moving:
-    """Sensor frame in the base frame: rotation (N, 3, 3), acceleration of the origin, angular velocity, acceleration (N, 3), base axes."""
-
-    rotation: Array
-    a: Array
-    omega: Array
-    alpha: Array
-
-
-@dataclass(frozen=True)
-class _Arm:
-    """Hinges about the z axis of frames that are each placed in the one before by `xyz` and `rpy`, (n + 1, 3) each; last the sensor."""
-
-    xyz: Array
-    rpy: Array
-
-    @property
-    def n(self) -> int:
-        return len(self.xyz) - 1
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator) -> _Arm:
-        n = int(rng.integers(6, 8))
-        xyz = rng.uniform(-0.06, 0.06, (n + 1, 3)) + np.outer(rng.uniform(0.05, 0.3, n + 1), [0, 0, 1])
-        rpy = rng.uniform(-0.2, 0.2, (n + 1, 3))
-        rpy[1:, 0] += rng.choice([-0.5, 0.5], n) * np.pi
-        return cls(xyz, rpy)
-
-    def move(self, q: Array, dq: Array, ddq: Array) -> _Moving:
-        """Velocity and acceleration handed from link to link (N rows at once), then turned into the base frame's axes."""
-        rows = len(q)
-        R = np.broadcast_to(np.eye(3), (rows, 3, 3))
-        omega, alpha, a = np.zeros((rows, 3)), np.zeros((rows, 3)), np.zeros((rows, 3))
-        for k in range(self.n + 1):
-            r = R @ self.xyz[k]
-            a = a + np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))
-            R = R @ _of_rpy(self.rpy[k])
-            if k < self.n:
-                z = R[:, :, 2]
-                alpha = alpha + ddq[:, k, None] * z + np.cross(omega, dq[:, k, None] * z)
-                omega = omega + dq[:, k, None] * z
-                c, s = np.cos(q[:, k]), np.sin(q[:, k])
-                x, y = R[:, :, 0].copy(), R[:, :, 1].copy()
-                R = np.stack((c[:, None] * x + s[:, None] * y, c[:, None] * y - s[:, None] * x, z), axis=2)
-        return _Moving(R, a, omega, alpha)
-
-    @property
-    def urdf(self) -> str:
-        """As a robot description."""
-        names = ["base", *(f"l{k + 1}" for k in range(self.n)), "sensor"]
-        links = "".join(f'<link name="{name}"/>' for name in names)
-        joints = ""
-        for k in range(self.n + 1):
-            kind = "revolute" if k < self.n else "fixed"
-            motion = '<axis xyz="0 0 1"/><limit lower="-6" upper="6" velocity="6" effort="100"/>' if k < self.n else ""
-            origin = " ".join(map(repr, self.xyz[k].tolist())), " ".join(map(repr, self.rpy[k].tolist()))
-            joints += (
-                f'<joint name="j{k + 1}" type="{kind}"><parent link="{names[k]}"/><child link="{names[k + 1]}"/>'
-                f'<origin xyz="{origin[0]}" rpy="{origin[1]}"/>{motion}</joint>'
-            )
-        return f'<robot name="arm">{links}{joints}</robot>'
-
-
-@dataclass(frozen=True)
-class _Path:
-    """Minimum-jerk moves between postures, each held; then a swing of the last three joints, back and forth.
-
-    Args:
-        start: (P,), s, of each move; `lasts`: (P,), s; `goal`: (P + 1, n), rad.
-    """
-
-    start: Array
-    lasts: Array
-    goal: Array
-
-    @classmethod
-    def draw(cls, n: int, rng: np.random.Generator, *, one_axis: bool, seconds: float) -> _Path:
-        start: list[float] = []
-        lasts: list[float] = []
-        goal, now = [rng.uniform(-2.0, 2.0, n)], 1.2
-        while now < seconds - 4.0:
-            last = goal[-1]
-            if one_axis:
-                moves = [(last + np.eye(n)[n - 1] * (np.pi if last[n - 1] < 0 else -np.pi) * rng.uniform(0.6, 1.0), 1.6)]
-            elif len(start) % 3 == 2:
-                moves = _swing(last, rng)
-            else:
-                moves = [(rng.uniform(-2.2, 2.2, n), rng.uniform(1.5, 2.5))]
-            for target, takes in moves:
-                start.append(now)
-                lasts.append(takes)
-                goal.append(target)
-                now += takes
-            now += 0.9
-        return cls(np.array(start), np.array(lasts), np.array(goal))
-
-    def at(self, t: Array) -> tuple[Array, Array, Array]:
-        """Position, velocity and acceleration (N, n) at times t (N,)."""
-        q = np.broadcast_to(self.goal[0], (len(t), self.goal.shape[1])).copy()
-        dq, ddq = np.zeros_like(q), np.zeros_like(q)
-        for k, (begin, T) in enumerate(zip(self.start, self.lasts, strict=True)):
-            s = np.clip((t - begin) / T, 0.0, 1.0)[:, None]
-            step = self.goal[k + 1] - self.goal[k]
-            q += (10 * s**3 - 15 * s**4 + 6 * s**5) * step
-            dq += (30 * s**2 - 60 * s**3 + 30 * s**4) / T * step
-            ddq += (60 * s - 180 * s**2 + 120 * s**3) / T**2 * step
-        return q, dq, ddq
-
-    def holds(self) -> Array:
-        """(H, 2), s: from when to when it stands still for longer than half a second."""
-        ends = np.concatenate(([0.0], self.start + self.lasts))
-        begins = np.append(self.start, ends[-1] + 0.9)
-        return np.column_stack((ends, begins))[begins - ends > 0.5]
-
-
-def _swing(q: Array, rng: np.random.Generator) -> list[tuple[Array, float]]:
-    n, moves, at = len(q), [], q
-    for joint in (n - 3, n - 2, n - 1):
-        for side in (1.0, -1.0, 1.0, -1.0):
-            at = at + side * 0.55 * np.eye(n)[joint]
-            moves.append((at, float(rng.uniform(0.75, 0.85))))
-    return moves
-
-
 def _instants(condition: Condition, rng: np.random.Generator) -> Array:
     seconds = 150.0 if condition.averaged else 34.0
     return np.arange(round(seconds * condition.rate_hz)) / condition.rate_hz + 1e-4 * rng.random()
 
 
-def _averaged(t: Array, wrench: Array, q: Array, path: _Path) -> tuple[Array, Array, Array]:
+def average_holds(t: Array, wrench: Array, q: Array, path: Path) -> tuple[Array, Array, Array]:
     holds = [np.flatnonzero((t > begin + 0.1) & (t < end - 0.05)) for begin, end in path.holds()]
     rows = [k for k in holds if len(k)]
     return (
@@ -259,7 +191,7 @@ def _payload(body: Body, rng: np.random.Generator) -> tuple[Array, Array]:
     size = {"compact": (0.06, 0.05, 0.04), "plate": (0.12, 0.09, 1e-4), "rod": (0.15, 1e-4, 1e-4), "far": (0.04, 0.04, 0.04)}[body]
     distance = 0.3 if body == "far" else 0.06
     corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=float)
-    turn = _rotation(rng.normal(size=3))
+    turn = rotation_of(rng.normal(size=3))
     places = (
         (corners * size * rng.uniform(0.8, 1.2, (8, 1))) @ turn.T + distance * np.array([0.1, -0.15, 1.0]) + rng.normal(scale=0.01, size=3)
     )
@@ -267,12 +199,12 @@ def _payload(body: Body, rng: np.random.Generator) -> tuple[Array, Array]:
     return mass * rng.dirichlet(np.full(8, 8.0)), places
 
 
-def _phi(masses: Array, places: Array) -> Array:
+def phi_of(masses: Array, places: Array) -> Array:
     inertia = sum(m * (r @ r * np.eye(3) - np.outer(r, r)) for m, r in zip(masses, places, strict=True))
     return np.concatenate(([masses.sum()], masses @ places, np.asarray(inertia)[np.triu_indices(3)]))
 
 
-def _wrench(moving: _Moving, mount: Array, masses: Array, places: Array, gravity: Array) -> Array:
+def wrench_of(moving: Moving, mount: Array, masses: Array, places: Array, gravity: Array) -> Array:
     """(N, 6), in the axes of the sensor, which is turned by `mount` in the nominal frame."""
     R = moving.rotation @ mount
     force, torque = np.zeros((len(R), 3)), np.zeros((len(R), 3))
@@ -302,18 +234,3 @@ def _noise(kind: Noise, t: Array, rng: np.random.Generator) -> Array:
         fresh = np.fft.irfft(spectrum, n=len(t), axis=0)
         fresh = fresh / fresh.std(axis=0)
     return fresh
-
-
-def _rotation(v: Array) -> Array:
-    """Of a rotation vector."""
-    angle = float(np.linalg.norm(v))
-    if angle == 0.0:
-        return np.eye(3)
-    x, y, z = v / angle
-    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.asarray(np.eye(3) + np.sin(angle) * K + (1.0 - np.cos(angle)) * K @ K)
-
-
-def _of_rpy(rpy: Array) -> Array:
-    roll, pitch, yaw = np.eye(3)[0] * rpy[0], np.eye(3)[1] * rpy[1], np.eye(3)[2] * rpy[2]
-    return _rotation(yaw) @ _rotation(pitch) @ _rotation(roll)

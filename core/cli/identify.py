@@ -2,6 +2,7 @@
 
 import time
 from contextlib import nullcontext
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -15,8 +16,7 @@ from core.errors import BadInput
 from core.estimation.identification import identify_recording
 from core.estimation.result import SecondsPart, result_of
 from core.planning.options import TargetOption
-from core.recording.folder import read_recording
-from core.report.page import write_report
+from core.recording.long_recording import read_condensed
 from core.requirement.target import CellRequirement, TargetCheck, parse_target
 from core.requirement.target_answer import hold_against_target
 from core.requirement.verdict import judge_estimate
@@ -46,15 +46,18 @@ def identify_command(
     if wanted is not None and wanted.requirement and made_in is None:
         raise BadInput("--target", "target-without-cell")
     twin = NOMINAL if made_in is None else read_twin(made_in)
-    loaded = read_recording(recording)
+    loaded, remarks = read_condensed(recording)
     began = time.perf_counter()
     with messages.status(find_wording().say("cli-estimating")) if messages.is_terminal else nullcontext():
         identification = identify_recording(loaded, twin)
+    identification = replace(identification, warnings=(*identification.warnings, *remarks))
     seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
     robot = None if made_in is None else RobotModel.of_cell(made_in)
     enough = None if made_in is None or robot is None else judge_estimate(made_in, robot, identification.estimate)
     required = None if made_in is None or robot is None else CellRequirement(made_in, robot)
     met = None if wanted is None else hold_against_target(TargetCheck(wanted, required), identification.estimate)
     if report is not None:
+        from core.report.page import write_report  # noqa: PLC0415  only who wants a page waits for what draws it
+
         write_report(report, recording=loaded, identification=identification, requirement=enough, target=met, language=language)
     print_answer(result_of(identification, loaded, seconds=seconds, requirement=enough, target=met, folder=recording), json)

@@ -8,12 +8,7 @@ import typer
 from core.cell.folder import find_cell, load_cell
 from core.cli.answer import write_json
 from core.cli.options import CellArgument, JsonOption, PayloadOption, PlannerName, PlannerOption, SeedOption, check_new, choose_payload
-from core.cli.tables import (
-    not_excited_lines,
-    opinion_lines,
-    plan_table,
-    torque_lines,
-)
+from core.cli.plan_tables import not_excited_lines, opinion_lines, plan_table, torque_lines
 from core.cli.terminal import answers, find_wording, messages
 from core.planning.joint_torques import find_known_load
 from core.planning.options import AxesOption, EffortOption, FromOption, HoldsOnlyOption, SpeedOption, TargetOption, scope_of

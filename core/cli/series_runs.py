@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from core.cli.answer_file import read_result_file
@@ -52,13 +52,15 @@ def read_runs(paths: Sequence[Path]) -> RunsOfSeries:
 
 def _identify(folder: Path) -> Result:
     from core.estimation.identification import identify_recording  # noqa: PLC0415  answers that are there already wait for no estimator
-    from core.recording.folder import read_recording  # noqa: PLC0415  as above
+    from core.recording.long_recording import read_condensed  # noqa: PLC0415  as above
 
     if messages.is_terminal:
         messages.print(find_wording().say("cli-identifying", folder=str(folder)), highlight=False)
-    recording = read_recording(folder)
+    recording, remarks = read_condensed(folder)
     seconds = SecondsPart(robot=float(recording.t[-1] - recording.t[0]), estimate=0.0)
-    return result_of(identify_recording(recording), recording, seconds=seconds, folder=folder)
+    found = identify_recording(recording)
+    found = replace(found, warnings=(*found.warnings, *remarks))
+    return result_of(found, recording, seconds=seconds, folder=folder)
 
 
 def shorten_names(paths: Sequence[Path]) -> tuple[str, ...]:

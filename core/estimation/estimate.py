@@ -168,6 +168,10 @@ class TwinShare:
     change: Array
 
 
+def _nothing() -> None:
+    return None
+
+
 @dataclass(frozen=True)
 class Identification:
     """The answer to one recording.
@@ -178,10 +182,9 @@ class Identification:
         verdict: what of the payload is determined.
         warnings: what the user should know before using the numbers.
         segments: the motionless, rotating and other parts.
-        series: for the report; None where the recording has no motion to show.
         bounds: what can be said all the same, for recordings without a wrench.
         accounted: identifiers of the twin's effects that were taken off the wrench; `shares`: what each of them changes.
-        verified: finds the verification, which takes as long as a fit for each; nothing where there is no motion to leave out.
+        drawn: finds the series; `verified`: the verification, nothing where there is no motion to leave out.
     """
 
     paper: PaperEstimate
@@ -189,11 +192,16 @@ class Identification:
     verdict: Message
     warnings: tuple[Message, ...] = ()
     segments: tuple[Segment, ...] = ()
-    series: TimeSeries | None = None
     bounds: tuple[Message, ...] = ()
     accounted: tuple[str, ...] = ()
     shares: tuple[TwinShare, ...] = ()
+    drawn: Callable[[], TimeSeries | None] = _nothing
     verified: Callable[[], tuple[Verification, ...]] = tuple
+
+    @cached_property
+    def series(self) -> TimeSeries | None:
+        """For the report; None where the recording has no motion to show."""
+        return self.drawn()
 
     @cached_property
     def verification(self) -> tuple[Verification, ...]:

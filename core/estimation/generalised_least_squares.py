@@ -26,7 +26,7 @@ from core.estimation.budget import Budget, Source
 from core.estimation.determination import SIZE_M, find_determined
 from core.estimation.drift import Channel, Levelled, RateSearch, level_offsets, slope_of, walk_in
 from core.estimation.noise import WrenchNoise, find_noise_factor
-from core.estimation.noisy_columns import Solution, compensate
+from core.estimation.noisy_columns import NoiseOfColumns, Solution, compensate
 from core.estimation.nuisances import (
     LEAST_EVIDENCE,
     LEAST_STRENGTH,
@@ -56,9 +56,13 @@ AT_REST = 0.02
 """Largest change of an unknown, in its standard uncertainty, and of that uncertainty, as a share, of an iteration that has converged."""
 UNDAMPED = 10
 """Iterations that go the whole way after the model has changed; what has not come to rest by then goes half of it."""
+STEPS_AGAIN = 3
+"""From the solution of all motions to that of nearly all of them."""
 SETTLED = 2
 """Iterations before the residuals are those of a payload, from which a walk can be told."""
 VARIANCE_STEPS = 12
+STRENGTH_AT_REST = 1e-3
+"""Share by which a strength may still change."""
 LARGEST_DELAY_S = 0.05
 LARGEST_TILT_RAD = 0.3
 
@@ -135,11 +139,17 @@ def fit(form: WeakForm, wrench: Array, noise: WrenchNoise, nuisances: Nuisances 
 
 def refit(form: WeakForm, wrench: Array, found: Fit) -> Array:
     """`x` (19 + b,) for a wrench (N, 6) that differs little from the fitted one: one step from what was found, with its weights."""
-    problem = _Problem(form, wrench, found.noise, found.nuisances)
-    problem.strength[:], problem.fitted, problem.std = found.strength, [], np.sqrt(np.diag(found.covariance)[:10])
-    problem.search.rate[:] = found.walk
+    problem = _Problem.like(form, wrench, found)
     covariance, x = problem.step(found.x, found.scale)
     return problem.level(covariance, x).x
+
+
+def fit_like(form: WeakForm, wrench: Array, found: Fit) -> Fit:
+    """The fit to other windows of a recording that has been fitted: with its noise, walk and strengths of the nuisances."""
+    problem, x = _Problem.like(form, wrench, found), found.x
+    for _ in range(STEPS_AGAIN):
+        covariance, x = problem.step(x, found.scale)
+    return replace(problem.result(x, covariance, converged=True), scale=found.scale)
 
 
 _UNIT_REGRESSORS = np.stack([spatial_inertia(unit).T for unit in np.eye(10)], axis=2)
@@ -190,6 +200,14 @@ class _Problem:
         self.channels: list[Channel] = []
         """Of the last linearisation."""
 
+    @classmethod
+    def like(cls, form: WeakForm, wrench: Array, found: Fit) -> _Problem:
+        """With the weights of a fit that is there, which stay as they are."""
+        problem = cls(form, wrench, found.noise, found.nuisances)
+        problem.strength[:], problem.fitted, problem.std = found.strength, [], np.sqrt(np.diag(found.covariance)[:10])
+        problem.search.rate[:] = found.walk
+        return problem
+
     def solve(self, scale: Array) -> Fit:
         """Gauss-Newton with the noise variance multiplied by `scale` (6,)."""
         converged, undamped = False, UNDAMPED
@@ -210,7 +228,12 @@ class _Problem:
                 x = 0.5 * (x + previous)
             if k >= SETTLED:
                 self._improve_rates(scale)
-        self.start, within = x, abs(x[DELAY]) < LARGEST_DELAY_S and bool((np.abs(x[TILT]) < LARGEST_TILT_RAD).all())
+        self.start = x
+        return self.result(x, covariance, converged=converged)
+
+    def result(self, x: Array, covariance: Array, *, converged: bool) -> Fit:
+        """Of the last linearisation."""
+        within = abs(x[DELAY]) < LARGEST_DELAY_S and bool((np.abs(x[TILT]) < LARGEST_TILT_RAD).all())
         held = None if self.nuisances is None else self.nuisances.nuisances
         repeatability, directions = self._split_uncertainty()
         level = self.level(covariance, x)
@@ -305,12 +328,14 @@ class _Problem:
     def _with_priors(self) -> tuple[Array, Array]:
         """Solves the last linearisation with the priors; the strengths of the nuisances are improved along the way."""
         normal, right, bias = self.system
-        prior = self.prior
-        for _ in range(VARIANCE_STEPS if self.nuisances else 1):
+        prior, noise = self.prior, NoiseOfColumns.of(bias)
+        for _ in range(VARIANCE_STEPS if self.fitted else 1):
             prior[OFFSET.stop :] = 1.0 / self.strength
-            self.solution = compensate(normal, bias, prior)
+            self.solution = compensate(normal, noise, prior)
             covariance, x, strength = self.solution.covariance, self.solution.gain @ right, self.strength.copy()
             self._improve_strengths(x, covariance)
+            if (np.abs(self.strength - strength) < STRENGTH_AT_REST * strength).all():
+                break
         # the covariance is that of the strengths that it was made with
         self.strength = strength
         return covariance, x

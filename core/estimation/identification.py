@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,7 +28,8 @@ from core.estimation.twin_effects import Corrected, TwinEffects, effects_on, fit
 from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
 from core.estimation.verification import LeaveOneOut
 from core.estimation.weak_form import WeakForm
-from core.payload.inertia import Motion, is_consistent, regressor
+from core.payload.inertia import Motion, is_consistent
+from core.payload.rigid_wrench import wrench as rigid_wrench
 from core.recording.recording import Recording
 from core.twin.twin import NOMINAL, Twin
 from core.words.message import Message
@@ -76,20 +80,21 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
         return _nothing(segments, Message.of("estimation-too-short", lasts_s=float(recording.t[-1] - recording.t[0])))
     effects = effects_on(recording, poses, segments, twin, static=static) if twin.effects else None
     corrected = fit_with_effects(form, wrench, noise or unknown_noise(), effects, nuisances_of(recording, poses.joints, twin))
+    del form  # of a long recording it is the largest thing there is
     found, change = corrected.found, corrected.change
     turned = None if recording.phase is None else "".join(sorted({part.axis or "" for part in segments if part.phase.startswith("rotate")}))
     estimate = _estimate(corrected, motion, late_s, static=rows_only, turned=turned)
     estimate = refute(estimate, setup.weighed)
     paper = _paper(recording, poses, wrench - change, still, found.noise, static=static)
-    series = None if rows_only else _series(poses, wrench, motion, corrected)
     said = warnings_of(recording, estimate, found, static=rows_only)
     left_out = () if effects is None else _warn_of_effects_left_out(effects)
     warnings = (*setup.remarks, *said, *on_transfers_alone(estimate, turned), *left_out)
     verdict = verdict_of(estimate, static=rows_only)
-    verified = tuple if rows_only else LeaveOneOut(poses, wrench - change, found, segments).verifications
-    return Identification(
-        paper, estimate, verdict, warnings, segments, series, accounted=corrected.accounted, shares=corrected.shares, verified=verified
-    )
+    answer = Identification(paper, estimate, verdict, warnings, segments, accounted=corrected.accounted, shares=corrected.shares)
+    if rows_only:
+        return answer
+    drawn = partial(_series, poses, wrench, motion, corrected)
+    return replace(answer, drawn=drawn, verified=LeaveOneOut(poses, wrench - change, found, segments).verifications)
 
 
 def _warn_of_effects_left_out(effects: TwinEffects) -> list[Message]:
@@ -176,10 +181,10 @@ def _series(poses: Poses, wrench: Array, motion: Motion, corrected: Corrected) -
     """Measured and reconstructed at the same times; the reconstruction is delayed like the measurement, and has all that was found."""
     found, t = corrected.found, poses.t
     drift = np.column_stack([np.interp(t, found.centres, found.drift[:, c]) for c in range(6)])
-    predicted = regressor(motion) @ found.phi
+    predicted = rigid_wrench(motion, found.phi)
     if found.nuisances is not None:
         seen, _ = smooth_motion(found.nuisances.correct(poses, found.b), window_s=SMOOTHING_S)
-        load = regressor(seen) @ found.phi
+        load = rigid_wrench(seen, found.phi)
         predicted = load + load @ found.nuisances.reading(found.b).T
     late = np.column_stack([np.interp(t - found.x[DELAY], t, predicted[:, c]) for c in range(6)])
     return TimeSeries(t, motion, wrench - found.x[OFFSET] - drift, late + corrected.change)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.array import Array
 
@@ -26,20 +27,37 @@ class Solution:
     plain: Array
 
 
-def compensate(normal: Array, bias: Array, prior: Array) -> Solution:
+@dataclass(frozen=True)
+class NoiseOfColumns:
+    """Information that is noise of the columns on average.
+
+    Args:
+        rows: (k,), unknowns that have some. root: (k, k), of it: `root root^T`.
+    """
+
+    rows: NDArray[np.intp]
+    root: Array
+
+    @classmethod
+    def of(cls, bias: Array) -> NoiseOfColumns:
+        """Of the information (n, n)."""
+        rows = np.flatnonzero(np.diag(bias))
+        values, vectors = np.linalg.eigh(bias[np.ix_(rows, rows)])
+        return cls(rows, vectors * np.sqrt(np.maximum(values, 0.0)))
+
+
+def compensate(normal: Array, noise: NoiseOfColumns, prior: Array) -> Solution:
     """Takes off what noise alone has added to the information.
 
     Where noise makes up nearly all of it, less and less is taken as known, and in the end the prior alone: the little that chance leaves
     would be a number without meaning.
 
     Args:
-        normal: (n, n); bias: (n, n), how much of it is noise on average. prior: (n,), information that is known before.
+        normal: (n, n); noise: how much of it is noise on average. prior: (n,), information that is known before.
     """
     information = normal + np.diag(prior)
     plain = _inverse(information)
-    rows = np.flatnonzero(np.diag(bias))
-    values, vectors = np.linalg.eigh(bias[np.ix_(rows, rows)])
-    root = vectors * np.sqrt(np.maximum(values, 0.0))
+    rows, root = noise.rows, noise.root
     share, directions = np.linalg.eigh(root.T @ plain[np.ix_(rows, rows)] @ root)
     lean, share = root @ directions, np.maximum(share, 1e-12)
     trust = np.clip((1.0 - share) / (1.0 - LARGEST_NOISE_SHARE), 0.0, 1.0)

@@ -27,8 +27,8 @@ ASSUMED_ZERO_STD_RAD = 8.7e-4
 """0.05 deg: what the zero of a joint is good for after a maker's own calibration."""
 ASSUMED_MOUNT_STD_RAD = 1.7e-3
 """0.1 deg about each axis: what two dowel pins hold."""
-COARSE_S = 0.004
-"""Period at which poses are taken for the columns of the joints' zeros; a thousandth of a column does not count."""
+COARSE = 0.16
+"""Share of the windows' spacing at which poses are taken for the columns of the joints' zeros; a thousandth of a column does not count."""
 STEP_RAD = 1e-4
 """By which a zero is moved for its column."""
 KEPT_DELAY_S = 0.002
@@ -171,11 +171,11 @@ class NuisanceColumns:
         """Change of the features per radian of each joint's zero."""
         joints = self._form.poses.joints
         if joints is not None and abs(delay - self._delay) > KEPT_DELAY_S:
-            every = 1 if self._form.static else max(1, int(COARSE_S / self._form.poses.period))
+            every = 1 if self._form.static else max(1, int(COARSE * self._form.spacing / self._form.poses.period + 0.01))
             coarse = self._form.poses.every(every)
-            before = self._form.features_of(coarse, delay)
-            moved = (coarse.with_zeros(STEP_RAD * axis) for axis in np.eye(len(self.nuisances.zero_std_rad)))
-            self._zeros = [self._form.features_of(poses, delay).less(before, STEP_RAD) for poses in moved]
+            moved = (coarse.with_zeros(zeros) for zeros in np.vstack((np.zeros(joints.robot.n), STEP_RAD * np.eye(joints.robot.n))))
+            before, *after = self._form.features_of(coarse.t, moved, delay)
+            self._zeros = [features.less(before, STEP_RAD) for features in after]
             self._delay = delay
         return self._zeros
 

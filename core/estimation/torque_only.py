@@ -33,7 +33,7 @@ def torque_only(recording: Recording, poses: Poses | None) -> Identification:
         else segments_of_motion(recording.t, motion.omega, speed, motion.g, threshold=np.array([0.01, 0.005]))
     )
     said = [*_motion(recording, motion.omega, motion.alpha, motion.g), *_torques(recording)]
-    return Identification(paper, None, verdict, warnings, segments, TimeSeries(recording.t, motion), bounds=tuple(said))
+    return Identification(paper, None, verdict, warnings, segments, bounds=tuple(said), drawn=lambda: TimeSeries(recording.t, motion))
 
 
 def _motion(recording: Recording, omega: Array, alpha: Array, g: Array) -> list[Message]:

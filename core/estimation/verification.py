@@ -9,7 +9,7 @@ import numpy as np
 from core.array import Array
 from core.estimation.drift import variance_between
 from core.estimation.estimate import Verification
-from core.estimation.generalised_least_squares import DELAY, OFFSET, TILT, Fit, fit
+from core.estimation.generalised_least_squares import DELAY, OFFSET, TILT, Fit, fit_like
 from core.estimation.kinematics import Poses
 from core.estimation.nuisances import NuisanceColumns
 from core.estimation.segments import Segment
@@ -27,7 +27,7 @@ class LeaveOneOut:
     Args:
         poses: of all samples.
         wrench: (N, 6), raw, without what the cell's twin adds.
-        whole: the fit to all motions, whose noise and nuisances are taken.
+        whole: the fit to all motions, whose weights are taken.
         segments: the motions.
     """
 
@@ -49,7 +49,7 @@ class LeaveOneOut:
         rest, motion = WeakForm(self.poses, within=~left_out), WeakForm(self.poses, within=left_out)
         if min(len(rest), len(motion)) < FEWEST_WINDOWS:
             return None
-        found = fit(rest, self.wrench, self.whole.noise, self.whole.nuisances)
+        found = fit_like(rest, self.wrench, self.whole)
         predicted, uncertainty = prediction(motion, found)
         noise = estimate_window_variance(motion, found)
         return Verification(

@@ -11,6 +11,7 @@ where `alpha` is the axial vector of B and `omega omega^T - omega^2 1` its symme
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -27,6 +28,8 @@ from core.payload.rotations import rotation_of, skew
 
 STEP_S = 0.025
 """Knot spacing of the windows: features up to 20 Hz are kept."""
+MOST_WINDOWS = 40_000
+"""A quarter of an hour with that spacing: longer recordings have wider windows, of an hour 0.09 s, up to 5.5 Hz."""
 SMOOTH_S = 0.08
 """Window of the local cubics through the rotations that accelerations are turned with."""
 MARGIN_S = 0.06
@@ -138,7 +141,7 @@ class WeakForm:
             self._rows = np.flatnonzero(still_only)
             self.centres = t[self._rows]
         else:
-            self._step = max(STEP_S, 8.0 * poses.period)
+            self._step = max(STEP_S, 8.0 * poses.period, len(t) * poses.period / MOST_WINDOWS)
             self.centres = self._centres(t)
         self._samples = self._samples_of(poses)
         self._features: tuple[Features, Features] | None = None
@@ -217,13 +220,14 @@ class WeakForm:
         rate = np.asarray(dW @ self._samples) / total
         return _features(np.asarray(W @ self._samples) / total, gravity), _features(rate, gravity)
 
-    def features_of(self, poses: Poses, delay: float) -> Features:
-        """Features of other poses, at some of the recording's times, in the same windows at `centres - delay`."""
-        samples = self._samples_of(poses)
+    def features_of(self, t: Array, others: Iterable[Poses], delay: float) -> Iterator[Features]:
+        """Features of other poses, all at some of the recording's times t, in the same windows at `centres - delay`."""
         if self.static:
-            return _features(samples[self._rows], poses.gravity)
-        W = self._windows(poses.t, delay)
-        return _features(np.asarray(W @ samples) / np.asarray(W.sum(axis=1))[:, None], poses.gravity)
+            yield from (_features(self._samples_of(poses)[self._rows], poses.gravity) for poses in others)
+            return
+        W = self._windows(t, delay)
+        W = csr_array(diags_array(1.0 / np.asarray(W.sum(axis=1))) @ W)
+        yield from (_features(np.asarray(W @ self._samples_of(poses)), poses.gravity) for poses in others)
 
     @cached_property
     def gram(self) -> tuple[Array, PoseGram]:

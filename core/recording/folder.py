@@ -29,7 +29,7 @@ from core.recording.manifest import RobotPart, manifest_of, read_manifest
 from core.recording.order_reference import NO_ORDER
 from core.recording.recording import Recording, RobotDescription
 from core.recording.samples import FILES as SAMPLES
-from core.recording.samples import MAX_BYTES, Samples, name_column, write_samples
+from core.recording.samples import MAX_BYTES, Samples, SamplesFile, name_column, write_samples
 from core.words.message import Message
 
 QUATERNION = ("qx", "qy", "qz", "qw")
@@ -51,46 +51,65 @@ def read_recording(folder: Path) -> Recording:
         BadRecording: anything that `recording/1` does not allow; it names the file, the key, column and row.
         BadRobot: the URDF is malformed or hostile.
     """
-    folder = Path(folder)
-    if not folder.is_dir():
-        raise BadRecording(str(folder), "recording-no-folder")
-    manifest = read_manifest(folder)
-    reference = manifest.payload_reference
-    robot = _read_robot(folder, manifest.robot) if manifest.robot else None
-    samples = Samples(folder)
-    n = len(robot.joints) if robot else 0
-    wrench = samples.numbers(*CHANNELS) * manifest.sensor.sign if samples.any_of(CHANNELS) else None
-    q = _joint_columns(samples, "q", n, optional=robot is None)
-    tau = _joint_columns(samples, "tau", n)
-    if wrench is None and tau is None:
-        raise BadRecording(samples.where, "recording-neither-wrench-nor-torques")
-    phase = samples.texts("phase") if "phase" in samples else None
-    return Recording(
-        t=_read_time(samples),
-        gravity=gravity_at(np.array(manifest.gravity), manifest.site),
-        wrench=wrench,
-        q=q,
-        dq=_joint_columns(samples, "dq", n),
-        q_cmd=_joint_columns(samples, "q_cmd", n),
-        tau=tau,
-        orientation=None if robot else _orientation(samples),
-        position=samples.numbers(*POSITION) if robot is None and samples.any_of(POSITION) else None,
-        temperature=samples.numbers("temperature")[:, 0] if "temperature" in samples else None,
-        phase=_check_phase(phase, samples.where),
-        robot=robot,
-        friction=manifest.robot.friction.description if manifest.robot and manifest.robot.friction else None,
-        sensor=manifest.sensor.description,
-        zero_std_rad=manifest.robot.zero_std_rad if manifest.robot else None,
-        encoder_std_rad=manifest.robot.encoder_std_rad if manifest.robot else None,
-        site=manifest.site,
-        reference=reference.parameters if reference else None,
-        reference_source=reference.source if reference else None,
-        source=manifest.source,
-        cell=manifest.cell,
-        payload=manifest.payload,
-        tools=tuple(tool.known for tool in manifest.tools or ()),
-        order=manifest.order or NO_ORDER,
-    )
+    opened = RecordingFolder(folder)
+    return opened.recording_of(opened.samples.read())
+
+
+class RecordingFolder:
+    """A recording's folder with all but its samples read.
+
+    Raises:
+        BadRecording, BadRobot: as for `read_recording`.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        folder = Path(folder)
+        if not folder.is_dir():
+            raise BadRecording(str(folder), "recording-no-folder")
+        self._manifest = read_manifest(folder)
+        self._reference = self._manifest.payload_reference
+        self._robot = _read_robot(folder, self._manifest.robot) if self._manifest.robot else None
+        self.samples = SamplesFile(folder)
+
+    def recording_of(self, samples: Samples) -> Recording:
+        """What the folder says, with all of its samples or some.
+
+        Raises:
+            BadRecording: columns or values that the format does not allow.
+        """
+        manifest, robot, reference = self._manifest, self._robot, self._reference
+        n = len(robot.joints) if robot else 0
+        wrench = samples.numbers(*CHANNELS) * manifest.sensor.sign if samples.any_of(CHANNELS) else None
+        q = _joint_columns(samples, "q", n, optional=robot is None)
+        tau = _joint_columns(samples, "tau", n)
+        if wrench is None and tau is None:
+            raise BadRecording(samples.where, "recording-neither-wrench-nor-torques")
+        return Recording(
+            t=_read_time(samples),
+            gravity=gravity_at(np.array(manifest.gravity), manifest.site),
+            wrench=wrench,
+            q=q,
+            dq=_joint_columns(samples, "dq", n),
+            q_cmd=_joint_columns(samples, "q_cmd", n),
+            tau=tau,
+            orientation=None if robot else _orientation(samples),
+            position=samples.numbers(*POSITION) if robot is None and samples.any_of(POSITION) else None,
+            temperature=samples.numbers("temperature")[:, 0] if "temperature" in samples else None,
+            phase=_check_phase(samples),
+            robot=robot,
+            friction=manifest.robot.friction.description if manifest.robot and manifest.robot.friction else None,
+            sensor=manifest.sensor.description,
+            zero_std_rad=manifest.robot.zero_std_rad if manifest.robot else None,
+            encoder_std_rad=manifest.robot.encoder_std_rad if manifest.robot else None,
+            site=manifest.site,
+            reference=reference.parameters if reference else None,
+            reference_source=reference.source if reference else None,
+            source=manifest.source,
+            cell=manifest.cell,
+            payload=manifest.payload,
+            tools=tuple(tool.known for tool in manifest.tools or ()),
+            order=manifest.order or NO_ORDER,
+        )
 
 
 def write_recording(recording: Recording, folder: Path) -> None:
@@ -176,15 +195,17 @@ def _joint_columns(samples: Samples, prefix: str, n: int, *, optional: bool = Tr
 
 def _read_time(samples: Samples) -> Array:
     t = samples.numbers("t")[:, 0]
-    _check_time(t, samples.where)
+    _check_time(t, samples.where, samples.row(0))
     return t
 
 
-def _check_time(t: Array, where: str | Message) -> None:
+def _check_time(t: Array, where: str | Message, first_row: int = 1) -> None:
     late = np.flatnonzero(np.diff(t) <= 0)
     if len(late):
         k = int(late[0]) + 1
-        raise BadRecording(name_column(where, "t", k + 1), "recording-time-not-increasing", time_s=float(t[k]), before_s=float(t[k - 1]))
+        raise BadRecording(
+            name_column(where, "t", first_row + k), "recording-time-not-increasing", time_s=float(t[k]), before_s=float(t[k - 1])
+        )
 
 
 def _orientation(samples: Samples) -> Array:
@@ -196,17 +217,19 @@ def _orientation(samples: Samples) -> Array:
     wrong = np.flatnonzero(np.abs(norms - 1.0) > 0.01)
     if len(wrong):
         k = int(wrong[0])
-        raise BadRecording(name_column(samples.where, " ".join(QUATERNION), k + 1), "recording-no-unit-quaternion", norm=float(norms[k]))
+        where = name_column(samples.where, " ".join(QUATERNION), samples.row(k))
+        raise BadRecording(where, "recording-no-unit-quaternion", norm=float(norms[k]))
     return np.asarray(Rotation.from_quat(quaternions).as_matrix())
 
 
-def _check_phase(phase: NDArray[np.str_] | None, where: str) -> NDArray[np.str_] | None:
-    if phase is None:
+def _check_phase(samples: Samples) -> NDArray[np.str_] | None:
+    if "phase" not in samples:
         return None
+    phase = samples.texts("phase")
     for label in np.unique(phase):
         if not PHASE.fullmatch(str(label)):
-            row = int(np.flatnonzero(phase == label)[0]) + 1
-            raise BadRecording(name_column(where, "phase", row), "recording-unknown-phase", phase=cut_text(label, 60))
+            where = name_column(samples.where, "phase", samples.row(int(np.flatnonzero(phase == label)[0])))
+            raise BadRecording(where, "recording-unknown-phase", phase=cut_text(label, 60))
     return phase
 
 

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import gzip
 import io
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Literal, NoReturn, TypeAlias
 
@@ -31,29 +32,25 @@ MAX_BYTES = 2_000_000_000
 
 
 class Samples:
-    """Columns of one samples file.
+    """Columns of a samples file, all of its rows or some.
 
     Args:
-        folder: the recording's folder.
+        table: the columns. where: the file. first_row: which row of the file the first one is.
 
     Raises:
-        BadRecording: none or several samples files, one that is truncated, malformed, empty or too long.
+        BadRecording: two columns of one name.
     """
 
-    def __init__(self, folder: Path) -> None:
-        present = [name for name in FILES if (folder / name).exists() or (folder / name).is_symlink()]
-        if not present:
-            raise BadRecording(str(folder), "recording-no-samples", files=FILES)
-        if len(present) > 1:
-            raise BadRecording(str(folder), "recording-several-samples", present=present, files=FILES)
-        self.file = find_inside(folder, present[0], BadRecording, max_bytes=MAX_BYTES)
-        self.where = str(folder / present[0])
-        self.table = self._read_parquet() if present[0].endswith("parquet") else self._read_csv()
-        names = self.table.column_names
+    def __init__(self, table: pa.Table, where: str, *, first_row: int = 1) -> None:
+        self.table, self.where, self._first_row = table, where, first_row
+        names = table.column_names
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
-            raise BadRecording(name_column(self.where, cut_text(twice[0])), "recording-column-repeated", count=names.count(twice[0]))
-        self._check_length(len(self.table))
+            raise BadRecording(name_column(where, cut_text(twice[0])), "recording-column-repeated", count=names.count(twice[0]))
+
+    def row(self, k: int) -> int:
+        """Of the file, counted from 1, for the k-th row of these, counted from 0."""
+        return self._first_row + k
 
     def __contains__(self, name: str) -> bool:
         return name in self.table.column_names
@@ -85,7 +82,7 @@ class Samples:
         if not (pa.types.is_string(column.type) or pa.types.is_large_string(column.type)):
             raise BadRecording(name_column(self.where, name), "recording-no-texts", type=str(column.type))
         if column.null_count:
-            raise BadRecording(name_column(self.where, name, _first_null(column)), "recording-no-text")
+            raise BadRecording(name_column(self.where, name, self.row(_first_null(column))), "recording-no-text")
         return np.asarray(column.to_pylist(), dtype=np.str_)
 
     def _column(self, name: str) -> Column:
@@ -101,34 +98,100 @@ class Samples:
         if not (pa.types.is_floating(column.type) or pa.types.is_integer(column.type)):
             raise BadRecording(name_column(self.where, name), "recording-no-numbers", type=str(column.type))
         if column.null_count:
-            raise BadRecording(name_column(self.where, name, _first_null(column)), "recording-no-number")
+            raise BadRecording(name_column(self.where, name, self.row(_first_null(column))), "recording-no-number")
         values = np.asarray(column.to_numpy(), dtype=float)
         bad = np.flatnonzero(~np.isfinite(values))
         if len(bad):
-            raise BadRecording(name_column(self.where, name, int(bad[0]) + 1), "recording-not-finite", value=str(values[bad[0]]))
+            raise BadRecording(name_column(self.where, name, self.row(int(bad[0]))), "recording-not-finite", value=str(values[bad[0]]))
         return values
 
     def _refuse_text(self, name: str, column: Column) -> NoReturn:
-        for row, value in enumerate(column.to_pylist(), start=1):
+        for row, value in enumerate(column.to_pylist(), start=self.row(0)):
             try:
                 float(str(value))
             except ValueError:
                 raise BadRecording(name_column(self.where, name, row), "recording-text-for-number", text=cut_text(value, 40)) from None
         raise BadRecording(name_column(self.where, name), "recording-numbers-as-text")
 
-    def _check_length(self, rows: int) -> None:
-        if not 2 <= rows <= MAX_SAMPLES:
-            raise BadRecording(self.where, "recording-rows", rows=rows, most=MAX_SAMPLES)
 
-    def _read_parquet(self) -> pa.Table:
+class SamplesFile:
+    """The samples file of a recording.
+
+    Args:
+        folder: the recording's folder.
+
+    Raises:
+        BadRecording: none or several samples files, or one that is too large.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        present = [name for name in FILES if (folder / name).exists() or (folder / name).is_symlink()]
+        if not present:
+            raise BadRecording(str(folder), "recording-no-samples", files=FILES)
+        if len(present) > 1:
+            raise BadRecording(str(folder), "recording-several-samples", present=present, files=FILES)
+        self._file = find_inside(folder, present[0], BadRecording, max_bytes=MAX_BYTES)
+        self.where = str(folder / present[0])
+        self._is_parquet = present[0].endswith("parquet")
+
+    def read(self) -> Samples:
+        """All rows.
+
+        Raises:
+            BadRecording: truncated, malformed, empty or too long.
+        """
+        table = self._read_parquet() if self._is_parquet else self._read_csv()
+        self._check_length(len(table), MAX_SAMPLES)
+        return Samples(table, self.where)
+
+    def find_spacing(self) -> tuple[int, float] | None:
+        """How many rows there are, and the mean time between them, s; None where only reading them all would tell."""
+        if not self._is_parquet:
+            return None
+        with self._parquet() as parquet:
+            rows = parquet.metadata.num_rows
+            if rows < 2 or "t" not in parquet.schema_arrow.names:
+                return None
+            ends = [parquet.read_row_group(k, columns=["t"]).column("t") for k in (0, parquet.num_row_groups - 1)]
         try:
-            with pq.ParquetFile(self.file) as parquet:
-                self._check_length(parquet.metadata.num_rows)
-                table = parquet.read()
-            table.validate(full=True)  # whether texts are UTF-8
-            return table
+            lasts = float(ends[1][-1].as_py()) - float(ends[0][0].as_py())
+        except (TypeError, ValueError):
+            return None  # reading it will say what is wrong with it
+        return rows, lasts / (rows - 1)
+
+    def batches(self, rows: int, *, most: int) -> Iterator[Samples]:
+        """So many rows at a time, of a Parquet file with no more than `most`.
+
+        Raises:
+            BadRecording: truncated, malformed or too long.
+        """
+        with self._parquet() as parquet:
+            self._check_length(parquet.metadata.num_rows, most)
+            first_row = 1
+            for batch in parquet.iter_batches(batch_size=rows):
+                table = pa.Table.from_batches([batch])
+                table.validate(full=True)
+                yield Samples(table, self.where, first_row=first_row)
+                first_row += len(table)
+
+    def _check_length(self, rows: int, most: int) -> None:
+        if not 2 <= rows <= most:
+            raise BadRecording(self.where, "recording-rows", rows=rows, most=most)
+
+    @contextmanager
+    def _parquet(self) -> Iterator[pq.ParquetFile]:
+        try:
+            with pq.ParquetFile(self._file) as parquet:
+                yield parquet
         except (pa.ArrowException, OSError, UnicodeDecodeError) as error:  # the last comes of a column's name
             raise BadRecording(self.where, "recording-broken-parquet", reason=_one_line(error)) from error
+
+    def _read_parquet(self) -> pa.Table:
+        with self._parquet() as parquet:
+            self._check_length(parquet.metadata.num_rows, MAX_SAMPLES)
+            table = parquet.read()
+            table.validate(full=True)  # whether texts are UTF-8
+            return table
 
     def _read_csv(self) -> pa.Table:
         wrong_rows: list[pa_csv.InvalidRow] = []
@@ -155,9 +218,9 @@ class Samples:
         return table
 
     def _csv_bytes(self) -> bytes:
-        if self.file.suffix != ".gz":
-            return self.file.read_bytes()
-        with gzip.open(self.file) as stream:
+        if self._file.suffix != ".gz":
+            return self._file.read_bytes()
+        with gzip.open(self._file) as stream:
             content = stream.read(MAX_BYTES + 1)
         if len(content) > MAX_BYTES:
             raise BadRecording(self.where, "recording-unpacks-too-large", most_bytes=MAX_BYTES)
@@ -181,7 +244,7 @@ def write_samples(file: Path, columns: Mapping[str, Array | NDArray[np.str_]]) -
 
 
 def _first_null(column: Column) -> int:
-    return int(np.flatnonzero(np.asarray(column.is_null()))[0]) + 1
+    return int(np.flatnonzero(np.asarray(column.is_null()))[0])
 
 
 def _one_line(error: BaseException) -> str:

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from core.estimation.estimate import Estimate, Identification
 from core.payload.channels import CHANNELS, UNITS
 from core.payload.inertia import PHI_NAMES, PHI_UNITS, InertialParameters, symmetric
-from core.planning.start_configuration import StartConfiguration
-from core.procedure.summary import RunSummary
 from core.recording.recording import Recording
 from core.report.verification_words import HOLDS_UP_TO, verification_sentence
 from core.words.message import Message
 from core.words.wording import ENGLISH, Wording
+
+if TYPE_CHECKING:  # whoever only wants a sentence waits for no planner
+    from core.planning.start_configuration import StartConfiguration
+    from core.procedure.summary import RunSummary
 
 INTERVAL = 1.96  # standard deviations on either side of a 95 % interval
 LOUD = 1.5  # times the noise: a residual that is no longer noise

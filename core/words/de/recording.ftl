@@ -136,3 +136,4 @@ recording-other-robot =
 recording-other-gravity =
     .found = { $gravity_m_s2 } m/s²
     .expected = die der Aufzeichnung, { $before_m_s2 } m/s²
+recording-condensed = Die Aufzeichnung ist lang: Von je { $rows } Zeilen wird der Mittelwert verwendet (insgesamt { $means }). Was nur einzelne Zeilen zeigen, etwa wiederholte Zeilen, wird nicht gesucht.

@@ -141,3 +141,4 @@ recording-other-robot =
 recording-other-gravity =
     .found = { $gravity_m_s2 } m/s2
     .expected = that of the recording, { $before_m_s2 } m/s2
+recording-condensed = The recording is long: of every { $rows } rows the mean is used ({ $means } in all). What only single rows show, such as copies of rows, is not looked for.

@@ -12,7 +12,8 @@ import pytest
 from typer.testing import CliRunner
 
 from core.cli.main import app
-from core.cli.tables import diagnosis_table, torque_lines
+from core.cli.plan_tables import torque_lines
+from core.cli.tables import diagnosis_table
 from core.gap.answering import not_enough
 from core.planning.summary import PlanTorques
 from core.words.message import Message

@@ -233,7 +233,7 @@ def test_single_poses_are_drawn_as_points(tmp_path: Path) -> None:
     rows = np.arange(0, N, 50)
     few = TimeSeries(series.t[rows], series.motion[rows], series.measured[rows], series.reconstructed[rows])
     recording = replace(recording, t=few.t, wrench=few.measured, q=None, phase=None)
-    text = written(tmp_path, recording, replace(identification, series=few, segments=()), None)
+    text = written(tmp_path, recording, replace(identification, drawn=lambda: few, segments=()), None)
     assert "<use" in text
     assert "Rotations" not in words(text)
 
