@@ -7,6 +7,7 @@ exact motion, whitened with the true covariance of the noise. Who has to find th
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 from scipy.linalg import cholesky_banded, solve_banded
@@ -75,12 +76,15 @@ def _columns(condition: Condition, truth: Truth, t: Array) -> tuple[Array, Array
         columns.append(np.stack([(after - before) / (2.0 * STEP) for before, after in pairs], axis=2))
         prior.append(np.full(len(pairs), variance))
 
-    def wrench(**changed: Array) -> Array:
-        return _wrench_at(replace(truth, **changed), t)
+    def wrench(*, mount: Array | None = None, gravity: Array | None = None) -> Array:
+        other = replace(truth, mount=truth.mount if mount is None else mount, gravity=truth.gravity if gravity is None else gravity)
+        return _wrench_at(other, t)
 
-    def turned(name: str, axis: Array) -> tuple[Array, Array]:
-        before, after = (rotation_of(side * STEP * axis) @ getattr(truth, name) for side in (-1.0, 1.0))
-        return wrench(**{name: before}), wrench(**{name: after})
+    def turned(name: Literal["mount", "gravity"], axis: Array) -> tuple[Array, Array]:
+        before, after = rotation_of(-STEP * axis), rotation_of(STEP * axis)
+        if name == "mount":
+            return wrench(mount=before @ truth.mount), wrench(mount=after @ truth.mount)
+        return wrench(gravity=before @ truth.gravity), wrench(gravity=after @ truth.gravity)
 
     g, axes = truth.gravity, np.eye(3)
     add(TILT_STD_RAD**2, *(turned("gravity", e) for e in axes[:2]))

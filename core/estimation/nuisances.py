@@ -27,7 +27,7 @@ ASSUMED_ZERO_STD_RAD = 8.7e-4
 """0.05 deg: what the zero of a joint is good for after a maker's own calibration."""
 ASSUMED_MOUNT_STD_RAD = 1.7e-3
 """0.1 deg about each axis: what two dowel pins hold."""
-COARSE = 0.16
+COARSE = 0.2
 """Share of the windows' spacing at which poses are taken for the columns of the joints' zeros; a thousandth of a column does not count."""
 STEP_RAD = 1e-4
 """By which a zero is moved for its column."""

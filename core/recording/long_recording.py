@@ -1,7 +1,7 @@
 """A recording too long to be held row by row: means of neighbouring rows, made while it is read.
 
 Pose and wrench go through the same mean, so what is lost is motion faster than the means, and nothing is late. A pose is not linear in the
-joints and the wrench not in the pose; over `LONGEST_PERIOD_S` that is a millionth.
+joints and the wrench not in the pose; over `LONGEST_PERIOD_S` that is a hundred-thousandth.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ from core.recording.recording import COLUMNS, Recording, SensorDescription
 from core.recording.samples import MAX_SAMPLES, name_column
 from core.words.message import Message
 
-MOST_ROWS = 600_000
-"""10 minutes at 1 kHz: a recording with more rows is condensed."""
-LONGEST_PERIOD_S = 0.005
-"""Of the means: enough for what a robot's payload feels."""
+MOST_ROWS = 400_000
+"""Nearly 7 minutes at 1 kHz: a recording with more rows is condensed."""
+LONGEST_PERIOD_S = 0.01
+"""Of the means: short beside the windows that the estimate of a long recording averages over."""
 BATCH_ROWS = 50_000
 """That are in memory at a time."""
 GAP = 3.5

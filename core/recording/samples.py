@@ -29,6 +29,8 @@ Column: TypeAlias = "pa.ChunkedArray[Any]"
 FILES = ("samples.parquet", "samples.csv", "samples.csv.gz")
 MAX_SAMPLES = 3_000_000  # 50 minutes at 1 kHz
 MAX_BYTES = 2_000_000_000
+BUFFER_BYTES = 1_000_000
+"""Of each column of a Parquet file that are read at a time."""
 
 
 class Samples:
@@ -168,11 +170,13 @@ class SamplesFile:
         with self._parquet() as parquet:
             self._check_length(parquet.metadata.num_rows, most)
             first_row = 1
-            for batch in parquet.iter_batches(batch_size=rows):
-                table = pa.Table.from_batches([batch])
-                table.validate(full=True)
-                yield Samples(table, self.where, first_row=first_row)
-                first_row += len(table)
+            for group in range(parquet.num_row_groups):  # asked for all of them, Arrow would hold the whole file
+                for batch in parquet.iter_batches(batch_size=rows, row_groups=[group], use_threads=False):
+                    table = pa.Table.from_batches([batch])
+                    table.validate(full=True)
+                    yield Samples(table, self.where, first_row=first_row)
+                    first_row += len(table)
+        pa.default_memory_pool().release_unused()
 
     def _check_length(self, rows: int, most: int) -> None:
         if not 2 <= rows <= most:
@@ -181,7 +185,7 @@ class SamplesFile:
     @contextmanager
     def _parquet(self) -> Iterator[pq.ParquetFile]:
         try:
-            with pq.ParquetFile(self._file) as parquet:
+            with pq.ParquetFile(self._file, buffer_size=BUFFER_BYTES) as parquet:
                 yield parquet
         except (pa.ArrowException, OSError, UnicodeDecodeError) as error:  # the last comes of a column's name
             raise BadRecording(self.where, "recording-broken-parquet", reason=_one_line(error)) from error

@@ -13,6 +13,7 @@ from core.estimation.estimate import Estimate
 from core.estimation.identification import identify_recording
 from core.estimation.nuisances import find_evidence, improve_strength
 from core.payload.calibration import NOT_STATED
+from tests.foreign_bound import least_std
 from tests.foreign_recordings import Condition, Made, make
 
 CLEAN = Condition(rate_hz=250.0)
@@ -46,6 +47,20 @@ def test_intervals_hold_the_truth_whatever_is_wrong(condition: Condition) -> Non
     rms = rms_of_z(condition, range(6))
     # six draws: a factor of two is chance, what is left out of the uncertainty makes tens
     assert (rms < 2.0).all()
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [CLEAN, Condition(rate_hz=250.0, zero_std_rad=8.7e-4), Condition(rate_hz=250.0, gain_std=0.01)],
+    ids=["nothing", "zeros", "gains"],
+)
+def test_intervals_are_about_as_narrow_as_motion_and_noise_allow(condition: Condition) -> None:
+    for seed in range(2):
+        made, estimate = found(condition, seed)
+        least = least_std(condition, made)
+        assert least is not None
+        assert (estimate.std > 0.9 * least).all()
+        assert (estimate.std < 1.5 * least).all()
 
 
 def test_zeros_that_are_off_do_not_reach_the_mass() -> None:

@@ -97,7 +97,7 @@ def test_a_short_one_is_read_as_it_is(tmp_path: Path) -> None:
 
 def test_slow_samples_are_not_averaged(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(long_recording, "MOST_ROWS", 300)
-    write_recording(replace(long(), t=0.004 * np.arange(1003)), tmp_path / "slow")
+    write_recording(replace(long(), t=0.006 * np.arange(1003)), tmp_path / "slow")
     assert read_condensed(tmp_path / "slow")[1] == ()
 
 
