@@ -77,7 +77,7 @@ def case() -> tuple[Recording, Identification, RunSummary]:
         Message.of("text", text="The payload weighs 2.784 kg."),
         (Message.of("text", text="Channel ty is louder than its noise."),),
         segments_of_phase(phase),
-        TimeSeries(t, kinematics, measured, reconstructed),
+        drawn=lambda: TimeSeries(t, kinematics, measured, reconstructed),
     )
     q = np.zeros((N, 7))
     recording = Recording(
