@@ -14,6 +14,7 @@ from core.cli.options import JsonOption, LanguageOption, check_new
 from core.cli.terminal import find_wording, messages
 from core.errors import BadInput
 from core.estimation.identification import identify_recording
+from core.estimation.joint_torques.identification import identify_by_torques
 from core.estimation.result import SecondsPart, result_of
 from core.planning.options import TargetOption
 from core.recording.long_recording import read_condensed
@@ -36,6 +37,10 @@ def identify_command(
         str | None, typer.Option(metavar="CELL", help="The cell it was made in: its twin counts, its thresholds judge.")
     ] = None,
     target: TargetOption = None,
+    without: Annotated[
+        Path | None,
+        typer.Option(metavar="EMPTY", help="A recording of the same arm without the payload: joint torques alone then tell the payload."),
+    ] = None,
     *,
     language: LanguageOption,
 ) -> None:
@@ -47,10 +52,11 @@ def identify_command(
         raise BadInput("--target", "target-without-cell")
     twin = NOMINAL if made_in is None else read_twin(made_in)
     loaded, remarks = read_condensed(recording)
+    empty, of_empty = (None, ()) if without is None else read_condensed(without)
     began = time.perf_counter()
     with messages.status(find_wording().say("cli-estimating")) if messages.is_terminal else nullcontext():
-        identification = identify_recording(loaded, twin)
-    identification = replace(identification, warnings=(*identification.warnings, *remarks))
+        identification = identify_recording(loaded, twin) if empty is None else identify_by_torques(loaded, empty)
+    identification = replace(identification, warnings=(*identification.warnings, *remarks, *of_empty))
     seconds = SecondsPart(robot=float(loaded.t[-1] - loaded.t[0]), estimate=time.perf_counter() - began)
     robot = None if made_in is None else RobotModel.of_cell(made_in)
     enough = None if made_in is None or robot is None else judge_estimate(made_in, robot, identification.estimate)

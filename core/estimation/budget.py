@@ -23,6 +23,8 @@ ASSUMED = {
     "gravity": Message.of("estimation-assumed-gravity"),
     "joint_zeros": Message.of("estimation-assumed-zeros"),
     "sensor_mount": Message.of("estimation-assumed-mount"),
+    "torque_gain": Message.of("torques-assumed-gain"),
+    "arm_model": Message.of("torques-assumed-arm"),
 }
 """What is said of a source whose size nobody has stated."""
 TITLES = {
@@ -32,6 +34,8 @@ TITLES = {
     "joint_zeros": Message.of("estimation-source-joint-zeros"),
     "sensor_mount": Message.of("estimation-source-sensor-mount"),
     "gravity": Message.of("estimation-source-gravity"),
+    "torque_gain": Message.of("torques-source-gain"),
+    "arm_model": Message.of("torques-source-arm"),
     "twin": Message.of("estimation-source-twin"),
 }
 """What each part of a budget is called."""
@@ -44,7 +48,7 @@ class Source:
     """One cause of uncertainty that stays the same from recording to recording.
 
     Args:
-        name: `sensor_gain`, `sensor_crosstalk`, `joint_zeros`, `sensor_mount`, `gravity`, or `twin`.
+        name: `sensor_gain`, `sensor_crosstalk`, `joint_zeros`, `sensor_mount`, `gravity`, `torque_gain`, `arm_model`, or `twin`.
         stated: whether the cell or the recording states its size; assumed otherwise.
         directions: (10, n), change of the parameters for one standard deviation of each of its independent causes.
     """

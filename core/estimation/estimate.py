@@ -79,7 +79,7 @@ class Estimate(UncertainParameters):
         constrained: whether the data alone asked for a body that cannot exist, at a level of 1 %.
         base_tilt_rad, base_tilt_std: (2,), rotation of the true gravity against the nominal one about base x and y.
         delay_s, delay_std: how late the wrench is against the joints.
-        residual_rms, noise_std: (6,), per sample, N and N m.
+        residual_rms, noise_std: (6,), per sample, N and N m; NaN, as the offset, without a wrist sensor.
         converged: whether the iteration came to rest.
     """
 
@@ -178,11 +178,11 @@ class Identification:
 
     Args:
         paper: the paper's estimate.
-        estimate: ours; None where the recording has no wrench.
+        estimate: ours; None where nothing is determined.
         verdict: what of the payload is determined.
         warnings: what the user should know before using the numbers.
         segments: the motionless, rotating and other parts.
-        bounds: what can be said all the same, for recordings without a wrench.
+        bounds: what was found beside the payload, for recordings without a wrench: each joint's friction and gain.
         accounted: identifiers of the twin's effects that were taken off the wrench; `shares`: what each of them changes.
         drawn: finds the series; `verified`: the verification, nothing where there is no motion to leave out.
     """
@@ -197,6 +197,11 @@ class Identification:
     shares: tuple[TwinShare, ...] = ()
     drawn: Callable[[], TimeSeries | None] = _nothing
     verified: Callable[[], tuple[Verification, ...]] = tuple
+
+    @property
+    def has_wrench(self) -> bool:
+        """Whether the estimate rests on a wrist sensor's channels, of which there is something to show."""
+        return self.estimate is not None and bool(np.isfinite(self.estimate.noise_std).all())
 
     @cached_property
     def series(self) -> TimeSeries | None:

@@ -13,6 +13,7 @@ from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, near
 from core.estimation.determination import find_determined, reasons
 from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.generalised_least_squares import DELAY, OFFSET, PRIOR_STD, TILT
+from core.estimation.joint_torques.identification import identify_by_torques
 from core.estimation.kinematic_filter import ALPHA_VARIANCE, filter_motion, find_pose_noise, steady_std
 from core.estimation.kinematics import Poses, poses_of, smooth_motion
 from core.estimation.lateness import advance_wrench, find_lateness
@@ -23,7 +24,6 @@ from core.estimation.regression import Thresholds, regression
 from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase
 from core.estimation.setup.check import check_setup
 from core.estimation.setup.refutation import refute
-from core.estimation.torque_only import torque_only
 from core.estimation.twin_effects import Corrected, TwinEffects, effects_on, fit_with_effects
 from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
 from core.estimation.verification import LeaveOneOut
@@ -52,9 +52,11 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
         recording: only read.
         twin: of the cell; what its effects do to the wrench is accounted for.
     """
+    if recording.wrench is None:
+        return identify_by_torques(recording)
     poses = poses_of(recording)
-    if recording.wrench is None or poses is None:
-        return torque_only(recording, poses)
+    if poses is None:
+        return _nothing((), Message.of("estimation-no-motion"))
     static = poses.apart
     motion, speed = _motion(poses, static)
     # a twin that states a delay means the wrench as it was recorded

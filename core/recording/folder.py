@@ -101,6 +101,8 @@ class RecordingFolder:
             sensor=manifest.sensor.description,
             zero_std_rad=manifest.robot.zero_std_rad if manifest.robot else None,
             encoder_std_rad=manifest.robot.encoder_std_rad if manifest.robot else None,
+            torque_gain_std=manifest.robot.torque_gain_std if manifest.robot else None,
+            link_mass_std=manifest.robot.link_mass_std if manifest.robot else None,
             site=manifest.site,
             reference=reference.parameters if reference else None,
             reference_source=reference.source if reference else None,

@@ -62,6 +62,8 @@ class RobotPart(ManifestPart):
     friction: FrictionPart | None = None
     zero_std_rad: NotNegative | None = None
     encoder_std_rad: NotNegative | None = None
+    torque_gain_std: NotNegative | None = None
+    link_mass_std: NotNegative | None = None
 
 
 class SensorPart(ManifestPart):
@@ -191,6 +193,8 @@ def manifest_of(recording: Recording) -> Manifest:
             "sensor_frame": robot.sensor_frame,
             "zero_std_rad": recording.zero_std_rad,
             "encoder_std_rad": recording.encoder_std_rad,
+            "torque_gain_std": recording.torque_gain_std,
+            "link_mass_std": recording.link_mass_std,
             "friction": friction and {"coulomb_n_m": tuple(friction.coulomb.tolist()), "viscous_n_m_s": tuple(friction.viscous.tolist())},
         },
         "sensor": {

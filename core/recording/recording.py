@@ -75,6 +75,8 @@ class Recording:
         phase: (N,), text: `transfer`, `hold:<axis><sign>`, `hold:free`, `rotate:<axis>`.
         zero_std_rad: standard uncertainty of each joint's zero; None where nobody has said.
         encoder_std_rad: noise of one reading of a joint's position, standard deviation; None where nobody has said.
+        torque_gain_std, link_mass_std: relative standard uncertainties of `tau` (sensor or motor constant) and of the masses in the URDF;
+            None where nobody has said.
         site: where the cell stands, from which the strength of `gravity` is; None where nobody has said.
         friction: of the joints, as the cell states it; None where nobody has said. It may be stated later of the same robot.
         reference: the payload as somebody else knows it, with `reference_source`; without the tools.
@@ -98,6 +100,8 @@ class Recording:
     sensor: SensorDescription = field(default_factory=SensorDescription)
     zero_std_rad: float | None = None
     encoder_std_rad: float | None = None
+    torque_gain_std: float | None = None
+    link_mass_std: float | None = None
     site: Site | None = None
     reference: InertialParameters | None = None
     reference_source: str | None = None

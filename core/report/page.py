@@ -79,7 +79,9 @@ def _content(
         "reference_source": recording.source_of_whole,
         "budget": None if identification.estimate is None else read_budget(identification.estimate, words),
         "workpiece": workpiece_block(identification, recording, words),
-        "channels": channel_rows(identification.estimate, words) if identification.estimate is not None else [],
+        "channels": channel_rows(identification.estimate, words)
+        if identification.has_wrench and identification.estimate is not None
+        else [],
         "unseen": unseen_rows(identification, words),
         "drift": sentence(identification.estimate.drift.description, words) if identification.estimate is not None else "",
         **_charts(identification, words),

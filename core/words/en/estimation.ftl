@@ -26,19 +26,7 @@ estimation-inertia-size = its standard uncertainty would be { SIGNIFICANT($std_k
 # Why nothing at all is determined.
 estimation-too-few-still = too few motionless samples, and no motion that could be used instead
 estimation-too-short = { FIXED($lasts_s, digits: 2) } s are too short to say anything
-estimation-no-wrench = the recording has no wrench of a wrist sensor
 estimation-no-motion = the recording has neither joints nor poses beside the wrench
-estimation-wrench-needed = a payload follows from joint torques only together with the arm's own parameters (link masses, first moments, inertias and friction), or with a recording of the same motion without the payload; or record the wrench of a wrist sensor
-estimation-motion-needed = record joint positions or sensor poses beside the wrench
-# What can be said without a wrench all the same.
-estimation-read = { FIXED($lasts_s, digits: 1) } s at { FIXED($rate_hz, digits: 0) } Hz were read and are free of gaps and non-finite values
-estimation-joint-spans = the joints move through { $spans } deg
-estimation-joint-span = { DEGREES($span_rad, digits: 0) }
-estimation-lively = { estimation-liveliness } enough for all ten parameters
-estimation-hardly-lively = { estimation-liveliness } hardly enough for all ten parameters
-estimation-liveliness = the sensor frame turns with up to { FIXED($turns_rad_s, digits: 2) } rad/s and { FIXED($turns_rad_s2, digits: 1) } rad/s2, gravity spreads over its weakest axis by { PERCENT($spread) } % of its size: with a wrist sensor this motion would be
-estimation-joint-torques = the joint torques reach { $torques }; arm, friction and payload together, of which the payload's share cannot be told
-estimation-joint-torque = { FIXED($torque_n_m, digits: 1) } N m
 # What should be known before the numbers are used.
 estimation-residual-above-noise = the residual exceeds the sensor's noise, most in { $channel } ({ FIXED($times, digits: 1) } times): something that the model leaves out; the uncertainties were widened, but an error that repeats is not noise
 estimation-not-converged = the estimation did not come to rest: the motion does not tell apart what it has to find; the numbers are not to be relied on

@@ -114,10 +114,10 @@ def test_identify_answers_on_real_static_poses_that_the_inertia_is_not_excited()
     assert {reason["code"] for reason in answer["estimate"]["reasons"].values()} == {"estimation-standing"}
 
 
-def test_identify_says_what_joint_torques_alone_cannot_tell():
+def test_identify_sees_no_payload_in_the_joint_torques_of_an_arm_without_one():
     done = heft("identify", str(REAL / "kuka-lwr4-torques-1"))
     assert done.returncode == 0, done.stderr
-    assert "wrist" in done.stdout
+    assert "No payload is seen" in done.stdout
 
 
 def test_ctrl_c_stops_the_robot_and_leaves_a_readable_recording(tmp_path):
@@ -197,3 +197,22 @@ def test_a_folder_with_anything_in_it_is_not_written_into(tmp_path):
     assert done.returncode == 2
     assert "a new name, or an empty folder" in done.stderr
     assert [file.name for file in tmp_path.iterdir()] == ["notes.txt"]
+
+
+def test_identify_takes_a_recording_without_the_payload_beside_the_one_with_it(tmp_path):
+    report = tmp_path / "report.html"
+    loaded, empty = (str(REAL / f"kuka-lwr4-torques-{number}") for number in (2, 1))
+    done = heft("identify", loaded, "--without", empty, "--json", "-", "--report", str(report))
+    assert done.returncode == 0, done.stderr
+    answer = json.loads(done.stdout)
+    assert answer["verdict"]["code"] == "torques-no-payload-seen"
+    assert answer["estimate"]["determined"] == [True] * 4 + [False] * 6
+    assert {source["name"] for source in answer["estimate"]["budget"]["sources"]} == {"torque_gain", "arm_model"}
+    page = report.read_text()
+    assert "No payload is seen" in page and "nan" not in page.lower()
+
+
+def test_a_recording_of_poses_is_refused_beside_one_with_torques(tmp_path):
+    done = heft("identify", str(REAL / "kuka-lwr4-torques-2"), "--without", str(REAL / "kuka-med14-static"))
+    assert done.returncode == 2
+    assert "Traceback" not in done.stderr and len(done.stderr.strip().splitlines()) <= 3

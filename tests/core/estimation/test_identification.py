@@ -193,10 +193,9 @@ def test_the_real_med_14_tool_weighs_what_its_owners_found() -> None:
     assert "static poses only" in found.verdict.text
 
 
-def test_joint_torques_alone_are_read_and_answered_with_what_is_missing() -> None:
+def test_a_recording_with_torques_and_no_wrench_is_identified_by_them() -> None:
     found = identify_recording(read_recording(REAL / "kuka-lwr4-torques-1"))
-    assert found.estimate is None
-    assert np.isnan(found.paper.phi).all()
-    assert "no wrench" in found.verdict.text
-    assert "arm's own parameters" in found.warnings[0].text
-    assert any("25.1 s at 200 Hz" in bound.text for bound in found.bounds)
+    assert found.verdict.code == "torques-no-payload-seen"
+    assert found.estimate is not None and not found.has_wrench
+    assert abs(found.estimate.phi[0]) < 1.96 * found.estimate.std[0]
+    assert {"torque_gain", "arm_model"} <= set(found.estimate.budget.parts)

@@ -7,7 +7,7 @@ export { en as own } from './en';
 export const messages = import.meta.glob<string>(
   [
     '../../../core/words/en/*.ftl',
-    '!../../../core/words/*/{advice,drafts,gap,instruction,library,newcell,setup,symptom,trial}.ftl',
+    '!../../../core/words/*/{advice,drafts,gap,instruction,library,newcell,setup,symptom,torques,trial}.ftl',
     '!../../../core/words/*/{certificate,cli,record,report,result,sheet}.ftl',
   ],
   { query: '?raw', import: 'default', eager: true },

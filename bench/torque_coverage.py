@@ -1,0 +1,134 @@
+"""Whether 95 % intervals from joint torques hold the truth: `python -m bench.torque_coverage --count 30`.
+
+Two sources: a generator that shares no code with the engine (`tests.torque_recordings`, LuGre friction, wrong current constants), and the
+virtual robot with the friction of its drives; each beside a recording without payload and, where there is one, with the arm's model alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from core.array import Array
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from core.cell.cell import Cell
+from core.cell.folder import find_cell, load_cell
+from core.estimation.estimate import Identification
+from core.estimation.joint_torques.identification import identify_by_torques
+from core.payload.inertia import PHI_NAMES, InertialParameters
+from core.plant.virtual_robot import VirtualRobot
+from core.recording.recording import Recording, RobotDescription
+from core.robot.model import RobotModel
+from tests.torque_recordings import make
+
+INTERVAL = 1.96
+SECONDS = 20.0
+OFF = (-0.1, -0.08, -0.05, 0.05, 0.08, 0.1)
+"""Wrong current constants of 5 to 10 %."""
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Recordings with and without a payload, and the truth (10,)."""
+
+    loaded: Recording
+    empty: Recording
+    phi: Array
+
+
+def independent(seed: int) -> Pair:
+    """Of the independent generator, its current constants 5 to 10 % off and nothing stated of them."""
+    rng = np.random.default_rng(seed)
+    made = make(seed, mass_kg=float(rng.uniform(1.0, 5.0)), same_motion=bool(seed % 2), gains=rng.choice(OFF, 6))
+    return Pair(made.loaded, made.empty, made.phi)
+
+
+def virtual(seed: int) -> Pair:
+    """Of the virtual robot of `cells/lwr4_bench`: torques without error of gain, friction of its drives, rotors; stated 0.2 % and 2 %."""
+    rng = np.random.default_rng(seed)
+    cell = load_cell(find_cell("lwr4_bench"))
+    size = rng.uniform(0.06, 0.15, 3)
+    m = float(rng.uniform(1.0, 5.0))
+    payload = InertialParameters.from_com(m, rng.uniform(-0.04, 0.06, 3), np.diag(m / 12.0 * (size @ size - size**2)))
+    loaded, empty = (record(cell, carried, rng) for carried in (payload, InertialParameters(np.zeros(10))))
+    return Pair(loaded, empty, payload.phi)
+
+
+def record(cell: Cell, payload: InertialParameters, rng: np.random.Generator) -> Recording:
+    """What it reports while its joints swing as sums of sines about home, beginning and ending at rest."""
+    robot, virtual_robot = RobotModel.of_cell(cell), VirtualRobot(cell, payload, rng)
+    n, home = robot.n, np.array(cell.robot.home_rad)
+    w, p = 2.0 * np.pi * rng.uniform(0.05, 0.5, (4, n)), rng.uniform(0.0, 2.0 * np.pi, (4, n))
+    a = np.minimum(0.12 / w, 0.2)
+    t = np.arange(int(SECONDS * 1000)) / 1000.0
+    swing = (a * np.sin(w * t[:, None, None] + p)).sum(axis=1)
+    fade = np.clip(np.minimum(t, t[-1] - t) / 2.0, 0.0, 1.0)
+    q_cmd = home + (fade**3 * (10.0 - 15.0 * fade + 6.0 * fade**2))[:, None] * swing
+    samples = [virtual_robot.step(row) for row in q_cmd]
+    q, tau = (np.array([getattr(sample, name) for sample in samples])[::4] for name in ("q", "tau"))
+    base = cell.robot
+    gravity = base.base.rotation.T @ cell.gravity
+    described = RobotDescription(cell.urdf, robot.description.joints, base.base_frame, base.sensor_frame)
+    recording = Recording(t=t[::4], gravity=gravity, q=q, tau=tau, robot=described)
+    return replace(recording, torque_gain_std=0.002, link_mass_std=0.02)
+
+
+SOURCES: dict[str, Callable[[int], Pair]] = {"independent": independent, "virtual robot": virtual}
+
+
+def main() -> None:
+    """Prints for each source, with and without a recording of the bare arm: shares of the intervals that hold, and half-widths."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=30, help="pairs of each source")
+    parser.add_argument("--only", default="", help="sources whose name contains this")
+    arguments = parser.parse_args()
+    print(f"{'':36}" + "".join(f"{name:>9}" for name in PHI_NAMES))
+    for name, source in SOURCES.items():
+        if arguments.only not in name:
+            continue
+        both: list[tuple[Identification, Array]] = []
+        alone: list[tuple[Identification, Array]] = []
+        for seed in range(arguments.count):
+            pair = source(seed)
+            both.append((identify_by_torques(pair.loaded, pair.empty), pair.phi))
+            alone.append((identify_by_torques(pair.loaded), pair.phi))
+            print(f"{name} {seed + 1}: {_off(*both[-1])} with and without, {_off(*alone[-1])} alone", file=sys.stderr, flush=True)
+        show(f"{name}, with and without", both)
+        show(f"{name}, arm's model alone", alone)
+
+
+def _off(found: Identification, phi: Array) -> str:
+    """By how many standard uncertainties each parameter is off."""
+    return "-" if found.estimate is None else " ".join(f"{z:.1f}" for z in (found.estimate.phi - phi) / found.estimate.std)
+
+
+def show(name: str, found: list[tuple[Identification, Array]]) -> None:
+    """Coverage in %, median half-width and by repeatability alone, of what is determined."""
+    estimates = [(each.estimate, phi) for each, phi in found if each.estimate is not None]
+    z = np.array([(estimate.phi - phi) / estimate.std for estimate, phi in estimates])
+    given = np.isfinite(z)
+    shares = 100.0 * (given & (np.abs(np.nan_to_num(z)) <= INTERVAL)).sum(axis=0) / np.maximum(given.sum(axis=0), 1)
+    half = INTERVAL * np.array([estimate.std for estimate, _ in estimates])
+    alone = INTERVAL * np.sqrt([np.diag(estimate.budget.repeatability) for estimate, _ in estimates])
+    print(
+        f"{name + ', % held':36}"
+        + "".join(f"{share:9.0f}" if n else f"{'-':>9}" for share, n in zip(shares, given.sum(axis=0), strict=True))
+    )
+    print(f"{'  determined, of ' + str(len(found)):36}" + "".join(f"{n:9d}" for n in given.sum(axis=0)))
+    for title, x in (("  median half-width", half), ("  repeatability alone", alone)):
+        print(f"{title:36}" + "".join(f"{_median(column):9.2g}" for column in x.T), flush=True)
+
+
+def _median(x: Array) -> float:
+    return float(np.median(x[np.isfinite(x)])) if np.isfinite(x).any() else float("nan")
+
+
+if __name__ == "__main__":
+    main()
