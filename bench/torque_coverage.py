@@ -66,7 +66,7 @@ def record(cell: Cell, payload: InertialParameters, rng: np.random.Generator) ->
     robot, virtual_robot = RobotModel.of_cell(cell), VirtualRobot(cell, payload, rng)
     n, home = robot.n, np.array(cell.robot.home_rad)
     w, p = 2.0 * np.pi * rng.uniform(0.05, 0.5, (4, n)), rng.uniform(0.0, 2.0 * np.pi, (4, n))
-    a = np.minimum(0.12 / w, 0.2)
+    a = np.minimum(0.3 / w, 0.25)
     t = np.arange(int(SECONDS * 1000)) / 1000.0
     swing = (a * np.sin(w * t[:, None, None] + p)).sum(axis=1)
     fade = np.clip(np.minimum(t, t[-1] - t) / 2.0, 0.0, 1.0)

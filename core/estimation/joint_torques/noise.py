@@ -64,7 +64,8 @@ def whiten(columns: Array, t: Array, noise: TorqueNoise) -> tuple[Array, float]:
 
     A step back in time begins a new series.
     """
-    return _whiten(np.ascontiguousarray(columns), t, noise.white**2, noise.lasting**2, noise.time_s)
+    white, half = _whiten(np.ascontiguousarray(columns), t, noise.white**2, noise.lasting**2, noise.time_s)
+    return np.asarray(white), float(half)
 
 
 @njit(cache=True)
