@@ -9,7 +9,7 @@ from core.payload.inertia import InertialParameters, six_of
 
 ASSUMED_LINK_STD = 0.1
 """Of each link's mass, relative."""
-CENTRE_M = 0.01
+CENTRE_M = 0.02
 """Of each link's centre of mass, along each axis, for a relative error of the mass of `ASSUMED_LINK_STD`; otherwise in proportion."""
 SPIN = 2.0
 """Relative error of the moments about the centre of mass, in units of that of the mass."""

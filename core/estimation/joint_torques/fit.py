@@ -16,6 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 from scipy.optimize import minimize
+from scipy.stats import norm
+from scipy.stats import t as student_t
 
 from core.array import Array
 from core.estimation.joint_torques.noise import TorqueNoise, whiten
@@ -26,6 +28,8 @@ STEPS = 20
 NOISE_STEPS = 4
 """Of these: in which the noise is searched for anew."""
 STRENGTH_STEPS = 10
+DAMPING = 0.5
+"""Of a step, once the noise is known: weights of single windows would go to and fro."""
 SETTLED = 0.1
 """Of its standard deviation: what the payload may still move by."""
 FLAT = 1e-10
@@ -105,8 +109,8 @@ class TorqueSolver:
             self._improve(joints, noise=step < NOISE_STEPS)
             b, covariance = self._solve_linear(joints)
             moved = b[PHI] - self.b[PHI]
-            self.b = b
-            self.late_s = np.clip(self.late_s + LATE_STD_S * b[self.model.groups["late"].rows], -LONGEST_LATE_S, LONGEST_LATE_S)
+            self.b = b if step < NOISE_STEPS else self.b + DAMPING * (b - self.b)
+            self.late_s = np.clip(self.late_s + LATE_STD_S * self.b[self.model.groups["late"].rows], -LONGEST_LATE_S, LONGEST_LATE_S)
             std = np.sqrt(np.maximum(np.diag(covariance)[PHI], 1e-300))
             if step > 2 and (np.abs(moved) < SETTLED * std).all():
                 converged = True
@@ -221,7 +225,10 @@ class TorqueSolver:
         A = np.sum([part[0] for part in parts], axis=0) + np.diag(self._precision)
         scale = 1.0 / np.sqrt(np.diag(A))
         covariance = cho_solve(cho_factor(A * np.outer(scale, scale), lower=True), np.eye(len(A))) * np.outer(scale, scale)
-        return covariance @ np.sum([part[1] for part in parts], axis=0), covariance
+        right = np.sum([part[1] for part in parts], axis=0)
+        late = self.model.groups["late"].rows
+        right[late] -= self.late_s / LATE_STD_S * self._precision[late]  # what the torques are shifted by already counts, too
+        return covariance @ right, covariance
 
     def _spread(self, joints: list[JointRows], covariance: Array, expected: Array) -> Array:
         """(10, 10), of the payload by this recording alone: what the noise makes of it, and what the blocks of the recording disagree by.
@@ -239,7 +246,8 @@ class TorqueSolver:
             pulls += [score[block == each].sum(axis=0) for each in np.unique(block)]
         change = np.array(pulls) @ covariance[:, PHI]
         count = len(change)
-        return expected if count <= FEWEST_BLOCKS else _widen(expected, count / (count - 10.0) * change.T @ change)
+        student = float(student_t.ppf(0.975, max(count - 10, 1)) / norm.ppf(0.975))
+        return expected if count <= FEWEST_BLOCKS else _widen(expected, student**2 * count / (count - 10.0) * change.T @ change)
 
     def _finish(self, joints: list[JointRows], covariance: Array, converged: bool) -> TorqueFit:
         groups = self.model.groups

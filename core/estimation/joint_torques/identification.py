@@ -20,7 +20,7 @@ from core.estimation.joint_torques.windows import TorqueWindows, cut_into_window
 from core.estimation.kinematics import poses_of, smooth_motion
 from core.estimation.segments import Segment, cut_at_gaps, segments_of_motion, segments_of_phase
 from core.estimation.verdict import verdict_of
-from core.payload.inertia import InertialParameters, Motion, is_consistent
+from core.payload.inertia import PHI_NAMES, InertialParameters, Motion, is_consistent
 from core.payload.known_tool import add_tools
 from core.recording.recording import Recording, check_same_robot
 from core.robot.model import RobotModel
@@ -124,7 +124,8 @@ def _answer(seen: _Seen, loaded: Recording, empty: Recording | None) -> Identifi
 def _is_none(seen: _Seen) -> bool:
     """Whether the mass is compatible with none."""
     fit = seen.fit
-    return bool(fit.phi[0] < INTERVAL * np.sqrt(fit.covariance[0, 0]))
+    variance = fit.repeatability[0, 0] + sum(float(part[0] @ part[0]) for part in fit.directions.values())
+    return bool(fit.phi[0] < INTERVAL * np.sqrt(variance))
 
 
 def _estimate(seen: _Seen, loaded: Recording, motion: Motion) -> Estimate:
@@ -140,6 +141,7 @@ def _estimate(seen: _Seen, loaded: Recording, motion: Motion) -> Estimate:
     constrained = distance_from_bodies(phi, body, S) > NO_SUCH_BODY if body is not phi else False
     phi = body.copy()
     why = reasons(phi, std, known, static=False, motion=motion)
+    why |= _explain_static(phi, std, known)
     if none and known[0]:
         why |= {name: Message.of("torques-no-payload") for name in why}
     phi[~known] = np.nan
@@ -164,6 +166,17 @@ def _estimate(seen: _Seen, loaded: Recording, motion: Motion) -> Estimate:
         delay_s=float(fit.late_s[0]) if late else None,
         delay_std=float(fit.late_std_s[0]) if late else None,
     )
+
+
+def _explain_static(phi: Array, std: Array, known: Array) -> dict[str, Message]:
+    """Why mass and first moment are not determined, those that are not: no offset of a sensor is in the way here."""
+    size = scales(phi)
+    why = {} if known[0] else {"m": Message.of("torques-mass-uncertain", std_kg=float(std[0]), scale_kg=float(size[0]))}
+    for k, axis in enumerate("xyz", start=1):
+        if not known[k]:
+            said = Message.of("torques-first-moment-uncertain", axis=axis, std_kg_m=float(std[k]), scale_kg_m=float(size[k]))
+            why[PHI_NAMES[k]] = said
+    return why
 
 
 def _known_of_none(seen: _Seen, std: Array) -> Array:

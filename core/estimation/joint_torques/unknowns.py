@@ -31,7 +31,7 @@ HARMONICS = (1.0, 2.0)
 """Of a joint's turn, in that function."""
 ROTOR_S2 = 0.05
 """Inertia of rotors through their gears per torque limit, kg m2 per N m; that of the torque seen where no limit is stated."""
-MOST = {"link_mass": 9.0, "link_centre": 25.0, "link_inertia": 100.0, "shape": 100.0, "change": 100.0, "position": 100.0}
+MOST = {"link_mass": 25.0, "link_centre": 25.0, "link_inertia": 100.0, "shape": 100.0, "change": 100.0, "position": 100.0}
 """Strengths that the restricted likelihood may give, in units of the prior variances."""
 LEAST_STRENGTH = 1e-4
 COMMON_GAIN = 0.7

@@ -1,6 +1,8 @@
 # Identifikation aus den Gelenkmomenten, ohne Sensor am Handgelenk.
 torques-no-payload-seen = Keine Nutzlast zu sehen: Ihre Masse wäre { SIGNIFICANT($mass_kg, digits: 2) } kg (±{ SIGNIFICANT($half_width_kg, digits: 2) } kg, 95 %), was mit keiner vereinbar ist.
 torques-no-payload = keine Nutzlast zu sehen, also nichts, dessen Trägheit bestimmt werden könnte
+torques-mass-uncertain = die Momente bestimmen sie nur auf eine Standardunsicherheit von { SIGNIFICANT($std_kg, digits: 2) } kg bei { SIGNIFICANT($scale_kg, digits: 2) } kg, der Größe, auf die es ankommt
+torques-first-moment-uncertain = die Momente bestimmen das erste Moment um { $axis } nur auf eine Standardunsicherheit von { SIGNIFICANT($std_kg_m, digits: 2) } kg m bei { SIGNIFICANT($scale_kg_m, digits: 2) } kg m, der Größe, auf die es ankommt
 # Warum gar nichts bestimmt ist.
 torques-no-torques = die Aufzeichnung hat weder eine Kraftmessung eines Sensors am Handgelenk noch Gelenkmomente
 torques-no-joints = die Aufzeichnung hat Gelenkmomente, aber keine Gelenkstellungen oder keinen Roboter, zu dem sie gehören
@@ -25,4 +27,4 @@ torques-joint = { $joint }: Reibung { SIGNIFICANT($coulomb_n_m, digits: 2) } N m
 torques-source-gain = Momentverstärkungen
 torques-source-arm = Modell des Arms
 torques-assumed-gain = die Unsicherheit der Momente ist nicht angegeben: 8 % für jedes Gelenk und 6 % für alle zusammen sind angenommen (torque_gain_std unter robot eintragen)
-torques-assumed-arm = die Unsicherheit der Massen im URDF ist nicht angegeben: 10 % jeder Masse, 1 cm jedes Schwerpunkts und 20 % jedes Trägheitsmoments sind angenommen (link_mass_std unter robot eintragen)
+torques-assumed-arm = die Unsicherheit der Massen im URDF ist nicht angegeben: 10 % jeder Masse, 2 cm jedes Schwerpunkts und 20 % jedes Trägheitsmoments sind angenommen (link_mass_std unter robot eintragen)

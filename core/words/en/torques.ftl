@@ -1,6 +1,8 @@
 # Identification from the torques of the joints, without a wrist sensor.
 torques-no-payload-seen = No payload is seen: its mass would be { SIGNIFICANT($mass_kg, digits: 2) } kg (±{ SIGNIFICANT($half_width_kg, digits: 2) } kg, 95 %), which is compatible with none.
 torques-no-payload = no payload is seen, so there is nothing whose inertia could be told
+torques-mass-uncertain = the torques tell it only to a standard uncertainty of { SIGNIFICANT($std_kg, digits: 2) } kg against { SIGNIFICANT($scale_kg, digits: 2) } kg, the size that matters
+torques-first-moment-uncertain = the torques tell the first moment about { $axis } only to a standard uncertainty of { SIGNIFICANT($std_kg_m, digits: 2) } kg m against { SIGNIFICANT($scale_kg_m, digits: 2) } kg m, the size that matters
 # Why nothing at all is determined.
 torques-no-torques = the recording has neither a wrench of a wrist sensor nor joint torques
 torques-no-joints = the recording has joint torques but no joint positions, or no robot that they belong to
@@ -25,4 +27,4 @@ torques-joint = { $joint }: friction { SIGNIFICANT($coulomb_n_m, digits: 2) } N 
 torques-source-gain = torque gains
 torques-source-arm = arm's model
 torques-assumed-gain = the uncertainty of the torques is not stated: 8 % for each joint and 6 % for all together are assumed (enter torque_gain_std under robot)
-torques-assumed-arm = the uncertainty of the URDF's masses is not stated: 10 % of each mass, 1 cm of each centre and 20 % of each moment are assumed (enter link_mass_std under robot)
+torques-assumed-arm = the uncertainty of the URDF's masses is not stated: 10 % of each mass, 2 cm of each centre and 20 % of each moment are assumed (enter link_mass_std under robot)

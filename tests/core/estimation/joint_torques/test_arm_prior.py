@@ -15,7 +15,7 @@ def link(mass: float = 4.0, com: np.ndarray = COM, inertia: np.ndarray = INERTIA
     return InertialParameters.from_com(mass, com, inertia).phi
 
 
-def test_a_link_is_a_tenth_heavier_its_centre_a_centimetre_aside_its_moments_a_fifth_larger() -> None:
+def test_a_link_is_a_tenth_heavier_its_centre_two_centimetres_aside_its_moments_a_fifth_larger() -> None:
     modes = link_modes(link()[None], 0.1)
     np.testing.assert_allclose(modes[:, 0], link(4.4, COM, 1.1 * INERTIA) - link(), atol=1e-12)
     small = 1e-6
