@@ -87,6 +87,7 @@ def main() -> None:
     """Prints for each source, with and without a recording of the bare arm: shares of the intervals that hold, and half-widths."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=30, help="pairs of each source")
+    parser.add_argument("--first", type=int, default=0, help="seed of the first")
     parser.add_argument("--only", default="", help="sources whose name contains this")
     arguments = parser.parse_args()
     print(f"{'':36}" + "".join(f"{name:>9}" for name in PHI_NAMES))
@@ -95,11 +96,11 @@ def main() -> None:
             continue
         both: list[tuple[Identification, Array]] = []
         alone: list[tuple[Identification, Array]] = []
-        for seed in range(arguments.count):
+        for seed in range(arguments.first, arguments.first + arguments.count):
             pair = source(seed)
             both.append((identify_by_torques(pair.loaded, pair.empty), pair.phi))
             alone.append((identify_by_torques(pair.loaded), pair.phi))
-            print(f"{name} {seed + 1}: {_off(*both[-1])} with and without, {_off(*alone[-1])} alone", file=sys.stderr, flush=True)
+            print(f"{name} {seed}: {_off(*both[-1])} with and without, {_off(*alone[-1])} alone", file=sys.stderr, flush=True)
         show(f"{name}, with and without", both)
         show(f"{name}, arm's model alone", alone)
 
