@@ -214,8 +214,10 @@ class TorqueSolver:
             return half + float(np.log(np.diag(factor[0])).sum()) + 0.5 * fits + tried.penalty
 
         start = noise.searched(floor)
-        options = {"initial_simplex": np.vstack((start, start + 0.5 * np.eye(3))), "maxfev": 50, "xatol": 0.05, "fatol": 0.05}
-        found = minimize(unlikelihood, start, method="Nelder-Mead", options=options)
+        simplex = np.vstack((start, start + 0.5 * np.eye(3)))
+        found = minimize(
+            unlikelihood, start, method="Nelder-Mead", options={"initial_simplex": simplex, "maxfev": 50, "xatol": 0.05, "fatol": 0.05}
+        )
         return TorqueNoise.of_logarithms(found.x).with_floor(floor)
 
     def _solve_linear(self, joints: list[JointRows]) -> tuple[Array, Array]:

@@ -11,7 +11,7 @@ from core.errors import BadRecording
 from core.estimation.budget import Budget, Source
 from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, nearest_consistent
 from core.estimation.determination import find_determined, reasons, scales
-from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
+from core.estimation.estimate import Bools, DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
 from core.estimation.joint_torques.arm_prior import ASSUMED_LINK_STD, link_modes
 from core.estimation.joint_torques.fit import TorqueFit, TorqueSolver
 from core.estimation.joint_torques.torque_regressor import TorqueRegressor
@@ -168,7 +168,7 @@ def _estimate(seen: _Seen, loaded: Recording, motion: Motion) -> Estimate:
     )
 
 
-def _explain_static(phi: Array, std: Array, known: Array) -> dict[str, Message]:
+def _explain_static(phi: Array, std: Array, known: Bools) -> dict[str, Message]:
     """Why mass and first moment are not determined, those that are not: no offset of a sensor is in the way here."""
     size = scales(phi)
     why = {} if known[0] else {"m": Message.of("torques-mass-uncertain", std_kg=float(std[0]), scale_kg=float(size[0]))}
@@ -179,7 +179,7 @@ def _explain_static(phi: Array, std: Array, known: Array) -> dict[str, Message]:
     return why
 
 
-def _known_of_none(seen: _Seen, std: Array) -> Array:
+def _known_of_none(seen: _Seen, std: Array) -> Bools:
     """(10,): mass and first moment, where what is not there is known well: in comparison with what the arm itself asks of the joints."""
     model = seen.model
     windows = model.recorded[0].windows

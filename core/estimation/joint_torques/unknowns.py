@@ -116,7 +116,7 @@ class TorqueModel:
     @property
     def size(self) -> int:
         """How many unknowns there are."""
-        return max(group.rows.stop for group in self.groups.values())
+        return int(max(group.rows.stop for group in self.groups.values()))
 
     @property
     def arm(self) -> slice:

@@ -128,7 +128,11 @@ def _coarsen(t: Array, q: Array, tau: Array) -> tuple[Array, Array, Array]:
     """Means of so many neighbours that the period is `PERIOD_S`."""
     every = max(1, int(PERIOD_S / float(np.median(np.diff(t)))) if len(t) > 1 else 1)
     n = len(t) // every * every
-    return tuple(x[:n].reshape(-1, every, *x.shape[1:]).mean(axis=1) for x in (t, q, tau))  # type: ignore[return-value] # three of three
+
+    def mean(x: Array) -> Array:
+        return np.asarray(x[:n].reshape(-1, every, *x.shape[1:]).mean(axis=1))
+
+    return mean(t), mean(q), mean(tau)
 
 
 def _centres(t: Array, period: float, knot_s: float) -> Array:
