@@ -118,7 +118,9 @@ def _answer(seen: _Seen, loaded: Recording, empty: Recording | None) -> Identifi
     said = [*_warnings(seen, empty), *([Message.of("estimation-no-such-body")] if estimate.constrained else [])]
     nan = np.full(10, np.nan)
     paper = PaperEstimate(nan, nan, np.full(6, np.nan))
-    return Identification(paper, estimate, verdict, tuple(said), segments, TimeSeries(loaded.t, motion), bounds=tuple(_joints(seen)))
+    return Identification(
+        paper, estimate, verdict, tuple(said), segments, bounds=tuple(_joints(seen)), drawn=lambda: TimeSeries(loaded.t, motion)
+    )
 
 
 def _is_none(seen: _Seen) -> bool:
