@@ -52,22 +52,23 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
         recording: only read.
         twin: of the cell; what its effects do to the wrench is accounted for.
     """
-    if recording.wrench is None:
-        return identify_by_torques(recording)
+    return identify_by_torques(recording) if recording.wrench is None else _identify_by_wrench(recording, recording.wrench, twin)
+
+
+def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Identification:
     poses = poses_of(recording)
     if poses is None:
         return _nothing((), Message.of("estimation-no-motion"))
     static = poses.apart
     motion, speed = _motion(poses, static)
     # a twin that states a delay means the wrench as it was recorded
-    late_s = 0.0 if static or "time_delay" in twin.ids else find_lateness(recording.t, motion, recording.wrench)
+    late_s = 0.0 if static or "time_delay" in twin.ids else find_lateness(recording.t, motion, wrench)
     if late_s:
         recording, late_s = advance_wrench(recording, late_s)
         poses = poses_of(recording)
-        assert poses is not None
+        assert poses is not None and recording.wrench is not None
+        wrench = recording.wrench
         motion, speed = _motion(poses, static)
-    wrench = recording.wrench
-    assert wrench is not None
     setup = check_setup(recording)
     segments = _segments(recording, motion, speed, static)
     if setup.contradiction is not None:
