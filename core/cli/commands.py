@@ -27,6 +27,14 @@ COMMANDS = {
     "identify": Command(
         "core.cli.identify", "Identify the payload from a recording, of this program or from elsewhere. The recording is only read."
     ),
+    "import": Command(
+        "core.cli.import_log",
+        "Make a recording of another program's log: show what its columns are taken for, and check that they agree with each other.",
+    ),
+    "export-recording": Command(
+        "core.cli.export_recording",
+        "Write a recording as PlotJuggler, Foxglove and `ros2 bag` open it: MCAP with messages of ROS 2, or CSV.",
+    ),
     "compare": Command(
         "core.cli.compare", "Whether several runs found the same payload, and how they scatter: repeatability and reproducibility."
     ),

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import shutil
 import uuid
+from collections.abc import Iterable
 from hashlib import sha256
 from pathlib import Path
 
@@ -29,7 +30,7 @@ from core.recording.manifest import RobotPart, manifest_of, read_manifest
 from core.recording.order_reference import NO_ORDER
 from core.recording.recording import Recording, RobotDescription
 from core.recording.samples import FILES as SAMPLES
-from core.recording.samples import MAX_BYTES, Samples, SamplesFile, name_column, write_samples
+from core.recording.samples import MAX_BYTES, Samples, SamplesFile, SamplesWriter, name_column
 from core.words.message import Message
 
 QUATERNION = ("qx", "qy", "qz", "qw")
@@ -69,7 +70,7 @@ class RecordingFolder:
         self._manifest = read_manifest(folder)
         self._reference = self._manifest.payload_reference
         self._robot = _read_robot(folder, self._manifest.robot) if self._manifest.robot else None
-        self.samples = SamplesFile(folder)
+        self.samples = SamplesFile.of_folder(folder)
 
     def recording_of(self, samples: Samples) -> Recording:
         """What the folder says, with all of its samples or some.
@@ -114,8 +115,11 @@ class RecordingFolder:
         )
 
 
-def write_recording(recording: Recording, folder: Path) -> None:
+def write_recording(recording: Recording, folder: Path, more: Iterable[Recording] = ()) -> None:
     """Writes a recording as a new folder; it appears under its name complete, or not at all.
+
+    Args:
+        more: the rows that follow, of the same columns and later in time; with them a recording need not be in memory as a whole.
 
     Raises:
         BadInput: the folder exists and is not empty; a recording is never overwritten.
@@ -124,13 +128,16 @@ def write_recording(recording: Recording, folder: Path) -> None:
     folder = Path(folder)
     if folder.exists() and not (folder.is_dir() and not any(folder.iterdir())):
         raise BadInput(str(folder), "recording-there-already")
-    columns = _columns_of(recording)
+    columns = columns_of(recording)
     manifest = manifest_of(recording).model_dump_json(indent=1, exclude_none=True)
     partial = folder.with_name(f".{folder.name}.{uuid.uuid4().hex[:8]}.partial")
     folder.parent.mkdir(parents=True, exist_ok=True)
     try:
         partial.mkdir()
-        write_samples(partial / "samples.parquet", columns)
+        with SamplesWriter(partial / "samples.parquet") as samples:
+            samples.write(columns)
+            for each in more:
+                samples.write(columns_of(each))
         if recording.robot:
             (partial / "robot.urdf").write_text(recording.robot.urdf, encoding="utf-8")
         (partial / MANIFEST).write_text(manifest + "\n", encoding="utf-8")
@@ -238,8 +245,12 @@ def _check_phase(samples: Samples) -> NDArray[np.str_] | None:
 # writing
 
 
-def _columns_of(recording: Recording) -> dict[str, Array | NDArray[np.str_]]:
-    """Columns of the samples, checked."""
+def columns_of(recording: Recording) -> dict[str, Array | NDArray[np.str_]]:
+    """Columns of the samples, checked.
+
+    Raises:
+        BadRecording: columns of different lengths, values that are not finite, or time that does not increase.
+    """
     columns: dict[str, Array | NDArray[np.str_]] = {"t": np.asarray(recording.t, dtype=float)}
     for prefix in ("q", "dq", "q_cmd", "tau"):
         values = getattr(recording, prefix)

@@ -8,9 +8,9 @@ from __future__ import annotations
 import gzip
 import io
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any, Literal, NoReturn, TypeAlias
+from typing import Any, Literal, NamedTuple, NoReturn, TypeAlias
 
 import numpy as np
 import pyarrow as pa
@@ -116,25 +116,49 @@ class Samples:
         raise BadRecording(name_column(self.where, name), "recording-numbers-as-text")
 
 
-class SamplesFile:
-    """The samples file of a recording.
+class CsvForm(NamedTuple):
+    """How a CSV is written.
 
     Args:
-        folder: the recording's folder.
-
-    Raises:
-        BadRecording: none or several samples files, or one that is too large.
+        skipped: lines before the columns begin.
+        names: of the columns; None where the first line that is read has them.
     """
 
-    def __init__(self, folder: Path) -> None:
+    delimiter: str = ","
+    decimal_point: str = "."
+    skipped: int = 0
+    names: list[str] | None = None
+
+
+PLAIN_CSV = CsvForm()
+
+
+class SamplesFile:
+    """A file of columns.
+
+    Args:
+        file: CSV, CSV with gzip, or Parquet.
+        where: what messages call it.
+        form: of a CSV.
+    """
+
+    def __init__(self, file: Path, where: str, form: CsvForm = PLAIN_CSV) -> None:
+        self._file, self.where, self._form = file, where, form
+        self._is_parquet = file.name.endswith("parquet")
+
+    @classmethod
+    def of_folder(cls, folder: Path) -> SamplesFile:
+        """The samples file of a recording.
+
+        Raises:
+            BadRecording: none or several samples files, or one that is too large.
+        """
         present = [name for name in FILES if (folder / name).exists() or (folder / name).is_symlink()]
         if not present:
             raise BadRecording(str(folder), "recording-no-samples", files=FILES)
         if len(present) > 1:
             raise BadRecording(str(folder), "recording-several-samples", present=present, files=FILES)
-        self._file = find_inside(folder, present[0], BadRecording, max_bytes=MAX_BYTES)
-        self.where = str(folder / present[0])
-        self._is_parquet = present[0].endswith("parquet")
+        return cls(find_inside(folder, present[0], BadRecording, max_bytes=MAX_BYTES), str(folder / present[0]))
 
     def read(self) -> Samples:
         """All rows.
@@ -199,19 +223,22 @@ class SamplesFile:
 
     def _read_csv(self) -> pa.Table:
         wrong_rows: list[pa_csv.InvalidRow] = []
+        form = self._form
 
         def keep(row: pa_csv.InvalidRow) -> Literal["skip"]:
             wrong_rows.append(row)
             return "skip"
 
         try:
-            content = self._csv_bytes()
+            content = read_csv_bytes(self._file, self.where)
             table = pa_csv.read_csv(
                 io.BytesIO(content),
                 # one block: a column's type is that of all its rows, not of those in the first megabyte
-                read_options=pa_csv.ReadOptions(use_threads=False, block_size=len(content) + 1),
-                parse_options=pa_csv.ParseOptions(invalid_row_handler=keep),
-                convert_options=pa_csv.ConvertOptions(null_values=[""], strings_can_be_null=True),
+                read_options=pa_csv.ReadOptions(
+                    use_threads=False, block_size=len(content) + 1, skip_rows=form.skipped, column_names=form.names
+                ),
+                parse_options=pa_csv.ParseOptions(delimiter=form.delimiter, invalid_row_handler=keep),
+                convert_options=pa_csv.ConvertOptions(null_values=[""], strings_can_be_null=True, decimal_point=form.decimal_point),
             )
         except (pa.ArrowException, OSError, EOFError, ValueError) as error:
             raise BadRecording(self.where, "recording-broken-csv", reason=_one_line(error)) from error
@@ -221,14 +248,21 @@ class SamplesFile:
             raise BadRecording(where, "recording-values-of-row", count=row.actual_columns, columns=row.expected_columns)
         return table
 
-    def _csv_bytes(self) -> bytes:
-        if self._file.suffix != ".gz":
-            return self._file.read_bytes()
-        with gzip.open(self._file) as stream:
-            content = stream.read(MAX_BYTES + 1)
-        if len(content) > MAX_BYTES:
-            raise BadRecording(self.where, "recording-unpacks-too-large", most_bytes=MAX_BYTES)
-        return content
+
+def read_csv_bytes(file: Path, where: str, most_bytes: int = MAX_BYTES) -> bytes:
+    """What a CSV holds, unpacked.
+
+    Raises:
+        BadRecording: it unpacks to more than `most_bytes`.
+        OSError, EOFError: it is no gzip, or a truncated one.
+    """
+    if file.suffix != ".gz":
+        return file.read_bytes()
+    with gzip.open(file) as stream:
+        content = stream.read(most_bytes + 1)
+    if len(content) > most_bytes:
+        raise BadRecording(where, "recording-unpacks-too-large", most_bytes=most_bytes)
+    return content
 
 
 def name_column(file: str | Message, column: str, row: int | None = None) -> Message:
@@ -238,13 +272,28 @@ def name_column(file: str | Message, column: str, row: int | None = None) -> Mes
     return Message.of("recording-column-row", file=file, column=column, row=row)
 
 
-def write_samples(file: Path, columns: Mapping[str, Array | NDArray[np.str_]]) -> None:
-    """Writes columns of equal length as Parquet: float64 bit for bit, zstd."""
-    table = pa.table({name: pa.array(values) for name, values in columns.items()})
-    numbers = [name for name, values in columns.items() if values.dtype.kind == "f"]
-    texts = [name for name in columns if name not in numbers]
-    encodings: dict[str, Any] = {"use_dictionary": texts or False, "use_byte_stream_split": numbers}
-    pq.write_table(table, file, compression="zstd", **encodings)
+class SamplesWriter:
+    """Columns as Parquet, block after block: float64 bit for bit, zstd."""
+
+    def __init__(self, file: Path) -> None:
+        self.file, self.writer = file, ExitStack()
+        self.parquet: pq.ParquetWriter | None = None
+
+    def write(self, columns: Mapping[str, Array | NDArray[np.str_]]) -> None:
+        """A block of columns of equal length, each time the same ones."""
+        table = pa.table({name: pa.array(values) for name, values in columns.items()})
+        if self.parquet is None:
+            numbers = [name for name, values in columns.items() if values.dtype.kind == "f"]
+            texts = [name for name in columns if name not in numbers]
+            encodings: dict[str, Any] = {"use_dictionary": texts or False, "use_byte_stream_split": numbers}
+            self.parquet = self.writer.enter_context(pq.ParquetWriter(self.file, table.schema, compression="zstd", **encodings))
+        self.parquet.write_table(table)
+
+    def __enter__(self) -> SamplesWriter:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.writer.close()
 
 
 def _first_null(column: Column) -> int:

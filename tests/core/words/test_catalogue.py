@@ -13,6 +13,7 @@ from fluent.syntax import FluentParser
 from fluent.syntax import ast as ftl
 from jinja2 import nodes
 
+from core.cli.commands import COMMANDS
 from core.errors import BadCell, NoPath
 from core.words.catalogue import FOLDER, LANGUAGES, NUMBERS, PERSON
 from core.words.message import Message
@@ -117,7 +118,9 @@ def uses_of_templates() -> Iterator[Use]:
 
 
 def is_code(text: str) -> bool:
-    return text.startswith(PREFIXES) and text.replace("-", "").isalnum() and text.isascii() and text == text.lower()
+    return (
+        text not in COMMANDS and text.startswith(PREFIXES) and text.replace("-", "").isalnum() and text.isascii() and text == text.lower()
+    )
 
 
 USES = uses()

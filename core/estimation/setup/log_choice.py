@@ -1,0 +1,69 @@
+"""Which of the mappings that the names of a log leave open its samples speak for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from core.estimation.setup.check import SetUp, check_setup
+from core.recording.logs.conversion import Conversion
+from core.recording.logs.mapping import Mapping
+from core.recording.logs.question import OpenQuestion
+from core.recording.logs.tables import Log
+from core.recording.recording import Recording
+
+CHECKED_ROWS = 500_000
+"""Of a long log its beginning is looked at."""
+CLEARLY = 3.0
+"""Times that another mapping has to fit worse to be out of the question, as a slip has to (docs/recordings.md)."""
+OPEN_KEYS = {"axes": "import-why-wrench-axes", "sign": "import-why-wrench-sign"}
+
+
+class ImportedLog(NamedTuple):
+    """A log under one mapping: its beginning, and whether that agrees with itself."""
+
+    conversion: Conversion
+    beginning: Recording
+    check: SetUp
+
+    @property
+    def mapping(self) -> Mapping:
+        """That it was read with."""
+        return self.conversion.mapping
+
+
+def import_log(log: Log, mappings: Sequence[Mapping], beside: Path) -> ImportedLog:
+    """The log under the mapping with which it fits best and the payload weighs more than nothing.
+
+    Raises:
+        OpenQuestion: several do equally well.
+        BadRecording: something in the log cannot be used.
+    """
+    tried = []
+    for mapping in mappings:
+        conversion = Conversion(log, mapping, beside)
+        beginning = conversion.recording(slice(0, CHECKED_ROWS))
+        tried.append(ImportedLog(conversion, beginning, check_setup(beginning)))
+    best = min(tried, key=_rank)
+    alike = [each for each in tried if _is_alike(each, best)]
+    for key, reason in OPEN_KEYS.items():
+        choices = list(dict.fromkeys(str(getattr(each.mapping.wrench, key)) for each in alike))
+        if len(choices) > 1:
+            raise OpenQuestion(log.where, f"wrench.{key}", choices, reason)
+    return best
+
+
+def _rank(each: ImportedLog) -> tuple[bool, float, bool]:
+    weighed = each.check.weighed
+    return weighed is None or weighed.mass <= 0.0, 0.0 if weighed is None else weighed.misfit, each.check.contradiction is not None
+
+
+def _is_alike(each: ImportedLog, best: ImportedLog) -> bool:
+    """Whether nothing speaks for the best that does not speak for this one too."""
+    one, other = each.check.weighed, best.check.weighed
+    if one is None or other is None:
+        return one is other
+    if other.upright and one.mass <= 0.0:
+        return False
+    return one.misfit < CLEARLY * max(other.misfit, 1.0)
