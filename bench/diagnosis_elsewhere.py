@@ -125,8 +125,8 @@ def late(stage: Stage) -> None:
 
 @case("joint_offset")
 def zero(stage: Stage) -> None:
-    """The zero of the fourth joint is 0.4 deg off."""
-    stage.read = stage.read - np.radians(0.4) * (np.arange(stage.read.shape[1]) == 3)
+    """The zero of the fourth joint is 1.2 deg off."""
+    stage.read = stage.read - np.radians(1.2) * (np.arange(stage.read.shape[1]) == 3)
 
 
 @case("sensor_drift")

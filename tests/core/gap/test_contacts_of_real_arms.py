@@ -9,7 +9,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation, Slerp
 
+from core.gap.basis import basis_of
+from core.gap.contacts import find_contacts
 from core.gap.diagnosis import diagnose
+from core.gap.effect_fit import fit_nominal
+from core.gap.symptoms import observe_symptoms
+from core.gap.windows import Windows
 from core.recording.recording import Recording
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
@@ -63,12 +68,14 @@ def test_a_run_in_which_nothing_happened_has_no_gap_that_matters_and_nothing_bes
 
 
 def test_blows_of_a_hammer_are_a_vibration_with_the_frequency_that_their_author_states_and_no_contact() -> None:
-    diagnosis = diagnose(kuka("2-vibrations"))
-    (vibration,) = [each for each in diagnosis.also if each.id == "structure_vibration"]
-    assert vibration.material
+    recording = kuka("2-vibrations")
+    windows = Windows(basis_of(recording))
+    nominal = fit_nominal(windows)
+    seen = {each.id: each for each in observe_symptoms(recording, windows, nominal, nominal) if each.material}
+    assert set(seen) == {"structure_vibration"}
+    vibration = seen["structure_vibration"]
     assert vibration.parameters["frequency_hz"].value == pytest.approx(12.0, abs=0.3)
-    assert "external_contact" not in [effect.id for effect in diagnosis.effects[:3]]
-    assert not diagnosis.where.contacts
+    assert find_contacts(windows, nominal) is None
 
 
 def test_pushes_by_hand_in_a_moving_arm_are_named_and_the_quiet_parts_are_not() -> None:
