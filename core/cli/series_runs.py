@@ -34,9 +34,9 @@ def read_runs(paths: Sequence[Path]) -> RunsOfSeries:
     """Reads answers, and identifies recordings.
 
     Raises:
-        BadInput: there is neither an answer nor a recording.
+        BadInput: there is neither an answer nor a recording, or one run is named twice.
     """
-    results = []
+    results: list[Result] = []
     for path in paths:
         recorded = path / MANIFEST
         if path.is_dir() and (path / ANSWER).is_file():
@@ -47,7 +47,17 @@ def read_runs(paths: Sequence[Path]) -> RunsOfSeries:
             raise BadInput(str(path), "cli-no-run", answer=ANSWER, manifest=MANIFEST)
         else:
             results.append(read_result_file(path))
+    _check_apart(paths, results)
     return RunsOfSeries(shorten_names(paths), tuple(results))
+
+
+def _check_apart(paths: Sequence[Path], results: Sequence[Result]) -> None:
+    """No run counts twice, under whatever name: two measurements never agree in every digit."""
+    first: dict[tuple[float | None, ...], Path] = {}
+    for path, result in zip(paths, results, strict=True):
+        found = () if result.estimate is None else tuple(result.estimate.phi)
+        if any(value is not None for value in found) and first.setdefault(found, path) is not path:
+            raise BadInput(str(path), "cli-run-twice", first=str(first[found]))
 
 
 def _identify(folder: Path) -> Result:

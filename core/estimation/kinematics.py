@@ -9,8 +9,10 @@ from numpy.typing import NDArray
 from scipy.ndimage import convolve1d
 from scipy.optimize import nnls
 from scipy.signal import savgol_coeffs
+from scipy.spatial.transform import Rotation
 
 from core.array import Array
+from core.estimation.lost_rows import FilledRows
 from core.payload.inertia import Motion
 from core.recording.recording import Recording
 from core.robot.model import RobotModel
@@ -80,6 +82,16 @@ class Poses:
         joints = None if self.joints is None else replace(self.joints, q=self.joints.q[::k])
         position = None if self.position is None else self.position[::k]
         return replace(self, t=self.t[::k], rotation=self.rotation[::k], position=position, joints=joints)
+
+    def filled(self, rows: FilledRows) -> Poses:
+        """On an even clock, with the rows that were lost."""
+        if self.joints is not None:
+            joints = replace(self.joints, q=rows.fill @ self.joints.q)
+            pose = joints.robot.sensor_poses(joints.q)
+            return replace(self, t=rows.t, rotation=pose.rotation, position=pose.position, joints=joints)
+        rotation = Rotation.from_matrix((rows.fill @ self.rotation.reshape(len(self.t), 9)).reshape(-1, 3, 3)).as_matrix()
+        position = None if self.position is None else rows.fill @ self.position
+        return replace(self, t=rows.t, rotation=rotation, position=position)
 
     def with_zeros(self, zeros: Array) -> Poses:
         """The same measured joints with their zeros (n,), rad, elsewhere; poses that do not follow from joints stay."""

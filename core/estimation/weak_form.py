@@ -23,6 +23,7 @@ from scipy.sparse import csr_array, diags_array
 from core.array import Array
 from core.estimation.banded import BAND, bands_of, trace
 from core.estimation.kinematics import Poses, axial, find_twist, local_derivative
+from core.estimation.lost_rows import fill_lost_rows
 from core.payload.inertia import inertia_columns, symmetric
 from core.payload.rotations import rotation_of, skew
 
@@ -126,6 +127,8 @@ class RawFeatures:
 class WeakForm:
     """Windows over a recording.
 
+    Attributes: `poses`, where the recorder has lost rows with those that were filled in.
+
     Args:
         poses: of all samples.
         still_only: rows of averaged or motionless samples; each row is then a window of its own and nothing moves.
@@ -133,9 +136,13 @@ class WeakForm:
     """
 
     def __init__(self, poses: Poses, *, still_only: NDArray[np.bool_] | None = None, within: NDArray[np.bool_] | None = None) -> None:
+        self.static = still_only is not None
+        self._filled = None if self.static else fill_lost_rows(poses.t)
+        if self._filled is not None:
+            poses = poses.filled(self._filled)
+            within = None if within is None else within[self._filled.before]
         self.poses = poses
         self._within = np.ones(len(poses.t), dtype=bool) if within is None else within
-        self.static = still_only is not None
         t = poses.t
         if still_only is not None:
             self._rows = np.flatnonzero(still_only)
@@ -202,7 +209,14 @@ class WeakForm:
         if self.static:
             return x[self._rows]
         W = self._windows(self.poses.t, 0.0)
-        return np.asarray((W @ x) / (W.sum(axis=1))[:, None])
+        return np.asarray((W @ self._fill(x)) / (W.sum(axis=1))[:, None])
+
+    def _fill(self, x: Array) -> Array:
+        return x if self._filled is None else np.asarray(self._filled.fill @ x)
+
+    def _on_measured(self, W: csr_array) -> csr_array:
+        """Weights (K, M) on all rows as weights (K, N) on those that were measured."""
+        return W if self._filled is None else csr_array(W @ self._filled.fill)
 
     def features(self, delay: float) -> tuple[Features, Features]:
         """Features at the times `centres - delay`, and their derivative by the delay; those of before where it has hardly changed."""
@@ -237,7 +251,8 @@ class WeakForm:
             return np.ones((1, len(self))), PoseGram(noise, np.zeros((1, len(self))), None)
         W = self._windows(self.poses.t, 0.0)
         W = csr_array(diags_array(1.0 / np.asarray(W.sum(axis=1))) @ W)
-        second = csr_array(W @ second_difference(self.poses.t))
+        second = self._on_measured(csr_array(W @ second_difference(self.poses.t)))
+        W = self._on_measured(W)
         return bands_of(W @ W.T), PoseGram(noise, bands_of(second @ second.T), self._find_jittered(second))
 
     def _find_jittered(self, second: csr_array) -> Array | None:
@@ -246,6 +261,7 @@ class WeakForm:
         if jitter_s == 0.0:
             return None
         twist = jitter_s * find_twist(self.poses)
+        twist = twist if self._filled is None else twist[self._filled.measured]
         added = np.zeros((6, 6, BAND, len(self)))
         for a, b in np.ndindex(6, 6):
             if b <= a:

@@ -93,4 +93,7 @@ cli-report = Bericht: { $file }
 cli-no-run =
     .found = weder { $answer } noch { $manifest }
     .expected = eine Antwort, die --json geschrieben hat, der Ordner eines Laufs oder einer Aufzeichnung
+cli-run-twice =
+    .found = dieselbe Antwort wie { $first }, in jeder Ziffer
+    .expected = jeden Lauf einmal: zweimal gezählt, sähe die Antwort sicherer aus, als sie ist
 cli-identifying = { $folder } wird ausgewertet

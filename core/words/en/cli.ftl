@@ -101,4 +101,7 @@ cli-report = Report: { $file }
 cli-no-run =
     .found = neither { $answer } nor { $manifest }
     .expected = an answer that --json wrote, a run's folder, or a recording's
+cli-run-twice =
+    .found = the same answer as { $first }, in every digit
+    .expected = each run once: a run that counts twice would make the answer look more certain
 cli-identifying = identifying { $folder }

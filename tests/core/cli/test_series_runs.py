@@ -10,6 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from core.cli.main import app
+from core.errors import BadInput
 from core.estimation.result import ReferencePart, Result
 from tests.core.export.cloud import cloud
 from tests.core.export.known_result import answer
@@ -85,3 +86,14 @@ def test_the_answer_is_said_in_german(tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.setenv("HEFT_LANGUAGE", "de")
     said = call("fuse", *(written(tmp_path, f"run-{k}", k) for k in range(2)))
     assert "Die 2 Läufe stimmen überein" in said and "Anteil jedes Laufs" in said
+
+
+@pytest.mark.usefixtures("english")
+@pytest.mark.parametrize("command", ["compare", "fuse"])
+def test_a_run_that_is_named_twice_is_refused(tmp_path: Path, command: str) -> None:
+    one, other = written(tmp_path, "one", 1), written(tmp_path, "other", 2)
+    copy = tmp_path / "copy.json"
+    copy.write_text((one / "result.json").read_text())
+    said = CliRunner().invoke(app, [command, str(one), str(other), str(copy)])
+    assert isinstance(said.exception, BadInput)
+    assert "in every digit" in str(said.exception)
