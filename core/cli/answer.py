@@ -3,6 +3,7 @@
 import sys
 from pathlib import Path
 
+from core.cli.joints_table import joints_table
 from core.cli.tables import (
     assumption_lines,
     parameters_table,
@@ -31,6 +32,8 @@ def print_answer(result: Result, json: str | None) -> None:
             answers.print(line, highlight=False)
     if result.estimate is not None and result.estimate.budget is not None and result.estimate.determined[0]:
         answers.print(tabulate_budget(result.estimate.budget, result))
+    if result.joints:
+        answers.print(joints_table(result.joints))
     for line in reason_lines(result):
         answers.print(line, highlight=False)
     if result.accounted:

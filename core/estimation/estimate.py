@@ -153,6 +153,27 @@ class Verification:
 
 
 @dataclass(frozen=True)
+class JointTorque:
+    """What was found of one joint beside a payload that was identified from torques.
+
+    Args:
+        joint: its name.
+        coulomb_n_m, viscous_n_m_s: friction.
+        gain, gain_std: by what share its torque reads too much, and the standard uncertainty of that.
+        residual_n_m: root mean square of what nothing explains.
+        windows: how many short averages it could be used in; where there are none, the rest says nothing.
+    """
+
+    joint: str
+    coulomb_n_m: float
+    viscous_n_m_s: float
+    gain: float
+    gain_std: float
+    residual_n_m: float
+    windows: int
+
+
+@dataclass(frozen=True)
 class TwinShare:
     """What one entry of a cell's twin does to an estimate.
 
@@ -182,7 +203,7 @@ class Identification:
         verdict: what of the payload is determined.
         warnings: what the user should know before using the numbers.
         segments: the motionless, rotating and other parts.
-        bounds: what was found beside the payload, for recordings without a wrench: each joint's friction and gain.
+        joints: what was found of each, where the payload was identified from their torques.
         accounted: identifiers of the twin's effects that were taken off the wrench; `shares`: what each of them changes.
         drawn: finds the series; `verified`: the verification, nothing where there is no motion to leave out.
     """
@@ -192,7 +213,7 @@ class Identification:
     verdict: Message
     warnings: tuple[Message, ...] = ()
     segments: tuple[Segment, ...] = ()
-    bounds: tuple[Message, ...] = ()
+    joints: tuple[JointTorque, ...] = ()
     accounted: tuple[str, ...] = ()
     shares: tuple[TwinShare, ...] = ()
     drawn: Callable[[], TimeSeries | None] = _nothing

@@ -10,6 +10,7 @@ import numpy as np
 from pydantic import Field
 
 from core.estimation.budget_part import BudgetPart, budget_part
+from core.estimation.joint_part import JointPart, joint_part
 from core.estimation.result_part import Numbers, ResultPart, to_json_numbers
 from core.recording.order_reference import OrderReference
 from core.recording.recording import Recording
@@ -215,6 +216,9 @@ class Result(ResultPart):
     """Of the plan that was carried out, hexadecimal; None of a recording from elsewhere, and in results of earlier versions."""
     ended_at: datetime | None = None
     """When the robot had done its part; None likewise."""
+    joints: list[JointPart] = Field(
+        default_factory=list, description="What was found of each joint, where the payload was identified from their torques."
+    )
 
 
 def result_of(
@@ -255,6 +259,7 @@ def result_of(
         version=code_version(),
         plan_sha256=plan_sha256,
         ended_at=at,
+        joints=[joint_part(each) for each in identification.joints if each.windows],
     )
 
 

@@ -18,7 +18,7 @@ from core.report.html_file import write_html
 from core.report.opinion_rows import opinion_table
 from core.report.record import Record, render_record
 from core.report.requirement_words import requirement_block
-from core.report.rows import channel_rows, facts, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
+from core.report.rows import channel_rows, facts, joint_rows, origin_facts, parameter_rows, sentence, start_lines, unseen_rows
 from core.report.scene import scene
 from core.report.target_words import target_block
 from core.report.workpiece_rows import workpiece_block
@@ -70,7 +70,7 @@ def _content(
         "verdict": sentence(identification.verdict, words),
         "record": render_record(_make_record(recording, run, at), words),
         "warnings": [sentence(warning, words) for warning in identification.warnings],
-        "bounds": [sentence(bound, words) for bound in identification.bounds],
+        "joints": joint_rows(identification, words),
         "facts": facts(identification, run, words),
         "parameters": rows if any(row.known or row.paper or row.reference for row in rows) else [],
         "has_reference": recording.reference is not None,

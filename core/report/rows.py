@@ -142,6 +142,34 @@ def channel_rows(estimate: Estimate, words: Wording) -> list[ChannelRow]:
 
 
 @dataclass(frozen=True)
+class JointRow:
+    """One joint whose torque the payload was identified from."""
+
+    joint: str
+    coulomb: str
+    viscous: str
+    gain: str
+    residual: str
+    windows: int
+
+
+def joint_rows(identification: Identification, words: Wording) -> list[JointRow]:
+    """Friction, gain and residual of each joint that could be used."""
+    return [
+        JointRow(
+            each.joint,
+            words.mark(f"{each.coulomb_n_m:.3g}"),
+            words.mark(f"{each.viscous_n_m_s:.3g}"),
+            words.mark(f"{100 * each.gain:.1f} ± {100 * INTERVAL * each.gain_std:.1f}"),
+            words.mark(f"{each.residual_n_m:.2g}"),
+            each.windows,
+        )
+        for each in identification.joints
+        if each.windows
+    ]
+
+
+@dataclass(frozen=True)
 class UnseenRow:
     """A motion that was left out of the fit."""
 

@@ -11,7 +11,7 @@ from core.errors import BadRecording
 from core.estimation.budget import Budget, Source
 from core.estimation.consistency import NO_SUCH_BODY, distance_from_bodies, nearest_consistent
 from core.estimation.determination import find_determined, reasons, scales
-from core.estimation.estimate import Bools, DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
+from core.estimation.estimate import Bools, DriftEstimate, Estimate, Identification, JointTorque, PaperEstimate, TimeSeries
 from core.estimation.joint_torques.arm_prior import ASSUMED_LINK_STD, link_modes
 from core.estimation.joint_torques.fit import TorqueFit, TorqueSolver
 from core.estimation.joint_torques.torque_regressor import TorqueRegressor
@@ -22,7 +22,7 @@ from core.estimation.segments import Segment, cut_at_gaps, segments_of_motion, s
 from core.estimation.verdict import verdict_of
 from core.payload.inertia import PHI_NAMES, InertialParameters, Motion, is_consistent
 from core.payload.known_tool import add_tools
-from core.recording.recording import Recording, check_same_robot
+from core.recording.recording import Recording
 from core.robot.model import RobotModel
 from core.words.message import Message
 
@@ -32,8 +32,8 @@ SMOOTHING_S = 0.05
 INTERVAL = 1.96
 GAIN_SEEN = 2.5
 """Standard uncertainties by which a gain is off before something is said."""
-ARM_OFF = 4.0
-"""Strength of the links' errors from which something is said: twice what is stated."""
+ARM_OFF = 9.0
+"""Strength of the links' errors from which something is said: three times what is stated."""
 DELAY_SEEN_S = 5e-3
 MANY_OUTLYING = 0.05
 FEWEST_ROWS = 20
@@ -79,7 +79,11 @@ def identify_by_torques(loaded: Recording, empty: Recording | None = None) -> Id
 
 
 def _check_pair(loaded: Recording, empty: Recording) -> None:
-    check_same_robot(loaded, empty.robot, empty.gravity)
+    if loaded.robot != empty.robot:
+        raise BadRecording(Message.of("torques-of-empty"), "recording-other-robot")
+    if not np.allclose(loaded.gravity, empty.gravity, atol=1e-6):
+        gravities = {"gravity_m_s2": empty.gravity.tolist(), "before_m_s2": loaded.gravity.tolist()}
+        raise BadRecording(Message.of("torques-of-empty"), "recording-other-gravity", **gravities)
     if empty.tau is None or empty.q is None:
         raise BadRecording(Message.of("torques-of-empty"), "torques-none-in-empty")
 
@@ -118,9 +122,7 @@ def _answer(seen: _Seen, loaded: Recording, empty: Recording | None) -> Identifi
     said = [*_warnings(seen, empty), *([Message.of("estimation-no-such-body")] if estimate.constrained else [])]
     nan = np.full(10, np.nan)
     paper = PaperEstimate(nan, nan, np.full(6, np.nan))
-    return Identification(
-        paper, estimate, verdict, tuple(said), segments, bounds=tuple(_joints(seen)), drawn=lambda: TimeSeries(loaded.t, motion)
-    )
+    return Identification(paper, estimate, verdict, tuple(said), segments, joints=_joints(seen), drawn=lambda: TimeSeries(loaded.t, motion))
 
 
 def _is_none(seen: _Seen) -> bool:
@@ -228,22 +230,22 @@ def _warnings(seen: _Seen, empty: Recording | None) -> list[Message]:
     return said
 
 
-def _joints(seen: _Seen) -> list[Message]:
+def _joints(seen: _Seen) -> tuple[JointTorque, ...]:
     """What was found of each joint."""
-    friction, gains = seen.model.friction(seen.fit.b), seen.model.gains(seen.fit.b)
-    return [
-        Message.of(
-            "torques-joint",
-            joint=name,
+    fit, model = seen.fit, seen.model
+    friction, gains, stds = model.friction(fit.b), model.gains(fit.b), model.gain_stds(fit.covariance)
+    return tuple(
+        JointTorque(
+            name,
             coulomb_n_m=float(friction[0, k]),
             viscous_n_m_s=float(friction[1, k]),
             gain=float(gains[k]),
-            residual_n_m=float(seen.fit.residual[k]),
-            windows=seen.fit.rows[k],
+            gain_std=float(stds[k]),
+            residual_n_m=float(fit.residual[k]),
+            windows=fit.rows[k],
         )
         for k, name in enumerate(seen.names)
-        if seen.fit.rows[k]
-    ]
+    )
 
 
 def _motion(recording: Recording) -> tuple[Motion, tuple[Segment, ...]]:

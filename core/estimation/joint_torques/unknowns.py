@@ -128,6 +128,12 @@ class TorqueModel:
         rows = b[self.groups["torque_gain"].rows]
         return np.asarray(self._gain_std * (rows[:-1] + COMMON_GAIN * rows[-1]))
 
+    def gain_stds(self, covariance: Array) -> Array:
+        """(n,), standard uncertainties of `gains` for a covariance of the unknowns."""
+        rows, n = self.groups["torque_gain"].rows, self.n
+        part = np.hstack((np.eye(n), np.full((n, 1), COMMON_GAIN)))
+        return np.asarray(self._gain_std * np.sqrt(np.diag(part @ covariance[rows, rows] @ part.T)))
+
     def friction(self, b: Array) -> Array:
         """(2, n): Coulomb friction, N m, and viscous friction, N m s/rad, for unknowns b."""
         return np.asarray(b[self.groups["friction"].rows].reshape(2, self.n) * self._size * np.array(FRICTION_SHARE)[:, None])

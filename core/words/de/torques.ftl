@@ -21,8 +21,6 @@ torques-joints-idle = fast nichts war zu verwenden von { $joints }: kaum in eine
 torques-gain-off = das Moment von { $joint } weicht um { PERCENT($share) } % von dem ab, was die Bewegung des Arms verlangt: Seine Motorkonstante, seine Übersetzung oder seine Einheit kann falsch sein
 torques-outlying = { PERCENT($share) } % der Fenster passen zu keinem Modell von Arm, Nutzlast und Reibung und zählen weniger: Berührungen oder Reibung anderer Art
 torques-late = die Momente kommen { MILLI($late_s, digits: 1) } ms (±{ MILLI($half_width_s, digits: 1) } ms, 95 %) nach den Stellungen; berücksichtigt
-# Was von jedem Gelenk gefunden wurde.
-torques-joint = { $joint }: Reibung { SIGNIFICANT($coulomb_n_m, digits: 2) } N m + { SIGNIFICANT($viscous_n_m_s, digits: 2) } N m s/rad, Verstärkung um { PERCENT($gain) } % daneben, { SIGNIFICANT($residual_n_m, digits: 2) } N m unerklärt in { $windows } Fenstern
 # Das Unsicherheitsbudget.
 torques-source-gain = Momentverstärkungen
 torques-source-arm = Modell des Arms

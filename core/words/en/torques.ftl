@@ -21,8 +21,6 @@ torques-joints-idle = hardly anything could be used of { $joints }, which hardly
 torques-gain-off = the torque of { $joint } differs from what the arm's motion asks for by { PERCENT($share) } %: its current constant, its gear ratio or its unit may be wrong
 torques-outlying = { PERCENT($share) } % of the windows fit no model of arm, payload and friction and count less: contacts, or friction of another kind
 torques-late = the torques are { MILLI($late_s, digits: 1) } ms late (±{ MILLI($half_width_s, digits: 1) } ms, 95 %) against the positions; taken into account
-# What was found of each joint.
-torques-joint = { $joint }: friction { SIGNIFICANT($coulomb_n_m, digits: 2) } N m + { SIGNIFICANT($viscous_n_m_s, digits: 2) } N m s/rad, gain { PERCENT($gain) } % off, { SIGNIFICANT($residual_n_m, digits: 2) } N m unexplained in { $windows } windows
 # The uncertainty budget.
 torques-source-gain = torque gains
 torques-source-arm = arm's model

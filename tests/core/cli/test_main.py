@@ -208,7 +208,9 @@ def test_identify_takes_a_recording_without_the_payload_beside_the_one_with_it(t
     assert answer["verdict"]["code"] == "torques-no-payload-seen"
     assert answer["estimate"]["determined"] == [True] * 4 + [False] * 6
     assert {source["name"] for source in answer["estimate"]["budget"]["sources"]} == {"torque_gain", "arm_model"}
+    assert [joint["joint"] for joint in answer["joints"]] == [f"lwr_{k}_joint" for k in range(7)]
     page = report.read_text()
+    assert "lwr_6_joint" in page
     assert "No payload is seen" in page and "nan" not in page.lower()
 
 

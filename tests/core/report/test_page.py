@@ -14,7 +14,7 @@ import pytest
 
 from core.cell.folder import load_cell
 from core.estimation.budget import Budget, Source
-from core.estimation.estimate import DriftEstimate, Estimate, Identification, PaperEstimate, TimeSeries
+from core.estimation.estimate import DriftEstimate, Estimate, Identification, JointTorque, PaperEstimate, TimeSeries
 from core.estimation.segments import segments_of_phase
 from core.payload.inertia import Motion
 from core.payload.rigid_wrench import wrench
@@ -217,11 +217,11 @@ def test_a_recording_without_a_wrench_is_answered_in_words(tmp_path: Path) -> No
         nothing,
         None,
         Message.of("text", text="No wrench was recorded."),
-        bounds=(Message.of("text", text="The payload is lighter than 0.4 kg."),),
+        joints=(JointTorque("elbow", 3.25, 1.5, 0.031, 0.04, 0.027, 120),),
     )
     recording = replace(recording, wrench=None, tau=np.zeros((N, 7)), reference=None)
     text = words(written(tmp_path, recording, bare, None))
-    assert "The payload is lighter than 0.4 kg." in text
+    assert "elbow" in text and "3.25" in text and "3.1 ± 7.8" in text
     assert "joint torques with joint positions" in text
     assert "nan" not in text.lower()
 

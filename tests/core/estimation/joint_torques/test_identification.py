@@ -46,6 +46,9 @@ def test_with_and_without_a_payload_all_ten_are_found_though_every_current_const
     assert estimate.budget.largest[0] == "torque_gain"
     assert any("8 %" in each.text for each in estimate.budget.assumptions(estimate.determined))
     assert estimate.consistent
+    off = np.array([each.gain for each in found.joints]) - GAINS
+    assert (np.abs(off) < 3.0 * np.array([each.gain_std for each in found.joints])).all()
+    assert all(each.coulomb_n_m > 0.0 and each.windows > 300 for each in found.joints[:3])
 
 
 def test_the_arms_model_alone_holds_the_truth_too_and_is_less_sure(pair: Made) -> None:
