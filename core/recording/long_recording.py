@@ -51,7 +51,7 @@ def read_condensed(folder: Path) -> tuple[Recording, tuple[Message, ...]]:
 
 def _find_every(spacing: tuple[int, float] | None) -> int:
     """How many rows make one, for so many with a mean spacing in s."""
-    if spacing is None or spacing[0] <= MOST_ROWS or spacing[1] <= 0.0:
+    if spacing is None or spacing[0] <= MOST_ROWS or not spacing[1] > 0.0:
         return 1
     return max(1, min(-(-spacing[0] // MOST_ROWS), int(LONGEST_PERIOD_S / spacing[1] * (1.0 + 1e-6))))
 

@@ -181,7 +181,7 @@ class SamplesFile:
             ends = [parquet.read_row_group(k, columns=["t"]).column("t") for k in (0, parquet.num_row_groups - 1)]
         try:
             lasts = float(ends[1][-1].as_py()) - float(ends[0][0].as_py())
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, IndexError):
             return None  # reading it will say what is wrong with it
         return rows, lasts / (rows - 1)
 
@@ -193,14 +193,20 @@ class SamplesFile:
         """
         with self._parquet() as parquet:
             self._check_length(parquet.metadata.num_rows, most)
-            first_row = 1
+            first_row, kept = 1, parquet.schema_arrow.empty_table()
             for group in range(parquet.num_row_groups):  # asked for all of them, Arrow would hold the whole file
                 for batch in parquet.iter_batches(batch_size=rows, row_groups=[group], use_threads=False):
-                    table = pa.Table.from_batches([batch])
-                    table.validate(full=True)
-                    yield Samples(table, self.where, first_row=first_row)
-                    first_row += len(table)
+                    kept = pa.concat_tables([kept, pa.Table.from_batches([batch])])
+                    if len(kept) >= rows:
+                        yield self._check_texts(kept.slice(0, rows), first_row)
+                        first_row, kept = first_row + rows, kept.slice(rows)
+            if len(kept):
+                yield self._check_texts(kept, first_row)
         pa.default_memory_pool().release_unused()
+
+    def _check_texts(self, table: pa.Table, first_row: int) -> Samples:
+        table.validate(full=True)  # whether texts are UTF-8
+        return Samples(table, self.where, first_row=first_row)
 
     def _check_length(self, rows: int, most: int) -> None:
         if not 2 <= rows <= most:

@@ -88,6 +88,16 @@ def test_a_long_recording_is_read_as_what_condensing_it_whole_gives(tmp_path: Pa
     assert found.robot == expected.robot
 
 
+def test_row_groups_of_a_few_rows_are_put_together(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(long_recording, "MOST_ROWS", 300)
+    monkeypatch.setattr(long_recording, "BATCH_ROWS", 50)
+    write_recording(replace(long(), phase=None), tmp_path / "long")
+    file = tmp_path / "long" / "samples.parquet"
+    pq.write_table(pq.read_table(file), file, row_group_size=3)
+    expected = condense(read_recording(tmp_path / "long"), 4)
+    np.testing.assert_allclose(read_condensed(tmp_path / "long")[0].wrench, expected.wrench, atol=1e-12)
+
+
 def test_a_short_one_is_read_as_it_is(tmp_path: Path) -> None:
     write_recording(small(), tmp_path / "short")
     found, remarks = read_condensed(tmp_path / "short")
@@ -101,7 +111,7 @@ def test_slow_samples_are_not_averaged(tmp_path: Path, monkeypatch: pytest.Monke
     assert read_condensed(tmp_path / "slow")[1] == ()
 
 
-@pytest.mark.parametrize(("row", "column", "value"), [(700, "fx", np.nan), (400, "t", 0.0)])
+@pytest.mark.parametrize(("row", "column", "value"), [(700, "fx", np.nan), (400, "t", 0.0), (1003, "t", np.nan)])
 def test_what_is_wrong_is_named_with_the_row_of_the_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, row: int, column: str, value: float
 ) -> None:
