@@ -86,6 +86,9 @@ class UniversalRobot(RealRobot):
     """A Universal Robots e-series arm over RTDE."""
 
     driver: Literal["ur_rtde"] = Field(description="Which driver.", examples=["ur_rtde"])
+    wrench_acts_on: Literal["robot", "payload"] = Field(
+        default="robot", description="What the controller's raw wrench is exerted on: the robot by its load, or the load by the robot."
+    )
 
 
 Session = Annotated[SimulatedRobot | UniversalRobot, Field(discriminator="driver")]

@@ -22,7 +22,7 @@ class Command(NamedTuple):
 
 COMMANDS = {
     "run": Command(
-        "core.cli.run", "Plan and run the procedure on the simulated robot, identify the payload, write recording, answer and report."
+        "core.cli.run", "Plan and run the procedure on the cell's robot, identify the payload, write recording, answer and report."
     ),
     "identify": Command(
         "core.cli.identify", "Identify the payload from a recording, of this program or from elsewhere. The recording is only read."
@@ -59,6 +59,7 @@ COMMANDS = {
     "plan": Command("core.cli.plan", "Plan the procedure and show start configurations, distances and times. Nothing moves."),
     "cells": Command("core.cli.list_cells", "List the cells at hand, and what keeps any of them from being used."),
     "twin": Command("core.cli.twins", "What has been added to a cell's simulation."),
+    "fake": Command("core.cli.fake", "A server that speaks a real controller's protocol, moved by the virtual robot."),
     "cell": Command("core.cli.cells", "Make a cell from a robot's description, and look for what is wrong in one."),
 }
 

@@ -10,16 +10,16 @@ import numpy as np
 from core.array import Array
 from core.cell.cell import Cell
 from core.cell.session import RealRobot
-from core.errors import BadCell
 from core.payload.inertia import InertialParameters
 from core.sensors.opening import open_sensor
 from core.sessions.external_sensor import ExternalSensorSession
 from core.sessions.pace import Pace
 from core.sessions.session import RobotSession
 from core.sessions.simulated import SimulatedSession
+from core.sessions.ur import UniversalRobotsSession
 from core.twin.twin import NOMINAL, Twin
 
-DRIVERS: Mapping[str, Callable[[Cell], RobotSession]] = {}
+DRIVERS: Mapping[str, Callable[[Cell], RobotSession]] = {"ur_rtde": UniversalRobotsSession}
 """Makes the session of a real robot; a driver reaches for nothing before it is entered or asked where the robot stands."""
 
 
@@ -58,8 +58,6 @@ def open_session(cell: Cell, simulation: Simulation) -> RobotSession:
         given = simulation
         carried = given.payload or InertialParameters(np.zeros(10))
         return SimulatedSession(cell, carried, seed=given.seed, pace=given.pace, twin=given.twin, start=given.start)
-    if cell.session.driver not in DRIVERS:
-        raise BadCell(cell.locate("session.driver"), "cell-unknown-driver", driver=cell.session.driver, drivers=["simulated", *DRIVERS])
     robot, link = DRIVERS[cell.session.driver](cell), cell.session
     if not isinstance(link, RealRobot) or link.sensor is None:
         return robot

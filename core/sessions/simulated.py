@@ -10,20 +10,18 @@ import numpy as np
 
 from core.array import Array
 from core.cell.cell import Cell
-from core.errors import BadState, OutOfLimits, TooFast
+from core.errors import BadState, Stopped
 from core.payload.inertia import InertialParameters
 from core.plant.braking import braking_positions
 from core.plant.faults.fault import Fault
 from core.plant.imperfections import Imperfections
 from core.plant.mechanics import PERIOD, Drives
 from core.plant.virtual_robot import VirtualRobot
+from core.sessions.command_limits import CommandLimits
 from core.sessions.pace import AsFastAsPossible, Pace
 from core.sessions.session import RobotSession, RobotState
 from core.sessions.twin_wrench import TwinWrench
 from core.twin.twin import NOMINAL, Twin
-
-TOLERANCE = 1.05
-"""The drives refuse a command that asks for more than this times the joint's velocity limit."""
 
 
 class SimulatedSession(RobotSession):
@@ -71,9 +69,8 @@ class SimulatedSession(RobotSession):
         self._twin = TwinWrench(cell, twin, self.plant.carried.phi, PERIOD) if twin.effects else None
         self._pace = pace or AsFastAsPossible()
         self._acceleration = np.array(cell.robot.acceleration_rad_s2)
-        self._names = tuple(joint.name for joint in self.plant.arm.joints)
-        self._lower, self._upper, self._velocity = self.plant.arm.lower, self.plant.arm.upper, self.plant.arm.velocity
-        self._step = TOLERANCE * PERIOD * self._velocity
+        arm = self.plant.arm
+        self._limits = CommandLimits([joint.name for joint in arm.joints], arm.lower, arm.upper, arm.velocity, PERIOD)
         self._q_last = self._q_now = self._q_next = self.plant.home
         self._braking: deque[Array] = deque()
         self._open = False
@@ -117,15 +114,11 @@ class SimulatedSession(RobotSession):
         if self._stopped:
             raise BadState("session-command-after-stop", value=1.0, limit=0.0)
         q = np.array(q, dtype=float)
-        if q.shape != self._q_now.shape or not np.isfinite(q).all():
+        try:
+            self._limits.check(q, self._q_now)
+        except Stopped:
             self.stop()
-            wrong = int(np.count_nonzero(~np.isfinite(q)))
-            raise BadState(
-                "session-command-not-finite", value=float(wrong), limit=0.0, count=q.size, not_finite=wrong, joints=len(self._names)
-            )
-        step = np.abs(q - self._q_now)
-        if (step > self._step).any() or (q < self._lower).any() or (q > self._upper).any():
-            self._refuse(q, step)
+            raise
         self._q_next = q
 
     def stop(self) -> None:
@@ -147,15 +140,3 @@ class SimulatedSession(RobotSession):
     def _stand(self) -> None:
         while self._open and self._braking:
             self.state()
-
-    def _refuse(self, q: Array, step: Array) -> None:
-        """Stops, and says which joint was commanded out of its limits or too fast."""
-        self.stop()
-        outside = (q < self._lower) | (q > self._upper)
-        if outside.any():
-            j = int(np.argmax(outside))
-            limit = float(np.clip(q[j], self._lower[j], self._upper[j]))
-            raise OutOfLimits("session-command-out-of-limits", value=float(q[j]), limit=limit, joint=self._names[j])
-        j = int(np.argmax(step / self._step))
-        speed, limit = float(step[j] / PERIOD), float(self._velocity[j])
-        raise TooFast("session-command-too-far", value=speed, limit=limit, joint=self._names[j], step_rad=float(step[j]))

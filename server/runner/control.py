@@ -28,7 +28,7 @@ from core.recording.recording import Recording, check_same_robot
 from core.report.page import write_report
 from core.robot.model import RobotModel
 from core.sessions.leased import Lease, LeasedSession
-from core.sessions.opening import Simulation, open_session
+from core.sessions.opening import Simulation, is_simulated, open_session
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.sample_log import SampleLog
 from core.twin.file import read_twin
@@ -55,7 +55,8 @@ def main(order: Order, connection: Connection) -> None:
     planning = PlanningProcess(_stops_of(order), connection, *unshared)
     speaker: ChildSpeaker = Speaker(connection, Sampled)
     _lock = lock_run_folder(order.folder)  # as long as we live: who recovers the run's samples waits for it
-    take(Priority.CONTROL if order.pace == "real_time" else Priority.PLANNING)  # one that never waits would take it from the server
+    waits = order.pace == "real_time" or not is_simulated(order.cell)
+    take(Priority.CONTROL if waits else Priority.PLANNING)  # one that never waits would take it from the server
     try:
         _carry_out(order, connection, planning, watch, speaker)
     except HeftError as error:

@@ -33,3 +33,26 @@ session-kinematics-differ = die Steuerung hat ihren Flansch { MILLI($distance_m,
 session-joints-swapped = { session-kinematics-differ }; mit vertauschten Gelenken { $first } und { $second } stimmen sie überein. Nichts hat sich bewegt. Berichtigen Sie die Reihenfolge der Gelenke in der URDF.
 session-joint-sign = { session-kinematics-differ }; mit anderem Vorzeichen des Gelenks { $joint } stimmen sie überein. Nichts hat sich bewegt. Drehen Sie die Achse dieses Gelenks in der URDF um.
 session-wrong-kinematics = { session-kinematics-differ }; nichts hat sich bewegt. Prüfen Sie die URDF (auch ihre Kalibrierung), session.base, sensor.mount, und ob der Werkzeugmittelpunkt der Steuerung der ist, den sie angibt.
+
+# Ein Arm von Universal Robots.
+session-not-reached = an { $host } antwortet niemand ({ $reason }); nichts hat sich bewegt. Prüfen Sie, ob der Roboter eingeschaltet ist, das Kabel, session.host, und dass keine Firewall dazwischen steht.
+session-not-ready = der Roboter an { $host } lässt sich so nicht bewegen: { $why }
+session-link-lost = vom Roboter an { $host } kam seit { MILLI($value) } ms kein Messwert; seine eigene Überwachung hat ihn nach { MILLI($limit) } ms gestoppt. Prüfen Sie die Leitung zwischen diesem Rechner und der Steuerung, und beginnen Sie neu.
+session-flange-elsewhere = die Steuerung hat ihren Flansch { MILLI($value, digits: 1) } mm (Grenze { MILLI($limit, digits: 1) } mm) und { DEGREES($angle_rad, digits: 2) }° von dort, wo ihn die URDF der Zelle hat; der Roboter wurde gestoppt. Ein Gelenk der URDF dreht anders herum, oder ihre Längen sind die eines anderen Arms.
+session-payload-beyond-limit = in der Steuerung ist eine Last von { FIXED($found, digits: 2) } kg eingestellt, und der Arm der Zelle trägt { FIXED($expected, digits: 2) } kg; nichts hat sich bewegt. Berichtigen Sie die Last der Steuerung oder robot.payload_limit_kg.
+session-ur-rtde-refused = die Steuerung an { $host } nimmt nicht an, was Heft von RTDE braucht ({ $what }: { $answer }); nichts hat sich bewegt. Steht dort IN_USE, so schreibt ein anderes Programm dieselben Register: beenden Sie es, oder den Feldbus, der sie benutzt. Steht dort NOT_FOUND, so aktualisieren Sie PolyScope auf 5.10 oder neuer.
+session-ur-not-remote = der Roboter an { $host } ist nicht im Fernsteuerungsmodus; nichts hat sich bewegt. Stellen Sie das Handbediengerät auf Fernsteuerung.
+session-ur-program-not-begun = der Roboter an { $host } hat das Programm von Heft nicht innerhalb von { FIXED($limit_s, digits: 0) } s begonnen; nichts hat sich bewegt. Sehen Sie nach einer Meldung am Handbediengerät, und ob die Fernsteuerung an ist.
+session-ur-protective = die Steuerung hat einen Schutzstopp ausgelöst. Sehen Sie am Handbediengerät nach der Ursache, entsperren Sie ihn dort, und beginnen Sie neu.
+session-ur-emergency = ein Not-Halt ist gedrückt. Lösen Sie ihn, wenn es sicher ist, schalten Sie den Roboter ein, und beginnen Sie neu.
+session-ur-safeguard = ein Schutzhalt ist aktiv: eine Tür, ein Lichtvorhang oder ein Scanner. Heben Sie ihn auf, und beginnen Sie neu.
+session-ur-recovery = die Steuerung ist im Wiederherstellungsmodus: ein Gelenk ist außerhalb seiner Sicherheitsgrenzen. Fahren Sie es am Handbediengerät zurück, und beginnen Sie neu.
+session-ur-violation = die Steuerung hat wegen einer Verletzung ihrer Sicherheitsgrenzen gestoppt. Lesen Sie ihr Protokoll, starten Sie das Sicherheitssystem neu, und beginnen Sie neu.
+session-ur-fault = die Steuerung meldet einen Fehler. Lesen Sie ihr Protokoll, starten Sie den Roboter neu, und beginnen Sie neu.
+session-ur-not-running = der Roboter ist nicht eingeschaltet oder seine Bremsen sind nicht gelöst (Robotermodus { $value }). Schalten Sie ihn am Handbediengerät ein.
+session-ur-slider = der Geschwindigkeitsregler steht auf { PERCENT($value) } %: so kann der Roboter nicht mit seiner eigenen Geschwindigkeit folgen. Stellen Sie ihn auf 100 %; die Grenzen der Zelle halten ihn langsam.
+session-ur-paused = das Programm wurde am Handbediengerät angehalten. Beginnen Sie neu; ein Lauf wird in Heft angehalten.
+session-ur-program-ended = das Programm von Heft auf der Steuerung ist beendet: es wurde dort gestoppt, oder von Heft kam nicht rechtzeitig ein Lebenszeichen. Beginnen Sie neu; hat es niemand gestoppt, so war der Rechner zu beschäftigt.
+session-ur-remote-lost = der Roboter wurde aus der Fernsteuerung genommen, damit endete sein Programm. Stellen Sie wieder auf Fernsteuerung, und beginnen Sie neu.
+session-sensor-axes = zwischen zwei Posen änderte sich die Kraft in einer anderen Richtung als die Schwerkraft: { PERCENT($value) } % der Änderung zeigen anderswohin (Grenze { PERCENT($limit) } %); der Roboter wurde gestoppt. Berichtigen Sie die Achsen des Sensors: sensor.mount (rpy_rad), oder robot.sensor_frame in der URDF.
+session-sensor-sign = zwischen zwei Posen änderte sich die Kraft anders herum, als hätte die Last { FIXED($value, digits: 2) } kg; der Roboter wurde gestoppt. Der Sensor sagt, was auf den Roboter wirkt, nicht auf die Last, oder umgekehrt: kehren Sie session.wrench_acts_on um.

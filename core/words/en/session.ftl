@@ -35,3 +35,26 @@ session-kinematics-differ = the controller has its flange { MILLI($distance_m, d
 session-joints-swapped = { session-kinematics-differ }; with the joints { $first } and { $second } swapped they agree. Nothing has moved. Correct the order of the joints in the URDF.
 session-joint-sign = { session-kinematics-differ }; with the sign of joint { $joint } changed they agree. Nothing has moved. Turn the axis of that joint round in the URDF.
 session-wrong-kinematics = { session-kinematics-differ }; nothing has moved. Check the URDF (its calibration, too), session.base, sensor.mount, and that the controller's tool centre point is what it says.
+
+# A Universal Robots arm.
+session-not-reached = nobody answers at { $host } ({ $reason }); nothing has moved. Check that the robot is on, the cable, session.host, and that no firewall is between.
+session-not-ready = the robot at { $host } cannot be moved as it is: { $why }
+session-link-lost = no sample from the robot at { $host } for { MILLI($value) } ms; its own watchdog has stopped it after { MILLI($limit) } ms. Check the line between this computer and the controller, and begin again.
+session-flange-elsewhere = the controller has its flange { MILLI($value, digits: 1) } mm (limit { MILLI($limit, digits: 1) } mm) and { DEGREES($angle_rad, digits: 2) }° from where the cell's URDF has it; the robot was stopped. A joint of the URDF turns the other way round, or its lengths are another arm's.
+session-payload-beyond-limit = the controller is set to a payload of { FIXED($found, digits: 2) } kg, and the cell's arm carries { FIXED($expected, digits: 2) } kg; nothing has moved. Correct the payload of the controller, or robot.payload_limit_kg.
+session-ur-rtde-refused = the controller at { $host } does not take what Heft needs of RTDE ({ $what }: { $answer }); nothing has moved. Where it says IN_USE, another program writes the same registers: end it, or the fieldbus that uses them. Where it says NOT_FOUND, update PolyScope to 5.10 or newer.
+session-ur-not-remote = the robot at { $host } is not in remote control; nothing has moved. Switch the teach pendant to remote control.
+session-ur-program-not-begun = the robot at { $host } has not begun Heft's program within { FIXED($limit_s, digits: 0) } s; nothing has moved. Look for a message on the teach pendant, and whether remote control is on.
+session-ur-protective = the controller made a protective stop. See on the teach pendant what caused it, unlock it there, and begin again.
+session-ur-emergency = an emergency stop is pressed. Release it when it is safe, switch the robot on, and begin again.
+session-ur-safeguard = a safeguard stop is active: a door, a light curtain or a scanner. Clear it, and begin again.
+session-ur-recovery = the controller is in recovery mode: a joint is outside its safety limits. Move it back on the teach pendant, and begin again.
+session-ur-violation = the controller stopped for a violation of its safety limits. Read its log, restart the safety system, and begin again.
+session-ur-fault = the controller reports a fault. Read its log, restart the robot, and begin again.
+session-ur-not-running = the robot is not switched on or its brakes are not released (robot mode { $value }). Switch it on on the teach pendant.
+session-ur-slider = the speed slider is at { PERCENT($value) } %: the robot cannot follow at its own speed. Set it to 100 %; the cell's limits keep it slow.
+session-ur-paused = the program was paused on the teach pendant. Begin again; a run is put on hold in Heft.
+session-ur-program-ended = Heft's program on the controller has ended: it was stopped there, or no sign of life of Heft came in time. Begin again; where nobody stopped it, the computer was too busy.
+session-ur-remote-lost = the robot was taken out of remote control, so its program has ended. Switch back to remote control, and begin again.
+session-sensor-axes = between two poses the force changed in another direction than gravity: { PERCENT($value) } % of the change point elsewhere (limit { PERCENT($limit) } %); the robot was stopped. Correct the sensor's axes: sensor.mount (rpy_rad), or robot.sensor_frame in the URDF.
+session-sensor-sign = between two poses the force changed the other way round, as if the load had { FIXED($value, digits: 2) } kg; the robot was stopped. The sensor says what acts on the robot, not on the load, or the other way round: turn session.wrench_acts_on round.
