@@ -22,6 +22,8 @@ BRAKING = 6.0
 """Of every joint in a stop, rad/s2."""
 LIMIT = 2 * math.pi
 JOINT_SPEED = math.pi
+MOVING_RAD = 1e-6
+"""A robot whose target moves by less in a period stands."""
 
 
 class UrArm:
@@ -55,8 +57,8 @@ class UrArm:
         self.target = self.last = self._robot.home
         self.t = 0.0
         self.periods_followed = self.missed = 0
-        """Periods in which the program followed commands, and those of them for which no new one had come."""
-        self._numbers: list[float] = [-1.0]
+        """Periods in which the program followed commands, and those of them in which the arm moved and no new one had come."""
+        self._number = -1.0
         self.samples = [self._robot.step(self.target)]
 
     @property
@@ -184,8 +186,9 @@ class UrArm:
         del a, v
         number = self.inputs.get("input_int_register_24", 0.0)
         self.periods_followed += 1
-        self.missed += number == self._numbers[-1]
-        self._numbers.append(number)
+        moves = float(np.abs(self.target - self.last).max()) > MOVING_RAD
+        self.missed += moves and number == self._number
+        self._number = number
         wanted = np.empty_like(self.target)
         wanted[self.order] = q
         share = 1.0 - math.exp(-t * gain / (150.0 * lookahead_time))

@@ -92,7 +92,7 @@ class UrServer:
         while not self._ended.is_set():
             now = time.monotonic()
             self._flush(now)
-            waits_for_answer = self.patience_s is not None and not self._answered and not self._silent and not self.cut
+            waits_for_answer = not (self.patience_s is None or self._answered or self._silent or self.cut) and self._expects_answers()
             if waits_for_answer and now > self._sent_at + (self.patience_s or 0.0):
                 self._silent, waits_for_answer = True, False
             answered = self.patience_s is not None and self._answered and self._expects_answers()
@@ -124,7 +124,7 @@ class UrServer:
         """Sends, as late as the line is; what is behind something late waits for it."""
         wait = self._random.uniform(0.0, self.jitter_s) + (RETRY_S if self._random.random() < self.loss else 0.0)
         behind = max([at for at, other, _ in self._delayed if other is line], default=0.0)
-        if self.cut or wait > 0.0 or behind > now:
+        if self.cut or wait > 0.0 or behind > 0.0:  # what waits and is due now is sent by the next look, and nothing overtakes it
             self._delayed.append((max(now + wait, behind), line, data))
         else:
             self._send(line, data)

@@ -49,6 +49,7 @@ BEGIN_S = 5.0
 LOOK = 25
 """Every so many samples the flange that the controller reports is held against the cell's."""
 LEAST = (5, 10)
+E_SERIES = frozenset({"UR3", "UR5", "UR10", "UR16"})
 OUTPUTS = (
     "timestamp", "actual_q", "actual_qd", "target_q", "target_qd", "actual_TCP_pose", "tcp_offset", "ft_raw_wrench", "robot_mode",
     "safety_mode", "runtime_state", "speed_scaling", "payload", OBEYS,
@@ -105,6 +106,7 @@ class UniversalRobotsSession(RobotSession):
         try:
             self._connect()
             self._begin()
+            self.missed = 0
         except BaseException:
             self._let_go()
             raise
@@ -214,9 +216,7 @@ class UniversalRobotsSession(RobotSession):
 
     def _check_robot(self, sample: dict[str, Value], found: ControllerFound, version: str) -> None:
         position, rotation = flange_of(sample)
-        model, expected = found.model, self._link.model
-        if model.casefold() == expected.casefold().removesuffix("e"):  # controllers leave the e of the series away
-            model = expected
+        model = f"{found.model}e" if found.model in E_SERIES else found.model  # some versions leave the e of the series away
         q, limits = np.array(read_vector(sample, "actual_q")), found.configuration
         said = Controller(model, found.serial, version, q, position, rotation, limits.lower, limits.upper, limits.velocity)
         check_controller(self.cell, self._robot, said, supported="5.10 to 5.x", least=LEAST)

@@ -132,7 +132,7 @@ def test_a_robot_that_cannot_be_moved_is_refused_before_anything_moves(bench, wh
         ({"firmware": "5.16"}, {}, r"version 5\.17\.3.* expects 5\.16;"),
         ({}, {"version": (5, 9, 4, 0)}, r"version 5\.9\.4; this driver knows 5\.10"),
         ({}, {"stretch": 0.012}, r"12\.0 mm \(limit 5\.0 mm\)"),
-        ({}, {"model": "UR10"}, "calls itself UR10"),
+        ({}, {"model": "UR10"}, "calls itself UR10e"),
     ],
 )
 def test_another_robot_than_the_cells_is_refused_with_what_was_found(bench, said, arm, says):
