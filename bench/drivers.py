@@ -1,6 +1,7 @@
 """The procedure through each driver, against a server of its protocol at the protocol's own rate: commands missed, latency, faults.
 
-`python -m bench.drivers [--minutes 10] [--faults 20]`
+`python -m bench.drivers [--minutes 10] [--faults 20] [--patience 20]`; with a patience the server's clock waits for each command, so that a
+computer that is busy with other things shows what driver and procedure do, not what it does itself.
 """
 
 from __future__ import annotations
@@ -46,9 +47,9 @@ def ignore(_: Event) -> None:
     """Nobody listens."""
 
 
-def measure_procedure(minutes: float) -> None:
+def measure_procedure(minutes: float, patience_s: float | None) -> None:
     """Procedures one after the other until the time is over."""
-    with UrServer(UrArm(CELL, CARRIED.parameters, seed=1), HOST) as server:
+    with UrServer(UrArm(CELL, CARRIED.parameters, seed=1), HOST, patience_s=patience_s) as server:
         began, runs = time.monotonic(), 0
         while not runs or time.monotonic() < began + 60.0 * minutes:
             try:
@@ -149,6 +150,7 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--minutes", type=float, default=10.0)
     parser.add_argument("--faults", type=int, default=20)
+    parser.add_argument("--patience", type=float)
     given = parser.parse_args()
     if given.faults:
         for name, fault in FAULTS.items():
@@ -156,7 +158,7 @@ def main() -> None:
             print(f"{name}: " + "; ".join(f"{count} x {what}" for what, count in found.most_common()), flush=True)
     if given.minutes:
         print("the whole procedure, Universal Robots:", flush=True)
-        measure_procedure(given.minutes)
+        measure_procedure(given.minutes, given.patience)
 
 
 if __name__ == "__main__":

@@ -83,6 +83,7 @@ class Guard:
         robot: kinematics.
         collision: distances; zones may change in it while the robot runs.
         period: control period, s.
+        late_s: how long after the last one a state may come; `LATE` periods where absent.
         tracking_limit: largest distance of a joint from its command, rad.
         frozen_after: time without any change in the six wrench channels that counts as a dead sensor, s; `inf` where
             the wrench has no noise.
@@ -95,6 +96,7 @@ class Guard:
         collision: CollisionModel,
         *,
         period: float,
+        late_s: float | None = None,
         tracking_limit: float = 0.05,
         frozen_after: float = 0.25,
     ) -> None:
@@ -104,7 +106,7 @@ class Guard:
         """Time (s) and smallest `CollisionModel.obstacle_distance` (m), every `SAMPLING` seconds."""
         self._numbers = Numbers(
             period,
-            LATE * period,
+            LATE * period if late_s is None else late_s,
             cell.limits.cartesian_speed_m_s,
             SPEED_TOLERANCE,
             POSITION_TOLERANCE,

@@ -108,7 +108,7 @@ class Run:
         self.cell, self.robot, self.session, self.payload_box = cell, robot, session, payload_box
         self.planning, self.recorder = planning, recorder
         self.collision = CollisionModel(cell, robot, payload_box)
-        self.guard = Guard(cell, robot, self.collision, period=session.period)
+        self.guard = Guard(cell, robot, self.collision, period=session.period, late_s=session.late_s)
         self.steps = len(planning.stops) + 1
         """All legs, and the way home."""
         self.done = done

@@ -63,7 +63,7 @@ class ExternalSensorSession(RobotSession):
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.inner, self.sensor = inner, sensor
-        self.period = inner.period
+        self.period, self.late_s = inner.period, inner.late_s
         self._sign, self._range, self._clock = float(sign), range_, clock
         self._stack = ExitStack()
 

@@ -202,7 +202,7 @@ class LeasedSession(RobotSession):
     def __init__(self, inner: RobotSession, lease: Lease, sleep: Callable[[float], None] = time.sleep) -> None:
         self.inner = inner
         self.lease = lease
-        self.period = inner.period
+        self.period, self.late_s = inner.period, inner.late_s
         self._sleep = sleep
         self._states = 0  # since the last command
 

@@ -42,6 +42,8 @@ class RobotSession(ABC):
 
     period: float
     """Control period, s."""
+    late_s: float = 0.01
+    """A state that comes so long after the last one is too late to move on, s; below the time after which the robot stops by itself."""
 
     @abstractmethod
     def find_start(self) -> Array:

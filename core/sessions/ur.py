@@ -71,6 +71,7 @@ class UniversalRobotsSession(RobotSession):
     """
 
     period = PERIOD
+    late_s = 0.5 * WATCHDOG_S
 
     def __init__(self, cell: Cell) -> None:
         assert isinstance(cell.session, UniversalRobot)
@@ -314,7 +315,7 @@ class UniversalRobotsSession(RobotSession):
         torque = wrench[3:] - np.cross(self._mount_position, force)
         dq = np.array(read_vector(sample, "actual_qd"))
         state = RobotState(read_number(sample, "timestamp"), q, dq, self._q_cmd, np.concatenate([R.T @ force, R.T @ torque]))
-        if self._mode != BRAKE:
+        if self._mode != BRAKE and self._link.sensor is None:
             self._sensor_sign.look(state)
         return state
 
