@@ -8,6 +8,7 @@ import sys
 BENCHES = (
     ("online",),
     ("clocks",),
+    ("sensor_faults",),
     ("sns_step",),
     ("plant_speed",),
     ("start_search",),

@@ -108,6 +108,8 @@ def run(
         clock_waits=simulated and not real_time,
     )
     outcome = watch(steps, messages)
+    for remark in session.remarks():
+        messages.print(find_wording().quote(remark), markup=False, highlight=False, soft_wrap=True)
     at = datetime.now(UTC)
     result = outcome.result(folder, at=at)
     write_json(result.model_dump_json(indent=2), str(folder / "result.json"))

@@ -40,17 +40,23 @@ class OnlineEstimator:
 
     def update(self, q: Array, wrench: Array) -> None:
         """Takes the sample of the next period: joint positions (n,) and raw wrench (6,), paper's sign."""
-        pose = self._robot.sensor_pose(q)
-        kf = self._filter
-        kf.update(pose.rotation, pose.position)
-        if self._settling > 0:
-            # the filter needs its run-in: it starts as if anything could be moving
-            self._settling -= 1
+        if not self.follow(q):
             return
+        kf = self._filter
         twist, alpha, g = kf.twist, kf.alpha, self._gravity @ kf.rotation
         if self._regression.update(g, twist[3:], twist[:3], alpha, wrench):
             self._opposed.add(g, wrench)
             self._still.add(g, wrench)
+
+    def follow(self, q: Array) -> bool:
+        """Takes the joint positions (n,) of the next period, for which there is no wrench; whether the motion is known by now."""
+        pose = self._robot.sensor_pose(q)
+        self._filter.update(pose.rotation, pose.position)
+        if self._settling > 0:
+            # the filter needs its run-in: it starts as if anything could be moving
+            self._settling -= 1
+            return False
+        return True
 
     @property
     def motion(self) -> Motion:

@@ -83,7 +83,7 @@ def identify(
     if before is not None:
         check_same_robot(before, robot.description, cell.gravity_in_base)
         payload = payload or before.payload
-    log = SampleLog(cell, robot, payload=payload, reference=reference, before=before)
+    log = SampleLog(cell, robot, payload=payload, reference=reference, before=before, complete=session.complete)
     recorder = Recorder(log, build_estimator(log, session.period))
     stops = stops or PROCEDURE
     planning = Planning(stops if target is None else replace(stops, target=target), planner, seed, effort, find_known_load(cell, payload))
@@ -109,7 +109,7 @@ def carry_out(
 ) -> Generator[Event, None, Outcome]:
     """The second half of `identify`, for a plan that starts where the robot stands. Arguments and errors as there."""
     robot = RobotModel.of_cell(cell)
-    log = SampleLog(cell, robot, payload=payload, reference=reference)
+    log = SampleLog(cell, robot, payload=payload, reference=reference, complete=session.complete)
     recorder = Recorder(log, build_estimator(log, session.period))
     stops = Stops(tuple(leg.stop for leg in plan.legs), plan.timing, mass_guess_kg)
     planning = Planning(stops, seed=seed, load=find_known_load(cell, payload))

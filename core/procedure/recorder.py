@@ -25,10 +25,14 @@ class Recorder:
         self.log, self.online = log, online
 
     def take(self, states: Sequence[RobotState], phase: str) -> None:
-        """Samples of a motion."""
+        """Samples of a motion; the estimate follows the joints through those whose wrench was not measured."""
         for state in self.log.extend(states, phase):
-            if self.online is not None:
+            if self.online is None:
+                continue
+            if state.wrench_measured:
                 self.online.update(state.q, state.wrench)
+            else:
+                self.online.follow(state.q)
 
     def take_braking(self, states: Sequence[RobotState]) -> None:
         """Samples of a robot that brakes; nothing is estimated from them along the way."""

@@ -66,16 +66,14 @@ class ExternalSensorSession(RobotSession):
         self.period, self.late_s = inner.period, inner.late_s
         self._sign, self._range, self._clock = float(sign), range_, clock
         self._stack = ExitStack()
+        self._forget()
 
     def find_start(self) -> Array:
         """Of the robot."""
         return self.inner.find_start()
 
     def __enter__(self) -> Self:
-        self._robot_clock, self._sensor_clock = DeviceClock("robot"), DeviceClock(self.sensor.name)
-        self._stamps: list[float] = []
-        self._readings: dict[float, Reading] = {}
-        self._spacing_s, self._newest_s = np.inf, -np.inf
+        self._forget()
         with ExitStack() as stack:
             stack.enter_context(self.sensor)
             self._check_range()
@@ -104,6 +102,13 @@ class ExternalSensorSession(RobotSession):
         wrench, measured, temperature = self._wrench_at(stamp_s)
         return replace(state, wrench=self._sign * wrench, wrench_measured=measured, temperature=temperature)
 
+    def complete(self, state: RobotState) -> RobotState:
+        """A state of before with the wrench of its moment, where both readings around it have come since; else as it was."""
+        if state.wrench_measured:
+            return state
+        wrench, measured, temperature = self._wrench_at(self.to_sensor(state.t))
+        return replace(state, wrench=self._sign * wrench, wrench_measured=True, temperature=temperature) if measured else state
+
     def command(self, q: Array) -> None:
         """Of the robot."""
         self.inner.command(q)
@@ -122,6 +127,8 @@ class ExternalSensorSession(RobotSession):
 
     def remarks(self) -> list[Message]:
         """How the sensor is set up, what was lost of its samples, and how the clocks go against each other."""
+        if not (self._robot_clock.ready and self._sensor_clock.ready):
+            return []
         tally, robot, sensor = self.sensor.tally, self._robot_clock.line, self._sensor_clock.line
         counted = Message.of(
             "sensors-counted", sensor=self.sensor.name, received=tally.received, lost=tally.lost, overtaken=tally.overtaken,
@@ -135,6 +142,12 @@ class ExternalSensorSession(RobotSession):
             wanted_hz, rate_hz = 2.0 / self.period, 1.0 / self._spacing_s
             said.append(Message.of("sensors-slow", sensor=self.sensor.name, rate_hz=rate_hz, wanted_hz=wanted_hz))
         return said
+
+    def _forget(self) -> None:
+        self._robot_clock, self._sensor_clock = DeviceClock("robot"), DeviceClock(self.sensor.name)
+        self._stamps: list[float] = []
+        self._readings: dict[float, Reading] = {}
+        self._spacing_s, self._newest_s = np.inf, -np.inf
 
     def _check_range(self) -> None:
         """Raises UnusableSensor where the sensor is saturated before the guard stops the robot."""

@@ -252,6 +252,14 @@ class LeasedSession(RobotSession):
                 return
             self._sleep(0.001)
 
+    def complete(self, state: RobotState) -> RobotState:
+        """As the robot's session completes it."""
+        return self.inner.complete(state)
+
+    def remarks(self) -> list[Message]:
+        """Of the robot's session."""
+        return self.inner.remarks()
+
     def stop(self) -> None:
         """Brakes the robot to standstill within its own limits; needs no lease."""
         self.inner.stop()

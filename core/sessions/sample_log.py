@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import deque
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from core.recording.stated_friction import read_friction
 from core.robot.model import RobotModel
 from core.sessions.session import RobotState
 
+PATIENCE_S = 0.1
+"""What comes later from a sensor than this after its moment is not recorded."""
+
 
 class SampleLog:
     """Robot states with the phase in which each was taken, in the order of time.
@@ -21,6 +25,7 @@ class SampleLog:
     Args:
         before: a recording of the same robot that they continue.
         order: that they are made for.
+        complete: gives a state its wrench where that has come since; states without one wait for it for `PATIENCE_S`.
     """
 
     def __init__(
@@ -32,6 +37,7 @@ class SampleLog:
         reference: Payload | None,
         before: Recording | None = None,
         order: OrderReference = NO_ORDER,
+        complete: Callable[[RobotState], RobotState] | None = None,
     ) -> None:
         self.cell = cell
         self.robot = robot
@@ -41,6 +47,8 @@ class SampleLog:
         self.order = order
         self.states: list[RobotState] = []
         self.phases: list[str] = []
+        self._complete = complete
+        self._waiting: deque[tuple[RobotState, str]] = deque()
 
     def __len__(self) -> int:
         return len(self.states)
@@ -54,22 +62,38 @@ class SampleLog:
         """Appends samples of one phase, but for those that no recording can hold: not finite, with a clock that stands still, or
         with a wrench that was not measured then.
 
-        The guard stops the robot at such a sample, and its error carries it. Returns what was appended.
+        The guard stops the robot at such a sample, and its error carries it. Returns those whose turn has come, in the order of time:
+        what was appended, and what was left out for want of a measured wrench.
         """
-        before = len(self.states)
-        for state in states:
-            if self._fits(state):
+        self._waiting.extend((state, phase) for state in states)
+        return self._settle(self._waiting[-1][0].t - PATIENCE_S if self._waiting else -np.inf)
+
+    def _settle(self, until_s: float) -> list[RobotState]:
+        """Takes states up to the first that lacks its wrench and may still wait for it."""
+        taken: list[RobotState] = []
+        while self._waiting:
+            state, phase = self._waiting[0]
+            if self._complete is not None and not state.wrench_measured:
+                state = self._complete(state)
+                if not state.wrench_measured and state.t > until_s:
+                    break
+            self._waiting.popleft()
+            if not self._fits(state):
+                continue
+            taken.append(state)
+            if state.wrench_measured:
                 self.states.append(state)
                 self.phases.append(phase)
-        return self.states[before:]
+        return taken
 
     def _fits(self, state: RobotState) -> bool:
         later = not self.states or state.t > self.states[-1].t
         finite = np.isfinite(state.t + state.q.sum() + state.dq.sum() + state.q_cmd.sum() + state.wrench.sum())
-        return later and state.wrench_measured and bool(finite) and (state.tau is None or bool(np.isfinite(state.tau).all()))
+        return later and bool(finite) and (state.tau is None or bool(np.isfinite(state.tau).all()))
 
     def recording(self) -> Recording:
-        """The samples so far, after those of the recording that they continue."""
+        """The samples so far, after those of the recording that they continue; none waits any longer."""
+        self._settle(np.inf)
         return self._new() if self.before is None else append_recording(self.before, self._new())
 
     def _new(self) -> Recording:

@@ -8,6 +8,7 @@ from types import TracebackType
 from typing import Self
 
 from core.array import Array
+from core.words.message import Message
 
 
 @dataclass(frozen=True)
@@ -73,6 +74,14 @@ class RobotSession(ABC):
     def stop(self) -> None:
         """Brakes to standstill within the robot's own limits, from whatever it does. Further commands are refused until a new entry
         or `release()`."""
+
+    def complete(self, state: RobotState) -> RobotState:
+        """A state of before with its wrench, where that was not measured then and has come since; else as it was."""
+        return state
+
+    def remarks(self) -> list[Message]:
+        """What a person should know of the lines to robot and sensor so far: losses, clocks, settings."""
+        return []
 
     @abstractmethod
     def release(self) -> None:

@@ -98,7 +98,9 @@ def _carry_out(
     if order.continues is not None and before is not None:
         check_same_robot(before, model.description, order.cell.gravity_in_base)
         done = order.continues.done or 0
-    log = SampleLog(order.cell, model, payload=order.payload, reference=order.known, before=before, order=order.reference)
+    log = SampleLog(
+        order.cell, model, payload=order.payload, reference=order.known, before=before, order=order.reference, complete=session.complete
+    )  # fmt: skip
     online = build_estimator(log, session.period)
     elsewhere = PlanningElsewhere(
         stops=planning.stops,

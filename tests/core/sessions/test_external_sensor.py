@@ -3,20 +3,69 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from core.array import Array
+from core.cell.cell import Cell
+from core.cell.folder import load_cell
 from core.errors import NotConnected, SensorFault, SensorLate, UnusableSensor
+from core.robot.model import RobotModel
 from core.sensors.sensor import Reading
 from core.sessions.external_sensor import ExternalSensorSession
+from core.sessions.sample_log import SampleLog
 from core.sessions.session import RobotState
+from core.sessions.simulated import SimulatedSession
 from core.words.message import Message
+from tests.core.sessions.conformance import Bench, Conformance
 from tests.core.sessions.lockstep import LockstepRobot, LockstepSensor, TrueTime
 
+CELL = load_cell(Path(__file__).parents[3] / "cells" / "ur5e_line")
 SLOPE = np.array([10.0, -20.0, 5.0, 1.0, 0.5, -0.25])
 """Of the wrench, N/s and N m/s: a wrench that is late by 1 ms is wrong by a thousandth of this."""
+
+
+class PlantTime(TrueTime):
+    """A virtual robot's own time, a moment later, as far as nobody has waited for longer."""
+
+    def __init__(self, session: SimulatedSession) -> None:
+        self._session, self._waited = session, 0.0
+
+    @property
+    def now(self) -> float:
+        try:
+            t = self._session.plant.truth.t
+        except RuntimeError:  # before its first step
+            t = 0.0
+        return max(self._waited, 1000.0 + t + 1e-4)
+
+    @now.setter
+    def now(self, value: float) -> None:
+        self._waited = value
+
+
+class SensedBench(Bench):
+    """The virtual robot, its wrench from a sensor beside it."""
+
+    linked = False
+    cell = CELL
+
+    def open(self, cell: Cell | None = None) -> ExternalSensorSession:
+        self._robot = SimulatedSession(cell or self.cell, CELL.payloads["steel_block"].parameters, seed=1)
+        time = PlantTime(self._robot)
+        sensor = LockstepSensor(time, ramp, rate_hz=4000.0, offset_s=77.0, drift=-50e-6, jitter_s=0.0002)
+        return ExternalSensorSession(self._robot, sensor, clock=time)
+
+    def where(self) -> Array:
+        return self._robot.plant.truth.q
+
+
+class TestConformance(Conformance):
+    @pytest.fixture
+    def bench(self) -> SensedBench:
+        return SensedBench()
 
 
 def ramp(true_s: float) -> Array:
@@ -63,6 +112,21 @@ def test_with_jitter_the_clocks_are_found_and_a_wrench_that_is_not_there_yet_is_
         assert max(map(abs, late[len(late) // 2 :])) < 0.5e-3
         assert held > 100
         assert session.to_sensor(state.t) == pytest.approx(session.sensor.shown(robot.true(state.t)), abs=0.5e-3)
+
+
+def test_a_wrench_that_came_later_is_recorded_beside_its_moment_and_what_never_came_is_not():
+    session, robot, _ = put_together(jitter_s=0.015, silent=lambda true_s: 1003.0 < true_s < 1003.015)
+    log = SampleLog(CELL, RobotModel.of_cell(CELL), payload=None, reference=None, complete=session.complete)
+    taken = []
+    with session:
+        for _ in range(3000):
+            taken += log.extend([session.state()], "transfer")
+    log.recording()
+    at_once = sum(state.wrench_measured for state in taken)
+    assert 0 < len(taken) - at_once < 40 and len(log) > 2900
+    assert all(abs(lateness_s(robot, state)) < 0.5e-3 for state in log.states[500:])
+    assert not any(1003.0015 < robot.true(state.t) < 1003.0145 for state in log.states)
+    assert (np.diff([state.t for state in log.states]) > 0.0).all()
 
 
 def test_a_sensor_that_stops_stops_the_robot_within_the_guards_milliseconds_and_says_so():
