@@ -81,10 +81,14 @@ def _import_with_answers(log: Log, mapping: Path | None, given: dict[str, str]) 
             mappings = propose_mappings(log, given) if mapping is None else [change_mapping(read_mapping(mapping), given)]
             return import_log(log, mappings, Path() if mapping is None else mapping.parent)
         except OpenQuestion as question:
-            if not (sys.stdin.isatty() and messages.is_terminal):
+            if not _can_ask():
                 raise
             given[question.key] = _ask(question)
     raise BadInput(log.where, "import-too-many-questions")
+
+
+def _can_ask() -> bool:
+    return sys.stdin.isatty() and messages.is_terminal
 
 
 def _ask(question: OpenQuestion) -> str:

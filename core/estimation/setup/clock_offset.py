@@ -27,6 +27,8 @@ MOST_S = 120.0
 """Of a long recording its beginning tells enough."""
 BLOCK_S = 0.5
 STEPS = 4
+SEARCHED_ROWS = 200
+"""Rows of the grid with which whole rows of shift are tried."""
 MOST_STD_S = 0.05
 """Beyond it nothing can be said."""
 
@@ -49,10 +51,11 @@ def estimate_clock_offset(recording: Recording) -> ClockOffset | None:
     X = _regressor_on(grid, recording, slice(0, end))
     wrench = savgol_filter(_resample(grid, recording.t[:end], recording.wrench[:end]), WINDOW, 2, axis=0)
     size = np.repeat([max(float(wrench[:, part].std(axis=0).max()), 1e-9) for part in (slice(0, 3), slice(3, 6))], 3)
-    y = (wrench[rows] / size).ravel()
+    X, y = X / size[:, None], wrench / size
+    some = rows[:: max(1, len(rows) // SEARCHED_ROWS)]
     shifts = np.arange(-reach + STEPS, reach - STEPS + 1)
-    left = np.array([_solve(X[rows + k] / size[:, None], y)[1] for k in shifts])
-    return _refine(X / size[:, None], y, rows, int(shifts[np.argmin(left)]), reach)
+    left = [_solve(X[some + k], y[some].ravel())[1] for k in shifts]
+    return _refine(X, y[rows].ravel(), rows, int(shifts[np.argmin(left)]), reach)
 
 
 def _refine(X: Array, y: Array, rows: NDArray[np.intp], k: int, reach: int) -> ClockOffset | None:

@@ -13,7 +13,7 @@ from core.recording.logs.question import OpenQuestion
 from core.recording.logs.tables import Log
 from core.recording.recording import Recording
 
-CHECKED_ROWS = 500_000
+CHECKED_ROWS = 300_000
 """Of a long log its beginning is looked at."""
 CLEARLY = 3.0
 """Times that another mapping has to fit worse to be out of the question, as a slip has to (docs/recordings.md)."""
@@ -36,13 +36,17 @@ class ImportedLog(NamedTuple):
 def import_log(log: Log, mappings: Sequence[Mapping], beside: Path) -> ImportedLog:
     """The log under the mapping with which it fits best and the payload weighs more than nothing.
 
+    Args:
+        mappings: they differ in sign and axes of the wrench.
+        beside: folder in which the URDF is.
+
     Raises:
         OpenQuestion: several do equally well.
         BadRecording: something in the log cannot be used.
     """
-    tried = []
+    tried: list[ImportedLog] = []
     for mapping in mappings:
-        conversion = Conversion(log, mapping, beside)
+        conversion = tried[0].conversion.under(mapping) if tried else Conversion(log, mapping, beside)
         beginning = conversion.recording(slice(0, CHECKED_ROWS))
         tried.append(ImportedLog(conversion, beginning, check_setup(beginning)))
     best = min(tried, key=_rank)

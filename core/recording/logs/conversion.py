@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from copy import copy
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -105,6 +106,12 @@ class Conversion:
 
     def __len__(self) -> int:
         return len(self.t)
+
+    def under(self, mapping: Mapping) -> Conversion:
+        """The same log under a mapping that differs in nothing but sign and axes of the wrench."""
+        other = copy(self)
+        other.mapping = mapping
+        return other
 
     def recording(self, rows: slice = slice(None)) -> Recording:
         """The recording of these rows.

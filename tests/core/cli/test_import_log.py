@@ -8,6 +8,7 @@ from click.testing import Result
 from scipy.spatial.transform import Rotation
 from typer.testing import CliRunner
 
+from core.cli import import_log
 from core.cli.answer_file import read_result_file
 from core.cli.main import app
 from core.errors import BadInput, BadRecording
@@ -58,6 +59,24 @@ def test_what_no_sample_tells_is_a_question_that_an_option_answers(tmp_path: Pat
     assert not (tmp_path / "recording").exists()
     said = run(*files, other, "--set", "wrench.file=other.csv.gz", "--out", tmp_path / "recording")
     assert said.exit_code == 0, said.output
+
+
+def test_on_a_terminal_the_question_is_asked_until_it_is_answered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(import_log, "_can_ask", lambda: True)
+    other = tmp_path / "other.csv.gz"
+    other.write_bytes((KUKA / "wrench.csv.gz").read_bytes())
+    files = [str(KUKA / "wrench.csv.gz"), str(KUKA / "orientations.csv.gz"), str(other)]
+    said = CliRunner().invoke(app, ["import", *files, "--out", str(tmp_path / "recording")], input="none\n7\n2\n")
+    assert said.exit_code == 0, said.output
+    assert 'file = "other.csv.gz"' in (tmp_path / "recording" / "map.toml").read_text()
+
+
+def test_a_bag_that_was_cut_off_is_refused_and_nothing_is_written(tmp_path: Path) -> None:
+    (tmp_path / "log.mcap").write_bytes(b"\x89MCAP0\r\n\x01\xff")
+    said = run(tmp_path / "log.mcap", "--out", tmp_path / "recording")
+    assert isinstance(said.exception, BadRecording)
+    assert said.exception.message.code == "bag-broken"
+    assert [each.name for each in tmp_path.iterdir()] == ["log.mcap"]
 
 
 def exported(folder: Path, *, scale: float = 1.0) -> list[str]:
