@@ -21,6 +21,8 @@ BEGINS, STANDS_OUT = 4.0, 10.0
 """A stretch reaches as far as rows are so many times the median of the free ones, and somewhere it is as large as that."""
 EDGE = 0.02
 """Both ends are where a stretch rises above so small a share of its own largest row: what rings on after it is none of it."""
+MARGIN_S = 0.5
+"""Beside each stretch so much is left out with it, where enough remains: a push begins and ends below that share."""
 LEAST = 0.05
 """A stretch whose largest row is a smaller share of the largest of all is what the payload's model gets wrong, not another contact."""
 APART_S = 0.25
@@ -83,9 +85,19 @@ def find_contacts(windows: Windows, nominal: EffectFit) -> Contacts | None:
         free[rows] = False
     if not stretches or free.mean() < FREE:
         return None
+    wider = _leave_margins(windows.centres, stretches)
+    free = wider if wider.mean() >= FREE else free
     wrench, rotation = -windows.unwhiten(residual), windows.average_rotation()
     found = tuple(_describe(windows.centres[rows], wrench[rows], rotation[rows]) for rows in stretches)
     return Contacts(found, free) if _are_pushes(found) else None
+
+
+def _leave_margins(t: Array, stretches: list[slice]) -> NDArray[np.bool_]:
+    """(K,), rows at times t (K,) that are farther than the margin from every stretch."""
+    free = np.ones(len(t), dtype=bool)
+    for rows in stretches:
+        free &= (t < t[rows.start] - MARGIN_S) | (t > t[rows.stop - 1] + MARGIN_S)
+    return free
 
 
 def find_stretches(t: Array, size: Array) -> list[slice]:

@@ -118,6 +118,10 @@ SIZED: dict[str, Callable[[Values, str], Said]] = {
 """Effects of which is said how large they are, or when they happened."""
 
 
+SHAKES = "structure_vibration"
+"""Where nothing explains the gap, and this is there, it is to be stopped before an engineer looks at the rest."""
+
+
 def instruct(diagnosis: Diagnosis) -> Instruction:
     """What the person at the robot has to do about a diagnosis."""
     beside = [_say(each.id, each.parameters, diagnosis) for each in _material(diagnosis)]
@@ -130,7 +134,8 @@ def instruct(diagnosis: Diagnosis) -> Instruction:
         case "ambiguous" if rank_explanations(diagnosis):
             return _settle(diagnosis, beside)
         case "ambiguous" | "unknown":
-            return _lead([_say_unknown(diagnosis), *beside], _begin_of_worst(diagnosis))
+            unknown, shakes = _say_unknown(diagnosis), any(each.id == SHAKES for each in _material(diagnosis))
+            return _lead([*beside, unknown]) if shakes else _lead([unknown, *beside], _begin_of_worst(diagnosis))
         case "not_enough":
             reason = diagnosis.lacking or diagnosis.summary
             if reason.code.partition("-")[0] == SETUP:

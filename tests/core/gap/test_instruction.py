@@ -103,6 +103,14 @@ def test_what_is_not_settled_asks_for_the_motion_only_where_it_is_planned(planne
     assert "delay" not in told.next.text
 
 
+def test_what_shakes_the_robot_is_stopped_before_an_engineer_looks_for_an_unknown_cause() -> None:
+    told = diagnosis("unknown", also=[seen("structure_vibration", "reading")]).instruction
+    assert (told.level, told.sentence.text, told.at_s) == ("act", "Stop what shakes the robot", None)
+    assert [each.code for each in told.further] == ["instruction-unknown"]
+    noisy = diagnosis("unknown", also=[seen("sensor_noise", "reading")]).instruction
+    assert noisy.sentence.code == "instruction-unknown"
+
+
 def test_an_unknown_cause_is_an_engineers_and_says_when_most_of_it_was() -> None:
     where = explained().where
     assert where is not None
