@@ -15,6 +15,7 @@ from core.estimation.estimate import Bools, DriftEstimate, Estimate, Identificat
 from core.estimation.joint_torques.arm_prior import ASSUMED_LINK_STD, link_modes
 from core.estimation.joint_torques.fit import TorqueFit, TorqueSolver
 from core.estimation.joint_torques.torque_regressor import TorqueRegressor
+from core.estimation.joint_torques.torque_scale import LEAST, MOST, find_scale
 from core.estimation.joint_torques.unknowns import Recorded, TorqueModel
 from core.estimation.joint_torques.windows import TorqueWindows, cut_into_windows
 from core.estimation.kinematics import poses_of, smooth_motion
@@ -75,7 +76,14 @@ def identify_by_torques(loaded: Recording, empty: Recording | None = None) -> Id
     if not any(each.usable.any() for each in windows if each is not None):
         return _nothing(Message.of("torques-nothing-turns"))
     model = _model(robot, loaded, [(r, carries, w) for (r, carries), w in zip(pairs, windows, strict=True) if w is not None])
+    scale = find_scale(model.recorded, model.nominal_links.reshape(-1, 10)) if _states_all_masses(model) else None
+    if scale is not None and not LEAST < scale < MOST:
+        return _nothing(Message.of("torques-other-scale", scale=scale))
     return _answer(_Seen(model, TorqueSolver(model).solve(), loaded.robot.joints), loaded, empty)
+
+
+def _states_all_masses(model: TorqueModel) -> bool:
+    return bool((model.nominal_links.reshape(-1, 10)[:, 0] > 0.0).all())
 
 
 def _check_pair(loaded: Recording, empty: Recording) -> None:

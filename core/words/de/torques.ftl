@@ -9,6 +9,7 @@ torques-no-joints = die Aufzeichnung hat Gelenkmomente, aber keine Gelenkstellun
 torques-arm-unknown = das URDF nennt keine Masse für das, was sich mit { $joints } bewegt; der Anteil des Arms an den Momenten ist also unbekannt; an seine Stelle tritt eine Aufzeichnung ohne Nutzlast (--without)
 torques-too-short = die Aufzeichnung ist zu kurz, zu langsam abgetastet (mindestens 20 Hz) oder voller Lücken
 torques-nothing-turns = kein Gelenk dreht sich weit genug in eine Richtung (0,01 rad, schneller als 0,02 rad/s), um seine Reibung von der Last zu trennen
+torques-other-scale = die Momente sind das { SIGNIFICANT($scale, digits: 2) }fache dessen, was die Bewegung des Arms nach seinem URDF verlangt: Es können Ströme sein, Momente vor dem Getriebe, mit anderem Vorzeichen oder eines anderen Arms; tau_* sind N m am Gelenk, positiv, wo sie das Gelenk vorwärts treiben
 torques-needed = eine Nutzlast ohne Sensor am Handgelenk braucht Gelenkstellungen und -momente, ein URDF mit Massen oder eine Aufzeichnung desselben Arms ohne die Nutzlast (--without), und Gelenke, die sich drehen
 torques-of-empty = --without
 torques-none-in-empty =

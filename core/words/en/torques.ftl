@@ -9,6 +9,7 @@ torques-no-joints = the recording has joint torques but no joint positions, or n
 torques-arm-unknown = the URDF states no mass for what moves with { $joints }, so the arm's share of the torques is unknown; a recording without the payload (--without) takes its place
 torques-too-short = the recording is too short, too slowly sampled (20 Hz at least), or full of gaps
 torques-nothing-turns = no joint turns far enough in one direction (0.01 rad, faster than 0.02 rad/s) for its friction to be told from the load
+torques-other-scale = the torques are { SIGNIFICANT($scale, digits: 2) } times what the motion of the arm asks for by its URDF: they may be currents, on the motor's side of the gear, of the other sign, or of another arm; tau_* is N m on the joint's side, positive where it drives the joint forward
 torques-needed = a payload without a wrist sensor asks for joint positions and torques, a URDF with masses or a recording of the same arm without the payload (--without), and joints that turn
 torques-of-empty = --without
 torques-none-in-empty =

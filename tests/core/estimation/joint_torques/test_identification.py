@@ -90,6 +90,16 @@ def test_an_arm_of_unknown_masses_needs_a_recording_without_payload(pair: Made) 
     assert_holds(identify_by_torques(loaded, empty), pair.phi, determined=4)
 
 
+@pytest.mark.parametrize("factor", [0.03, -1.0, 30.0])
+@pytest.mark.parametrize("both", [True, False])
+def test_torques_in_another_unit_or_of_the_other_sign_are_named(pair: Made, factor: float, both: bool) -> None:
+    assert pair.loaded.tau is not None and pair.empty.tau is not None
+    loaded, empty = (replace(each, tau=factor * each.tau) for each in (pair.loaded, pair.empty) if each.tau is not None)
+    found = identify_by_torques(loaded, empty if both else None)
+    assert found.estimate is None
+    assert "times what the motion of the arm asks for" in found.verdict.text
+
+
 def test_another_robot_is_refused(pair: Made) -> None:
     with pytest.raises(BadRecording, match="robot"):
         identify_by_torques(pair.loaded, make(4).empty)
