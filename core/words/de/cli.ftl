@@ -26,6 +26,7 @@ cli-fake-no-address =
     .found = { $host }, wo nichts lauschen kann ({ $reason })
     .expected = eine Adresse dieses Rechners, deren Ports 30002, 30004 und 29999 frei sind, etwa 127.0.0.2
 cli-fake-serves = ein { $model } (Seriennummer { $serial }) an { $host }; Strg-C beendet ihn.
+cli-fake-serves-ati = Eine ATI-Net-F/T-Box an seinem Flansch auf 127.0.0.1: RDT an Port { $rdt }, Seiten an Port { $pages } (session.sensor: driver = "ati_net_ft", host = "127.0.0.1", http_port = { $pages })
 cli-fake-served = { $followed } Perioden unter Befehl, { $missed } davon ohne neuen Befehl; { $late } Perioden begannen auf diesem Rechner zu spät.
 cli-from-beside-robot =
     .found = ein Anfang neben dem Treiber '{ $driver }'

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from core.errors import BadState, NotConnected, UnusableSensor
+from core.fakes.ati_server import AtiServer, Line, Setup
 from core.sensors.ati_net_ft import NetFt
 from core.sensors.ati_status import find_fault
 from core.sensors.sensor import Reading
-from tests.protocol_servers.ati import AtiServer, Line, Setup
 
 WRENCH = (1.5, -2.25, 30.125, 0.5, -0.25, 0.125)
 

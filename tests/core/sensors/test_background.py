@@ -10,13 +10,13 @@ import pytest
 
 from core.cell.folder import load_cell
 from core.errors import BadState
+from core.fakes.ati_server import AtiServer, Line
 from core.payload.inertia import InertialParameters
 from core.sensors.ati_net_ft import NetFt
 from core.sensors.background import BackgroundSensor
 from core.sessions.external_sensor import ExternalSensorSession
 from core.sessions.pace import RealTime
 from core.sessions.simulated import SimulatedSession
-from tests.protocol_servers.ati import AtiServer, Line
 
 CELL = load_cell(Path(__file__).parents[3] / "cells" / "ur5e_line")
 

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from core.errors import BadState, NotConnected
+from core.fakes.serial_sensors import START_STREAM, SerialSensor, bota_frame, robotiq_frame
 from core.sensors.bota_serial import BotaSerial, find_fault
 from core.sensors.robotiq_ft300 import RobotiqFt300
 from core.sensors.sensor import ForceSensor, Reading
 from core.sensors.serial_line import crc_of
-from tests.protocol_servers.serial_sensors import START_STREAM, SerialSensor, bota_frame, robotiq_frame
 
 WRENCH = (12.25, -3.5, -30.75, 0.5, -1.25, 0.125)
 
