@@ -22,7 +22,9 @@ class Command(NamedTuple):
 
 COMMANDS = {
     "run": Command(
-        "core.cli.run", "Plan and run the procedure on the cell's robot, identify the payload, write recording, answer and report."
+        "core.cli.run",
+        "Plan and run the procedure on the cell's robot, identify the payload, write recording, answer and report. "
+        "The robot is simulated unless cell.toml names a real one.",
     ),
     "identify": Command(
         "core.cli.identify", "Identify the payload from a recording, of this program or from elsewhere. The recording is only read."

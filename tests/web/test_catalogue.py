@@ -29,7 +29,7 @@ WORDS: tuple[Any, ...] = ("table", "", "cell.toml: limits.clearance_m", "Größe
 PEOPLE = ("account:anna", "key:line-3", "nobody@127.0.0.1", "account:", "")
 PLURALS = {"zero", "one", "two", "few", "many", "other"}
 """What a selector tells apart that is given a count."""
-NOT_HERE = {"certificate", "cli", "record", "report", "result", "sheet"}
+NOT_HERE = {"bag", "certificate", "cli", "import", "record", "report", "result", "sheet"}
 """Files of messages that stand only in a terminal, a report, a certificate or a score sheet."""
 NESTED = Message.of("flaw", where="robot.urdf", found="nothing", expected=Message.of("text", text="a link"))
 

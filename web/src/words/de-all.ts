@@ -8,7 +8,7 @@ export const messages = import.meta.glob<string>(
   [
     '../../../core/words/de/*.ftl',
     '!../../../core/words/*/{advice,drafts,gap,instruction,library,newcell,setup,symptom,torques,trial}.ftl',
-    '!../../../core/words/*/{certificate,cli,record,report,result,sheet}.ftl',
+    '!../../../core/words/*/{bag,certificate,cli,import,record,report,result,sheet}.ftl',
   ],
   { query: '?raw', import: 'default', eager: true },
 );
