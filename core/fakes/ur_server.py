@@ -88,7 +88,8 @@ class UrServer:
             self._send_states()
 
     def _wait(self, due: float) -> float:
-        """Takes what comes until the next period begins; gives when it did."""
+        """Takes what comes until the next period begins; gives when it did. A period that begins late puts off all that follow."""
+        self._look(0.0)
         while not self._ended.is_set():
             now = time.monotonic()
             self._flush(now)
@@ -99,11 +100,14 @@ class UrServer:
             if answered or (now >= due and not waits_for_answer):
                 break
             until = min([due if not waits_for_answer else now + 0.01, *(at for at, _, _ in self._delayed)])
-            for key, _ in self._selector.select(max(0.0, until - now)):
-                key.data(key.fileobj)
+            self._look(max(0.0, until - now))
         now = time.monotonic()
         self.late_periods += now > due + 0.5 * PERIOD
-        return due if now < due + 5 * PERIOD and self.patience_s is None else now
+        return due if now < due + 0.5 * PERIOD and self.patience_s is None else now
+
+    def _look(self, timeout_s: float) -> None:
+        for key, _ in self._selector.select(timeout_s):
+            key.data(key.fileobj)
 
     def _expects_answers(self) -> bool:
         return self.arm.playing and any(peer.started and peer.inputs for peer in self._peers.values())
