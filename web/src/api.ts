@@ -9579,6 +9579,13 @@ export interface components {
              * @enum {string}
              */
             driver: "ur_rtde";
+            /**
+             * Wrench Acts On
+             * @description What the controller's raw wrench is exerted on: the robot by its load, or the load by the robot.
+             * @default robot
+             * @enum {string}
+             */
+            wrench_acts_on?: "robot" | "payload";
         };
         /**
          * Value
