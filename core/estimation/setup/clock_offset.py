@@ -29,6 +29,8 @@ BLOCK_S = 0.5
 STEPS = 4
 SEARCHED_ROWS = 200
 """Rows of the grid with which whole rows of shift are tried."""
+EXPLAINED = 0.2
+"""Share of the wrench's change that a payload may leave."""
 MOST_STD_S = 0.05
 """Beyond it nothing can be said."""
 
@@ -73,6 +75,9 @@ def _refine(X: Array, y: Array, rows: NDArray[np.intp], k: int, reach: int) -> C
         return None
     residual = y - Q @ (Q.T @ y)
     ahead_s = float(moved @ residual) / strength
+    change = y.reshape(-1, 6) - y.reshape(-1, 6).mean(axis=0)
+    if float(residual @ residual) > EXPLAINED * float((change**2).sum()):
+        return None  # something else than the payload pushes, and its times say nothing of clocks
     scores = (moved * (residual - moved * ahead_s)).reshape(len(rows), -1).sum(axis=1)
     blocks = np.add.reduceat(scores, np.arange(0, len(rows), round(BLOCK_S / GRID_S)))
     std_s = float(np.sqrt((blocks**2).sum())) / strength

@@ -43,3 +43,11 @@ def test_a_hand_that_rests_tells_nothing_of_clocks() -> None:
     )
     assert estimate_clock_offset(still) is None
     assert estimate_clock_offset(recorded(0.0, seed=1, seconds=1.0)) is None
+
+
+def test_a_hand_that_pushes_is_not_taken_for_a_clock_that_is_behind() -> None:
+    pushed = recorded(0.0, seed=1)
+    pushes = 40.0 * np.exp(-(((pushed.t[:, None] - [4.0, 9.0, 15.0]) / 0.4) ** 2)).sum(axis=1)
+    wrench = pushed.wrench + np.outer(pushes, [1.0, 0.5, -0.5, 0.05, 0.1, 0.0])
+    touched = Recording(t=pushed.t, gravity=pushed.gravity, wrench=wrench, orientation=pushed.orientation, position=pushed.position)
+    assert estimate_clock_offset(touched) is None
