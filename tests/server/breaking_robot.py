@@ -13,6 +13,7 @@ from unittest.mock import patch
 
 import numpy as np
 
+from core.sessions import opening
 from core.sessions.session import RobotState
 from core.sessions.simulated import SimulatedSession
 from server.runner import control
@@ -101,5 +102,5 @@ def _limit_files(most_bytes: int) -> None:
 def main(order: Order, connection: Connection) -> None:
     """As `server.runner.control.main`."""
     BreakingSession.folder = order.folder
-    with patch.object(control, "SimulatedSession", BreakingSession):
+    with patch.object(opening, "SimulatedSession", BreakingSession):
         control.main(order, connection)
