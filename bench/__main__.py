@@ -22,6 +22,7 @@ BENCHES = (
     ("long_recording", "--seconds", "60", "--rate", "500"),
     ("time_to_target", "--count", "10"),
     ("random_cells", "--count", "200", "--first", "1000"),
+    ("planning_time",),
     ("real_robots", "--count", "300"),
     ("store", "--times", "20", "--at-once", "3"),
     ("wifi", "--runs", "100", "--at-once", "2"),

@@ -46,10 +46,10 @@ def least_std(condition: Condition, made: Made) -> Array | None:
     seen = np.diag(information) > 1e-12
     scale = 1.0 / np.sqrt(np.diag(information)[seen])
     share, directions = np.linalg.eigh(information[np.ix_(seen, seen)] * np.outer(scale, scale))
-    told = share > 1e-11
-    variance = (directions[:, told] ** 2 / share[told]).sum(axis=1) * scale**2
+    known = share > 1e-11
+    variance = (directions[:, known] ** 2 / share[known]).sum(axis=1) * scale**2
     std = np.full(len(seen), np.nan)
-    std[seen] = np.where((directions[:, ~told] ** 2).sum(axis=1) < 1e-6, np.sqrt(variance), np.nan)
+    std[seen] = np.where((directions[:, ~known] ** 2).sum(axis=1) < 1e-6, np.sqrt(variance), np.nan)
     return std[:PHI]
 
 
