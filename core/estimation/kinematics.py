@@ -83,7 +83,7 @@ class Poses:
         position = None if self.position is None else self.position[::k]
         return replace(self, t=self.t[::k], rotation=self.rotation[::k], position=position, joints=joints)
 
-    def filled(self, rows: FilledRows) -> Poses:
+    def fill(self, rows: FilledRows) -> Poses:
         """On an even clock, with the rows that were lost."""
         if self.joints is not None:
             joints = replace(self.joints, q=rows.fill @ self.joints.q)

@@ -139,7 +139,7 @@ class WeakForm:
         self.static = still_only is not None
         self._filled = None if self.static else fill_lost_rows(poses.t)
         if self._filled is not None:
-            poses = poses.filled(self._filled)
+            poses = poses.fill(self._filled)
             within = None if within is None else within[self._filled.before]
         self.poses = poses
         self._within = np.ones(len(poses.t), dtype=bool) if within is None else within

@@ -61,7 +61,7 @@ class Setup:
 
 
 @dataclass
-class Line:
+class LossyLine:
     """What happens to packets on their way: shares of them, s."""
 
     lost: float = 0.0
@@ -87,7 +87,7 @@ class AtiServer:
         wrench: Callable[[float], Wrench] = lambda _: (0.0,) * 6,
         *,
         setup: Setup | None = None,
-        line: Line | None = None,
+        line: LossyLine | None = None,
         drift: float = 0.0,
         first_packet: int = 0,
         first_sample: int = 1_000_000,
@@ -96,7 +96,7 @@ class AtiServer:
         rdt_port: int = 0,
         http_port: int = 0,
     ) -> None:
-        self.setup, self.line = setup or Setup(), line or Line()
+        self.setup, self.line = setup or Setup(), line or LossyLine()
         self.commands: list[tuple[int, int]] = []
         self.sent = 0
         self.zero_s = 0.0

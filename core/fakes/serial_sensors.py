@@ -21,7 +21,7 @@ START_STREAM = bytes.fromhex("0910019a0001020200cdca")
 """Robotiq, FT 300 manual: 512 into register 410 of slave 9."""
 
 
-def reflected_table(polynomial: int) -> list[int]:
+def make_reflected_table(polynomial: int) -> list[int]:
     table = []
     for byte in range(256):
         value = byte
@@ -31,7 +31,7 @@ def reflected_table(polynomial: int) -> list[int]:
     return table
 
 
-MODBUS, X25 = reflected_table(0xA001), reflected_table(0x8408)
+MODBUS, X25 = make_reflected_table(0xA001), make_reflected_table(0x8408)
 
 
 def check_sum(data: bytes, table: list[int]) -> int:

@@ -74,7 +74,7 @@ def attribute(windows: Windows, nominal: EffectFit, fits: list[EffectFit]) -> At
     return Attribution(none, unknown, explained, find_ties(windows, [fit for fit, _ in explained], unit), leftover(nominal, best))
 
 
-def choose_shapes(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
+def choose_variants(nominal: EffectFit, fits: list[EffectFit]) -> list[EffectFit]:
     """One fit for each name: of the shapes of an effect the one that is more probable, which is the smaller where both predict alike."""
     best = _best(nominal, fits)
     excess = float(nominal.held_out.sum()) - nominal.held_out.size

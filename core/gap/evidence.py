@@ -10,7 +10,7 @@ from core.effects.effect import Effect
 from core.effects.library import wider_shapes
 from core.effects.scene import Scene
 from core.gap.answer import Verdict
-from core.gap.attribution import Attribution, attribute, choose_shapes, leftover, probabilities
+from core.gap.attribution import Attribution, attribute, choose_variants, leftover, probabilities
 from core.gap.effect_fit import EffectFit, fit_nominal
 from core.gap.fit_all import FitAll, Task, on_all_cores
 from core.gap.materiality import is_material
@@ -99,9 +99,9 @@ def gather(windows: Windows, effects: Sequence[Effect], fit_all: FitAll = on_all
     tasks = [Task((effect,), nominal, [*known.get(effect.id, []), *effect.starts(scene, residual)]) for effect in shown]
     tasks += [Task((effect,), nominal, effect.starts(scene, residual)) for effect in wider if effect.id not in known]
     smaller = [task._replace(first=task.effects[0].smaller_shape(scene)) for task in tasks if task.effects[0].id not in known]
-    singles = choose_shapes(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
+    singles = choose_variants(nominal, fit_all(windows, [*tasks, *(task for task in smaller if task.first is not None)]))
     if leftover(nominal, min(singles, key=_total, default=nominal)) > ONE_IS_CLEAR:
-        singles = choose_shapes(nominal, [*singles, *_fit_from_most(windows, nominal, shown, fit_all)])
+        singles = choose_variants(nominal, [*singles, *_fit_from_most(windows, nominal, shown, fit_all)])
     pairs = _pairs(windows, nominal, singles, shown, fit_all)
     attribution = attribute(windows, nominal, [*singles, *pairs])
     return Evidence(windows, nominal, tuple(singles), tuple(pairs), attribution, describe_limits(absences))

@@ -121,9 +121,9 @@ class _Page:
         return found
 
     def _refusal(self, tag: str) -> UnusableSensor:
-        return UnusableSensor("sensors-bad-page", host=self.host, page=self._name, tag=tag, found=self._found(tag))
+        return UnusableSensor("sensors-bad-page", host=self.host, page=self._name, tag=tag, found=self._quote(tag))
 
-    def _found(self, tag: str) -> str:
+    def _quote(self, tag: str) -> str:
         return self._texts.get(tag, "-")[:40] if hasattr(self, "_texts") else "-"
 
     def find(self, tag: str) -> str | None:

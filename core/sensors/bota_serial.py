@@ -19,7 +19,7 @@ import numpy as np
 from core.errors import BadState, NotConnected
 from core.sensors.sensor import ForceSensor, Reading
 from core.sensors.sequence import Tally
-from core.sensors.serial_line import Frames, SerialLine, crc_of
+from core.sensors.serial_line import FrameReader, SerialLine, crc_of
 from core.words.message import Message
 
 BAUD, HEADER, LENGTH = 460_800, b"\xaa", 37
@@ -54,7 +54,7 @@ class BotaSerial(ForceSensor):
 
     def __enter__(self) -> Self:
         self.tally = Tally()
-        self._frames = Frames(HEADER, LENGTH, lambda data: crc_of(data, 0x8408, 0xFFFF), self.tally, begin=1)
+        self._frames = FrameReader(HEADER, LENGTH, lambda data: crc_of(data, 0x8408, 0xFFFF), self.tally, begin=1)
         self._last_us: int | None = None
         self._whole_us, self._step_us = 0, math.inf
         self._line = SerialLine(self._port, BAUD, self.name)
@@ -84,7 +84,7 @@ class BotaSerial(ForceSensor):
     def _take(self, frame: bytes, arrival_s: float) -> Reading:
         status, *values, stamp_us, temperature = DATA.unpack(frame)
         self._count(stamp_us)
-        fault = find_fault(status, [*values, temperature])
+        fault = find_bota_fault(status, [*values, temperature])
         return Reading(1e-6 * self._whole_us, arrival_s, np.array(values), temperature if math.isfinite(temperature) else None, fault)
 
     def _count(self, stamp_us: int) -> None:
@@ -107,7 +107,7 @@ class BotaSerial(ForceSensor):
             self._line = None
 
 
-def find_fault(status: int, values: list[float]) -> Message | None:
+def find_bota_fault(status: int, values: list[float]) -> Message | None:
     """Why a frame is no measurement; None where it is one."""
     for bit, code in FAULTS.items():
         if status >> bit & 1:

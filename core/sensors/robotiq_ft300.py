@@ -19,7 +19,7 @@ import numpy as np
 from core.errors import NotConnected
 from core.sensors.sensor import ForceSensor, Reading
 from core.sensors.sequence import Tally
-from core.sensors.serial_line import Frames, SerialLine, crc_of
+from core.sensors.serial_line import FrameReader, SerialLine, crc_of
 from core.words.message import Message
 
 BAUD, SLAVE, HEADER, LENGTH = 19_200, 9, b"\x20\x4e", 16
@@ -52,7 +52,7 @@ class RobotiqFt300(ForceSensor):
 
     def __enter__(self) -> Self:
         self.tally = Tally()
-        self._frames = Frames(HEADER, LENGTH, crc_modbus, self.tally, begin=0)
+        self._frames = FrameReader(HEADER, LENGTH, crc_modbus, self.tally, begin=0)
         self._last_s = -np.inf
         self._line = SerialLine(self._port, BAUD, self.name)
         request = struct.pack(">BBHHBH", SLAVE, WRITE_REGISTERS, STREAM_REGISTER, 1, 2, STREAM)

@@ -65,7 +65,7 @@ class SerialLine:
             self._file = -1
 
 
-class Frames:
+class FrameReader:
     """Cuts frames out of what comes; what is none is passed over and counted once for each place where it begins.
 
     Args:

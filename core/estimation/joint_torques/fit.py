@@ -20,7 +20,7 @@ from scipy.stats import norm
 from scipy.stats import t as student_t
 
 from core.array import Array
-from core.estimation.joint_torques.noise import TorqueNoise, whiten
+from core.estimation.joint_torques.noise import TorqueNoise, whiten_torques
 from core.estimation.joint_torques.unknowns import LATE_STD_S, PHI, SOURCES, TorqueModel
 from core.estimation.joint_torques.windows import LONGEST_LATE_S
 
@@ -151,11 +151,11 @@ class TorqueSolver:
             off = np.abs(rows.off - rows.J @ self.b) / max(noise.std, 1e-12)
             self.weight[j] = np.minimum(1.0, OUTLYING / np.maximum(off, 1e-12))
 
-    def _whitened(self, joints: list[JointRows], j: int, noise: TorqueNoise) -> tuple[Array, Array, float]:
+    def _whiten_joint(self, joints: list[JointRows], j: int, noise: TorqueNoise) -> tuple[Array, Array, float]:
         """Derivative and measured of one joint as independent rows of unit variance; half the logarithm of the determinant."""
         rows = joints[j]
         columns = np.column_stack((rows.J, rows.off)) * self.weight[j][:, None]
-        white, half = whiten(columns, rows.t, noise)
+        white, half = whiten_torques(columns, rows.t, noise)
         return white[:, :-1], white[:, -1], half
 
     @property
@@ -172,7 +172,7 @@ class TorqueSolver:
             if noise is None:
                 parts.append((np.zeros((self.model.size, self.model.size)), np.zeros(self.model.size)))
                 continue
-            X, y, _ = self._whitened(joints, j, noise)
+            X, y, _ = self._whiten_joint(joints, j, noise)
             parts.append((X.T @ X, X.T @ y))
         return parts
 
@@ -184,7 +184,7 @@ class TorqueSolver:
             if before is None or not noise:
                 continue
             found = self._improve_noise(joints, j, before, A - parts[j][0], c - parts[j][1])
-            X, y, _ = self._whitened(joints, j, found)
+            X, y, _ = self._whiten_joint(joints, j, found)
             A, c = A + X.T @ X - parts[j][0], c + X.T @ y - parts[j][1]
             self.noise[j], parts[j] = found, (X.T @ X, X.T @ y)
         for _ in range(STRENGTH_STEPS):
@@ -206,14 +206,14 @@ class TorqueSolver:
 
         def unlikelihood(x: Array) -> float:
             tried = TorqueNoise.of_logarithms(x).with_floor(floor)
-            white, half = whiten(columns, rows.t, tried)
+            white, half = whiten_torques(columns, rows.t, tried)
             X, y = white[:, :-1], white[:, -1]
             factor = cho_factor(A + X.T @ X, lower=True, check_finite=False)
             right = c + X.T @ y
             fits = float(y @ y - right @ cho_solve(factor, right, check_finite=False))
             return half + float(np.log(np.diag(factor[0])).sum()) + 0.5 * fits + tried.penalty
 
-        start = noise.searched(floor)
+        start = noise.to_logarithms(floor)
         simplex = np.vstack((start, start + 0.5 * np.eye(3)))
         found = minimize(
             unlikelihood, start, method="Nelder-Mead", options={"initial_simplex": simplex, "maxfev": 50, "xatol": 0.05, "fatol": 0.05}
@@ -232,7 +232,7 @@ class TorqueSolver:
         right[late] -= self.late_s / LATE_STD_S * self._precision[late]  # what the torques are shifted by already counts, too
         return covariance @ right, covariance
 
-    def _spread(self, joints: list[JointRows], covariance: Array, expected: Array) -> Array:
+    def _find_repeatability(self, joints: list[JointRows], covariance: Array, expected: Array) -> Array:
         """(10, 10), of the payload by this recording alone: what the noise makes of it, and what the blocks of the recording disagree by.
 
         What no model of the noise holds shows as blocks that pull in different directions (Liang & Zeger 1986, Biometrika 73). There the
@@ -242,7 +242,7 @@ class TorqueSolver:
         for j, noise in enumerate(self.noise):
             if noise is None:
                 continue
-            X, y, _ = self._whitened(joints, j, noise)
+            X, y, _ = self._whiten_joint(joints, j, noise)
             score = X * (y - X @ self.b)[:, None]
             block = np.cumsum(np.diff(joints[j].t, prepend=joints[j].t[0]) < 0.0) * 10**6 + joints[j].t // BLOCK_S
             pulls += [score[block == each].sum(axis=0) for each in np.unique(block)]
@@ -267,7 +267,7 @@ class TorqueSolver:
             covariance=covariance,
             late_s=self.late_s,
             late_std_s=LATE_STD_S * np.sqrt(np.diag(covariance)[late]),
-            repeatability=self._spread(joints, covariance, covariance[PHI, PHI] - typed),
+            repeatability=self._find_repeatability(joints, covariance, covariance[PHI, PHI] - typed),
             directions=directions,
             strengths={name: float(self.strength[group.rows.start]) for name, group in groups.items() if group.most > 1.0},
             noise=tuple(self.noise),

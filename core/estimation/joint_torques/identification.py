@@ -148,7 +148,7 @@ def _estimate(seen: _Seen, loaded: Recording, motion: Motion) -> Estimate:
     phi, S = fit.phi.copy(), budget.covariance
     std = np.sqrt(np.maximum(np.diag(budget.repeatability), 0.0))
     none = _is_none(seen)
-    known = _known_of_none(seen, std) if none else find_determined(phi, std)
+    known = _find_known_of_none(seen, std) if none else find_determined(phi, std)
     body = phi if none or not known[0] else nearest_consistent(phi, S)
     constrained = distance_from_bodies(phi, body, S) > NO_SUCH_BODY if body is not phi else False
     phi = body.copy()
@@ -191,7 +191,7 @@ def _explain_static(phi: Array, std: Array, known: Bools) -> dict[str, Message]:
     return why
 
 
-def _known_of_none(seen: _Seen, std: Array) -> Bools:
+def _find_known_of_none(seen: _Seen, std: Array) -> Bools:
     """(10,): mass and first moment, where what is not there is known well: in comparison with what the arm itself asks of the joints."""
     model = seen.model
     windows = model.recorded[0].windows

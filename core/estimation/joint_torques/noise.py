@@ -39,7 +39,7 @@ class TorqueNoise:
         white, lasting, time_s = np.exp(np.clip(x, -40.0, 40.0)).tolist()
         return cls(white, lasting, float(np.clip(time_s, SHORTEST_S, LONGEST_S)))
 
-    def searched(self, white: float) -> Array:
+    def to_logarithms(self, white: float) -> Array:
         """(3,), logarithms whose noise `with_floor(white)` is this one."""
         square = self.white**2 - white**2 - (LEAST_WHITE * self.lasting) ** 2
         return np.log([np.sqrt(max(square, 0.01 * self.white**2)), max(self.lasting, 0.01 * self.white), self.time_s])
@@ -59,7 +59,7 @@ class TorqueNoise:
         return 0.5 * float(np.log(self.time_s / USUAL_S)) ** 2
 
 
-def whiten(columns: Array, t: Array, noise: TorqueNoise) -> tuple[Array, float]:
+def whiten_torques(columns: Array, t: Array, noise: TorqueNoise) -> tuple[Array, float]:
     """Columns (K, m) at increasing times t (K,), s, as innovations of unit variance, and half the log-determinant of their covariance.
 
     A step back in time begins a new series.

@@ -11,7 +11,7 @@ from core.errors import BadRecording
 from core.recording.bags.mcap_file import McapFile
 from core.recording.bags.rosbag_folder import read_with_rosbags
 from core.recording.bags.spooled_table import SpooledTable
-from core.recording.bags.topic import Batch, Topic, TopicReader
+from core.recording.bags.topic import MessageBatch, Topic, TopicReader
 
 BAGS = (".mcap", ".bag", ".db3")
 MOST_TABLES = 400
@@ -60,7 +60,7 @@ def read_bag(path: Path) -> Bag:
     return Bag(_name_tables(made), _find_urdf(readers.values()))
 
 
-def _read_batches(path: Path) -> Iterator[Batch]:
+def _read_batches(path: Path) -> Iterator[MessageBatch]:
     if path.suffix == ".mcap":
         yield from McapFile(path).batches()
         return

@@ -21,7 +21,7 @@ from rosbags.typesys import TypesysError, get_types_from_idl, get_types_from_msg
 from core.errors import BadRecording
 from core.recording.bags.kernels import find_records
 from core.recording.bags.layout import Fields
-from core.recording.bags.topic import Batch, Topic
+from core.recording.bags.topic import MessageBatch, Topic
 
 MOST_CHUNK_BYTES = 512_000_000
 MOST_TOPICS = 2000
@@ -52,7 +52,7 @@ class McapFile:
         self._schemas: dict[int, Schema] = {}
         self._topics: dict[int, Topic | None] = {}
 
-    def batches(self) -> Iterator[Batch]:
+    def batches(self) -> Iterator[MessageBatch]:
         """All messages in CDR whose definition is known, by topic and in the order of the file.
 
         Raises:
@@ -64,7 +64,7 @@ class McapFile:
         except BROKEN as error:
             raise BadRecording(str(self.file), "bag-broken", reason=" ".join(str(error).split())[:160] or type(error).__name__) from error
 
-    def _read(self, stream: BinaryIO) -> Iterator[Batch]:
+    def _read(self, stream: BinaryIO) -> Iterator[MessageBatch]:
         size = self.file.stat().st_size
         reader = StreamReader(_BoundedFile(stream, size), emit_chunks=True, record_size_limit=size)  # type: ignore[arg-type]  # it only reads
         loose: list[Message] = []
@@ -81,7 +81,7 @@ class McapFile:
                         loose = []
         yield from self._gather(loose)
 
-    def _split(self, content: bytes) -> Iterator[Batch]:
+    def _split(self, content: bytes) -> Iterator[MessageBatch]:
         """The messages of a chunk; schemas and channels stand before the first message that needs them."""
         data = np.frombuffer(content, dtype=np.uint8)
         found = find_records(data)
@@ -91,12 +91,12 @@ class McapFile:
         for channel in np.unique(found[found[:, 0] >= 0, 0]):
             if (topic := self._topic(int(channel))) is not None:
                 of_it = found[found[:, 0] == channel]
-                yield Batch(topic, 1e-9 * of_it[:, 1], data, of_it[:, 2].copy(), of_it[:, 3].copy())
+                yield MessageBatch(topic, 1e-9 * of_it[:, 1], data, of_it[:, 2].copy(), of_it[:, 3].copy())
 
-    def _gather(self, messages: list[Message]) -> Iterator[Batch]:
+    def _gather(self, messages: list[Message]) -> Iterator[MessageBatch]:
         for channel in sorted({each.channel_id for each in messages}):
             if (topic := self._topic(channel)) is not None:
-                yield Batch.of(topic, [(each.log_time, each.data) for each in messages if each.channel_id == channel])
+                yield MessageBatch.of(topic, [(each.log_time, each.data) for each in messages if each.channel_id == channel])
 
     def _learn(self, record: object) -> None:
         if isinstance(record, Schema):

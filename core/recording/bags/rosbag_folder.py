@@ -11,7 +11,7 @@ from rosbags.rosbag2 import Reader as Ros2Reader
 from rosbags.typesys import Stores, get_typestore
 
 from core.errors import BadRecording
-from core.recording.bags.topic import Batch, Topic
+from core.recording.bags.topic import MessageBatch, Topic
 
 READ_TYPES = (
     "sensor_msgs/msg/JointState", "geometry_msgs/msg/WrenchStamped", "geometry_msgs/msg/Wrench", "geometry_msgs/msg/PoseStamped",
@@ -21,7 +21,7 @@ GATHERED = 5000
 """Messages of a topic that make a batch."""
 
 
-def read_with_rosbags(path: Path) -> Iterator[Batch]:
+def read_with_rosbags(path: Path) -> Iterator[MessageBatch]:
     """The messages by topic, in their order.
 
     Raises:
@@ -43,7 +43,7 @@ def read_with_rosbags(path: Path) -> Iterator[Batch]:
         raise BadRecording(where, "bag-broken", reason=" ".join(str(error).split())[:160] or type(error).__name__) from error
 
 
-def _gather(bag: Any, fields: Any, convert: Callable[[bytes, str], bytes]) -> Iterator[Batch]:
+def _gather(bag: Any, fields: Any, convert: Callable[[bytes, str], bytes]) -> Iterator[MessageBatch]:
     waiting: dict[Topic, list[tuple[int, bytes]]] = {}
     connections = [each for each in bag.connections if each.msgtype in READ_TYPES]
     topics = {each.id: Topic(each.topic, each.msgtype, fields) for each in connections}
@@ -52,8 +52,8 @@ def _gather(bag: Any, fields: Any, convert: Callable[[bytes, str], bytes]) -> It
         messages = waiting.setdefault(topic, [])
         messages.append((time, convert(content, connection.msgtype)))
         if len(messages) >= GATHERED:
-            yield Batch.of(topic, messages)
+            yield MessageBatch.of(topic, messages)
             messages.clear()
     for topic, messages in waiting.items():
         if messages:
-            yield Batch.of(topic, messages)
+            yield MessageBatch.of(topic, messages)

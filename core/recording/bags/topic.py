@@ -38,7 +38,7 @@ class Topic:
         return hash((self.name, self.kind))
 
 
-class Batch(NamedTuple):
+class MessageBatch(NamedTuple):
     """Messages (M,) of a topic: log times, s, and where in `data` each begins and how long it is."""
 
     topic: Topic
@@ -48,7 +48,7 @@ class Batch(NamedTuple):
     sizes: NDArray[np.int64]
 
     @classmethod
-    def of(cls, topic: Topic, messages: Sequence[tuple[int, bytes]]) -> Batch:
+    def of(cls, topic: Topic, messages: Sequence[tuple[int, bytes]]) -> MessageBatch:
         """Of messages with their log times in ns."""
         sizes = np.array([len(content) for _, content in messages], dtype=np.int64)
         data = np.frombuffer(b"".join(content for _, content in messages), dtype=np.uint8)
@@ -56,7 +56,7 @@ class Batch(NamedTuple):
         return cls(topic, times, data, np.cumsum(sizes) - sizes, sizes)
 
 
-class Share(NamedTuple):
+class ColumnShare(NamedTuple):
     """What a message gives to one table: its name, its columns, the frame of them, and which of the message's numbers they are."""
 
     table: str
@@ -75,12 +75,12 @@ class TopicReader:
 
     def __init__(self, topic: Topic, make: Callable[[str, list[str], str | None], SpooledTable]) -> None:
         self.topic, self.make = topic, make
-        self.layouts: list[tuple[Layout, list[Share]]] = []
+        self.layouts: list[tuple[Layout, list[ColumnShare]]] = []
         self.tables: dict[tuple[str, ...], SpooledTable] = {}
         self.texts: dict[str, str] = {}
         self.given_up = False
 
-    def add(self, batch: Batch) -> None:
+    def add(self, batch: MessageBatch) -> None:
         """The rows of further messages."""
         rows: dict[tuple[str, ...], list[tuple[NDArray[np.intp], Array]]] = {}
         left = np.arange(len(batch.begins))
@@ -96,7 +96,7 @@ class TopicReader:
             order = np.argsort(np.concatenate([which for which, _ in pieces]), kind="stable")
             self._table(key).append(np.concatenate([values for _, values in pieces])[order])
 
-    def _learn(self, batch: Batch, k: int) -> tuple[Layout, list[Share]]:
+    def _learn(self, batch: MessageBatch, k: int) -> tuple[Layout, list[ColumnShare]]:
         content = batch.data[batch.begins[k] : batch.begins[k] + batch.sizes[k]].tobytes()
         try:
             if len(self.layouts) >= MOST_LAYOUTS:
@@ -116,7 +116,7 @@ class TopicReader:
         return self.tables[key]
 
 
-def _share_out(topic: Topic, layout: Layout) -> list[Share]:
+def _share_out(topic: Topic, layout: Layout) -> list[ColumnShare]:
     if topic.kind == TRANSFORMS:
         return _share_transforms(topic.name, layout)
     names = {k: name for k in range(len(layout.numbers)) if (name := layout.texts.get(f"name[{k}]")) is not None}
@@ -127,10 +127,10 @@ def _share_out(topic: Topic, layout: Layout) -> list[Share]:
     columns = ["t", *(paths[k] for k in kept)]
     if len(set(columns)) < len(columns) or not kept:
         return []
-    return [Share(topic.name, columns, layout.texts.get("header.frame_id"), kept, _find_stamp(layout.numbers, "header"))]
+    return [ColumnShare(topic.name, columns, layout.texts.get("header.frame_id"), kept, _find_stamp(layout.numbers, "header"))]
 
 
-def _share_transforms(name: str, layout: Layout) -> list[Share]:
+def _share_transforms(name: str, layout: Layout) -> list[ColumnShare]:
     """A table for each pair of frames: translation and rotation of the child in its parent."""
     of_each: dict[int, list[tuple[int, str]]] = {}
     for k, number in enumerate(layout.numbers):
@@ -142,7 +142,7 @@ def _share_transforms(name: str, layout: Layout) -> list[Share]:
         parent, child = (layout.texts[f"transforms[{each}].{key}"].lstrip("/") for key in ("header.frame_id", "child_frame_id"))
         columns = ["t", *(path for _, path in numbers)]
         stamp = _find_stamp(layout.numbers, f"transforms[{each}].header")
-        shares.append(Share(f"{name} {parent}>{child}", columns, parent, [k for k, _ in numbers], stamp))
+        shares.append(ColumnShare(f"{name} {parent}>{child}", columns, parent, [k for k, _ in numbers], stamp))
     return shares
 
 
@@ -152,7 +152,7 @@ def _find_stamp(numbers: list[Number], header: str) -> tuple[int, int] | None:
     return (at[paths[0]], at[paths[1]]) if all(path in at for path in paths) else None
 
 
-def _take_rows(batch: Batch, which: NDArray[np.intp], layout: Layout, share: Share) -> Array:
+def _take_rows(batch: MessageBatch, which: NDArray[np.intp], layout: Layout, share: ColumnShare) -> Array:
     """(M, columns): the stamp, or the log time where there is none, and the numbers."""
     begins = batch.begins[which]
     out = np.empty((len(which), len(share.columns)))

@@ -15,7 +15,7 @@ from core.cell.urdf import check_urdf
 from core.errors import BadRecording
 from core.files.jail import read_inside
 from core.recording.logs.mapping import FORCE_UNITS, TIME_UNITS, TORQUE_UNITS, JointsPart, LogPart, Mapping, WrenchPart
-from core.recording.logs.motion import JointMotion, PoseMotion
+from core.recording.logs.motion import LoggedJoints, LoggedPoses
 from core.recording.logs.tables import Log, LogTable
 from core.recording.recording import Recording, RobotDescription
 from core.recording.samples import name_column
@@ -50,7 +50,7 @@ class Clock:
         self.repeated = len(table) - len(self.rows)
 
 
-class Motion(Protocol):
+class LoggedMotion(Protocol):
     """What is known of the motion: columns of the recording at times (N,), from the rows of the table beside them."""
 
     def at(self, t: Array, seen: Array, rows: slice, kept: NDArray[np.intp]) -> dict[str, Array]:
@@ -97,12 +97,12 @@ class Conversion:
         self.read, self.repeated, self.outside = len(self._wrench_table), wrench.repeated, int((~kept).sum())
         self.moved_hz = None if self.together else 1.0 / float(np.median(np.diff(moved.t)))
         self.robot: RobotDescription | None = None
-        self._motion: Motion
+        self._motion: LoggedMotion
         if isinstance(part, JointsPart):
             self.robot = _read_robot(part, log, beside)
-            self._motion = JointMotion(table, part, self.robot.joints)
+            self._motion = LoggedJoints(table, part, self.robot.joints)
         else:
-            self._motion = PoseMotion(table, part)
+            self._motion = LoggedPoses(table, part)
 
     def __len__(self) -> int:
         return len(self.t)

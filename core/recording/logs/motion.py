@@ -18,7 +18,7 @@ ROUNDING = 0.02
 """By which a quaternion's length or a matrix's columns may be off, logged with three digits."""
 
 
-class PoseMotion:
+class LoggedPoses:
     """Sensor axes and origin in the base frame, as they stand in a table."""
 
     def __init__(self, table: LogTable, part: PosePart) -> None:
@@ -63,7 +63,7 @@ class PoseMotion:
         return name_column(self.table.where, column, rows.start + int(wrong[0]) + 1), float(off[wrong[0]])
 
 
-class JointMotion:
+class LoggedJoints:
     """The joints of a chain, of which a table may have them in another order and others too.
 
     Args:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from core.errors import BadState, NotConnected, UnusableSensor
-from core.fakes.ati_server import AtiServer, Line, Setup
+from core.fakes.ati_server import AtiServer, LossyLine, Setup
 from core.sensors.ati_net_ft import NetFt
 from core.sensors.ati_status import find_fault
 from core.sensors.sensor import Reading
@@ -81,7 +81,7 @@ def test_a_bias_and_a_filter_that_somebody_set_are_told():
 
 @pytest.mark.parametrize("first_packet", [0, 2**32 - 30])
 def test_lost_repeated_and_overtaken_packets_are_counted_and_none_is_read_twice(first_packet: int):
-    line = Line(lost=0.05, repeated=0.05, jitter_s=0.02)
+    line = LossyLine(lost=0.05, repeated=0.05, jitter_s=0.02)
     with AtiServer(still, line=line, first_packet=first_packet, first_sample=2**32 - 300, seed=1) as server, driver(server) as sensor:
         readings = read(sensor, at_least(600))
     stamps = [reading.stamp_s for reading in readings]
@@ -140,13 +140,13 @@ def test_a_box_that_counts_from_the_beginning_is_noticed():
 
 
 def test_a_sensor_that_stops_is_silent_and_one_that_never_sends_is_refused():
-    with AtiServer(still, line=Line(silent=lambda t: t > 0.3)) as server, driver(server) as sensor:
+    with AtiServer(still, line=LossyLine(silent=lambda t: t > 0.3)) as server, driver(server) as sensor:
         readings = read(sensor, at_least(100))
         time.sleep(0.5)
         readings += sensor.read()
         assert sensor.read(0.2) == []
     assert max(reading.stamp_s for reading in readings) - readings[0].stamp_s < 0.35
-    with AtiServer(still, line=Line(silent=lambda _: True)) as server, pytest.raises(NotConnected, match="no firewall keeps UDP"):
+    with AtiServer(still, line=LossyLine(silent=lambda _: True)) as server, pytest.raises(NotConnected, match="no firewall keeps UDP"):
         driver(server).__enter__()
 
 
@@ -189,7 +189,7 @@ def test_nobody_there_is_told_in_words():
 
 
 def test_the_boxs_own_clock_stamps_the_samples_whatever_the_line_does():
-    line = Line(jitter_s=0.02, delay_s=0.005)
+    line = LossyLine(jitter_s=0.02, delay_s=0.005)
     with AtiServer(lambda t: (t, 0, 0, 0, 0, 0), line=line, drift=50e-6) as server, driver(server) as sensor:
         readings = read(sensor, at_least(300))
         for reading in readings:

@@ -10,7 +10,7 @@ import pytest
 
 from core.cell.folder import load_cell
 from core.errors import BadState
-from core.fakes.ati_server import AtiServer, Line
+from core.fakes.ati_server import AtiServer, LossyLine
 from core.payload.inertia import InertialParameters
 from core.sensors.ati_net_ft import NetFt
 from core.sensors.background import BackgroundSensor
@@ -47,7 +47,7 @@ def test_what_stops_the_sensor_is_raised_after_what_it_had_read():
 def test_over_the_wire_the_wrench_stands_beside_the_joints_of_its_moment():
     """The box reports its true time as a force: each state tells of which moment its wrench is. The robot has its own clock."""
     robot = SimulatedSession(CELL, InertialParameters(np.zeros(10)), pace=RealTime())
-    with AtiServer(lambda t: (-t, 0, 0, 0, 0, 0), line=Line(lost=0.05), drift=80e-6) as server:
+    with AtiServer(lambda t: (-t, 0, 0, 0, 0, 0), line=LossyLine(lost=0.05), drift=80e-6) as server:
         session = ExternalSensorSession(robot, background(server))
         with session:
             states = []

@@ -12,7 +12,7 @@ import pytest
 
 from core.errors import BadState, NotConnected
 from core.fakes.serial_sensors import START_STREAM, SerialSensor, bota_frame, robotiq_frame
-from core.sensors.bota_serial import BotaSerial, find_fault
+from core.sensors.bota_serial import BotaSerial, find_bota_fault
 from core.sensors.robotiq_ft300 import RobotiqFt300
 from core.sensors.sensor import ForceSensor, Reading
 from core.sensors.serial_line import crc_of
@@ -75,9 +75,9 @@ def test_bota_frames_that_are_spoilt_or_missing_are_counted_and_none_of_them_is_
     ],
 )  # fmt: skip
 def test_what_bota_calls_no_measurement_is_none(status: int, code: str | None):
-    fault = find_fault(status, [0.0] * 7)
+    fault = find_bota_fault(status, [0.0] * 7)
     assert (None if fault is None else fault.code) == code
-    assert find_fault(0, [0.0, float("nan"), *[0.0] * 5]).code == "sensors-fault-not-finite"
+    assert find_bota_fault(0, [0.0, float("nan"), *[0.0] * 5]).code == "sensors-fault-not-finite"
 
 
 def test_a_bota_sensor_whose_clock_begins_anew_is_noticed():
