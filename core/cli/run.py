@@ -32,7 +32,7 @@ from core.procedure.progress import watch
 from core.report.page import write_report
 from core.requirement.target import parse_target
 from core.robot.model import RobotModel
-from core.sessions.opening import Simulation, is_simulated, open_session
+from core.sessions.opening import Simulation, is_simulated, open_robot_session
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.twin.file import read_twin
 
@@ -88,7 +88,7 @@ def run(
     stands = starting_point(start, loaded, RobotModel.of_cell(loaded))
     load = None if carried is None else carried.parameters
     simulation = Simulation(load, seed=seed + (before is not None), pace=pace, twin=twin, start=stands)
-    session = open_session(loaded, simulation)
+    session = open_robot_session(loaded, simulation)
     stands = session.find_start()
     steps = identify(
         loaded,

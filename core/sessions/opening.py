@@ -44,7 +44,7 @@ def is_simulated(cell: Cell) -> bool:
     return cell.session.driver == "simulated"
 
 
-def open_session(cell: Cell, simulation: Simulation) -> RobotSession:
+def open_robot_session(cell: Cell, simulation: Simulation) -> RobotSession:
     """The session with the cell's robot, and with the sensor that has a line of its own, to be entered.
 
     Args:

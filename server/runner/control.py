@@ -28,7 +28,7 @@ from core.recording.recording import Recording, check_same_robot
 from core.report.page import write_report
 from core.robot.model import RobotModel
 from core.sessions.leased import Lease, LeasedSession
-from core.sessions.opening import Simulation, is_simulated, open_session
+from core.sessions.opening import Simulation, is_simulated, open_robot_session
 from core.sessions.pace import AsFastAsPossible, RealTime
 from core.sessions.sample_log import SampleLog
 from core.twin.file import read_twin
@@ -91,7 +91,7 @@ def _carry_out(
     twin = read_twin(order.cell)
     before = None if order.continues is None else read_recording(order.continues.recording)
     simulation = Simulation(_find_carried(order), order.seed, pace, twin, _find_start(order, before))
-    session = LeasedSession(open_session(order.cell, simulation), lease)
+    session = LeasedSession(open_robot_session(order.cell, simulation), lease)
     start = session.find_start()
     model = RobotModel.of_cell(order.cell)
     done = 0

@@ -69,7 +69,7 @@ def compare_runs(run: RunPath, other: OtherRunPath, cells: CellsDep, conductor: 
     rows = conductor.row_of(run), conductor.row_of(other)
     results = [run_ledger.load_result(row) for row in rows]
     frame: Frame = "sensor" if rows[0].cell == rows[1].cell else "flange"
-    mounts = [None if frame == "sensor" else require_mount(cells, row).sensor.mount for row in rows]
+    mounts = [None if frame == "sensor" else require_cell_with_mount(cells, row).sensor.mount for row in rows]
     first, second = (payload_of(result, mount) for result, mount in zip(results, mounts, strict=True))
     parts = [each.estimate for each in results if each.estimate is not None]
     offsets = [(np.array(part.offset, float), np.array(part.offset_std, float)) for part in parts]
@@ -79,7 +79,7 @@ def compare_runs(run: RunPath, other: OtherRunPath, cells: CellsDep, conductor: 
     return ComparisonPublic(run=run, other=other, frame=frame, comparison=comparison)
 
 
-def require_mount(cells: CellFolder, row: RunRow) -> Cell:
+def require_cell_with_mount(cells: CellFolder, row: RunRow) -> Cell:
     """The cell of a run, which says how its sensor is mounted."""
     cell = cells.read(row.cell).cell
     if cell.sensor.mount is None:

@@ -17,7 +17,7 @@ from server.cells.folder import CellsDep
 from server.http.schemas import Answer
 from server.runs import ledger as run_ledger
 from server.runs.conductor import ConductorDep
-from server.runs.result_routes import require_mount
+from server.runs.result_routes import require_cell_with_mount
 
 router = APIRouter(prefix="/api/series", tags=["results"])
 
@@ -60,7 +60,7 @@ def read_series(
     rows = [conductor.row_of(run) for run in runs]
     results = [run_ledger.load_result(row) for row in rows]
     several = len({row.cell for row in rows}) > 1
-    mounts = [require_mount(cells, row) if several else None for row in rows]
+    mounts = [require_cell_with_mount(cells, row) if several else None for row in rows]
     prior, source = (None, None) if prior_percent is None else prior_of(results, prior_percent / 100.0)
     found = compare_series(
         runs,

@@ -11,7 +11,7 @@ from core.sensors.ati_net_ft import NetFt
 from core.sensors.bota_serial import BotaSerial
 from core.sensors.robotiq_ft300 import RobotiqFt300
 from core.sessions.external_sensor import ExternalSensorSession
-from core.sessions.opening import Simulation, is_simulated, open_session
+from core.sessions.opening import Simulation, is_simulated, open_robot_session
 from core.sessions.simulated import SimulatedSession
 from core.sessions.vendor import import_vendor
 
@@ -29,7 +29,7 @@ def cell_with(folder: Path, session: str):
 def test_a_cell_that_says_nothing_is_simulated():
     cell = load_cell(UR5E)
     assert is_simulated(cell)
-    session = open_session(cell, Simulation(None, seed=3))
+    session = open_robot_session(cell, Simulation(None, seed=3))
     assert isinstance(session, SimulatedSession)
     np.testing.assert_array_equal(session.find_start(), cell.robot.home_rad)
 
@@ -66,9 +66,9 @@ model = "UR5e"
     ],
 )
 def test_a_sensor_on_a_line_of_its_own_is_put_on_whatever_robot_the_cell_names(tmp_path, monkeypatch, sensor, kind):
-    robot = open_session(load_cell(UR5E), Simulation(None))
+    robot = open_robot_session(load_cell(UR5E), Simulation(None))
     monkeypatch.setattr("core.sessions.opening.DRIVERS", {"ur_rtde": lambda _: robot})
-    session = open_session(cell_with(tmp_path, UR + sensor), Simulation(None))
+    session = open_robot_session(cell_with(tmp_path, UR + sensor), Simulation(None))
     assert isinstance(session, ExternalSensorSession)
     assert session.inner is robot
     assert isinstance(session.sensor.inner, kind)
