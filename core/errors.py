@@ -15,6 +15,7 @@ HeftError                      exit code 1
 │   ├── NoRoomAtHome               the payload box that was asked for is too close to something at home
 │   ├── NotConnected               the robot or its sensor cannot be reached, or lets nobody command it
 │   ├── WrongRobot                 what is connected is not what the cell describes
+│   ├── PayloadNotTaken            a controller has another payload than it was set to
 │   ├── UnusableSensor             a sensor is another one than the cell says, or is set up so that it cannot be used
 │   ├── TooHeavy                   a joint has not the torque to carry the load as planned
 │   └── PlanDisputed               a finished plan that an independent check does not confirm
@@ -261,6 +262,10 @@ class NotConnected(Refused):
 
 class WrongRobot(Refused):
     """What is connected is not what the cell describes: model, serial number, firmware, limits or kinematics."""
+
+
+class PayloadNotTaken(Refused):
+    """What a controller reports after a payload was written to it is not what was written."""
 
 
 class UnusableSensor(Refused):

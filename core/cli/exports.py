@@ -32,10 +32,26 @@ def export(
         Triple | None, typer.Option(metavar="X Y Z", help="Without a cell: where the sensor's frame is in the flange's, m.")
     ] = None,
     mount_rpy: Annotated[Triple | None, typer.Option(metavar="R P Y", help="And how it is turned there, rad. [default: 0 0 0]")] = None,
+    write: Annotated[
+        str | None,
+        typer.Option(metavar="CELL", help="Write it to the controller of this cell's robot, once somebody has accepted. Target ur."),
+    ] = None,
+    accepted_by: Annotated[
+        str | None, typer.Option(metavar="NAME", help="With --write: who has accepted. [default: asked at the terminal]")
+    ] = None,
 ) -> None:
     """Write the payload as a robot's controller or a simulator takes it, on standard output; say what that cannot hold."""
     found = read_result_file(result)
     words = find_wording()
+    if write is not None:
+        if cell is not None or mount_xyz is not None or mount_rpy is not None:
+            raise BadInput("--write", "cli-export-mount-of-cell")
+        from core.cli.controller_payload import write_to_controller  # noqa: PLC0415  a file needs no robot's model
+
+        write_to_controller(result, found, target=target, cell_name=write, accepted_by=accepted_by)
+        return
+    if accepted_by is not None:
+        raise BadInput("--accepted-by", "cli-export-nothing-written")
     if target is None:
         for each in TARGETS:
             told = words.say("cli-export-target", title=each.title, says=each.says)

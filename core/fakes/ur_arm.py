@@ -4,24 +4,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Generator
+from contextlib import suppress
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from core.array import Array
 from core.cell.cell import Cell
-from core.fakes.urscript import ScriptError, compile_script
+from core.fakes.urscript import ScriptError, compile_script, run_secondary
 from core.payload.inertia import InertialParameters
 from core.plant.braking import braking_positions
 from core.plant.virtual_robot import VirtualRobot
 
 PERIOD = 0.002
 NORMAL, PROTECTIVE, EMERGENCY, FAULT = 1, 3, 7, 9
-STOPPED, PLAYING = 2, 3
+STOPPED, PLAYING = 1, 2
 BRAKING = 6.0
 """Of every joint in a stop, rad/s2."""
 LIMIT = 2 * math.pi
 JOINT_SPEED = math.pi
+LARGEST_INERTIA = 133.0
+"""Of an entry, kg m2."""
 MOVING_RAD = 1e-6
 """A robot whose target moves by less in a period stands."""
 
@@ -44,6 +47,8 @@ class UrArm:
         self.remote, self.speed_fraction, self.safety_mode, self.robot_mode = True, 1.0, NORMAL, 7
         self.tcp_offset = np.array([0.0, 0.0, 0.1, 0.0, 0.3, 0.0])
         self.payload, self.payload_com, self.payload_inertia = 0.0, np.zeros(3), np.zeros(6)
+        self.zeroed = 0
+        """How often the force/torque sensor was zeroed; the raw wrench, which is all that is told of it here, does not show that."""
         self.order = list(range(self._robot.arm.n))
         """Which of the arm's joints the controller counts as its first, second, ...; another order is another robot."""
         self.stretch = 0.0
@@ -72,7 +77,12 @@ class UrArm:
         return self._program is not None
 
     def run(self, text: str) -> None:
-        """Ends what runs and begins this program; one that cannot be run does not begin."""
+        """Ends what runs and begins this program; one that cannot be run does not begin. A secondary program runs beside what runs."""
+        if text.lstrip().startswith("sec "):
+            if self.remote:
+                with suppress(ScriptError):
+                    run_secondary(text, {"set_target_payload": self._set_payload})
+            return
         self.end_program()
         functions: dict[str, Callable[..., object]] = {
             "read_input_integer_register": lambda k: int(self.inputs.get(f"input_int_register_{k}", 0)),
@@ -176,6 +186,18 @@ class UrArm:
 
     def _write(self, name: str, value: float) -> None:
         self.outputs[name] = value
+
+    def _set_payload(self, m: float, cog: list[float], inertia: list[float] | None = None, transition_time: float = 0.0) -> None:
+        """Refuses what the manual says raises an exception; zeroes the force/torque sensor again."""
+        del transition_time
+        given = [0.0] * 6 if inertia is None else inertia
+        numbers = [m, *cog, *given]
+        if len(cog) != 3 or len(given) != 6 or not all(math.isfinite(x) for x in numbers):
+            raise ScriptError("not a payload")
+        if m < 0.0 or min(given[:3]) < 0.0 or max(map(abs, given)) > LARGEST_INERTIA:
+            raise ScriptError("a payload that no robot carries")
+        self.payload, self.payload_com, self.payload_inertia = m, np.array(cog), np.array(given)
+        self.zeroed += 1
 
     def _set_watchdog(self, name: str, min_frequency: float, action: str = "pause") -> None:
         self._watchdog = None if action == "ignore" else (name, 1.0 / min_frequency)

@@ -29,6 +29,32 @@ def compile_script(text: str, functions: Mapping[str, Callable[..., object]]) ->
     Raises:
         ScriptError: it is not of this part of the language, or calls what there is not.
     """
+    begun = _read(text, functions)()
+    if not isinstance(begun, Generator):
+        raise ScriptError("it never waits for the next period")
+    return begun
+
+
+def run_secondary(text: str, functions: Mapping[str, Callable[..., object]]) -> None:
+    """Runs a secondary program (`sec`), which takes no time.
+
+    Raises:
+        ScriptError: it is not of this part of the language, calls what there is not, or waits; or a call refuses its arguments.
+    """
+    try:
+        begun = _read(re.sub(r"^\s*sec ", "def ", text), functions)()
+    except (TypeError, ValueError, ArithmeticError) as error:
+        raise ScriptError(str(error)) from error
+    if begun is not None:
+        raise ScriptError("a secondary program does not wait")
+
+
+def _read(text: str, functions: Mapping[str, Callable[..., object]]) -> Callable[[], object]:
+    """The program as a function.
+
+    Raises:
+        ScriptError: it is not of this part of the language, or calls what there is not.
+    """
     source, name = _indent(text)
     try:
         tree = ast.parse(source)
@@ -46,10 +72,7 @@ def compile_script(text: str, functions: Mapping[str, Callable[..., object]]) ->
     exec(compile(tree, "<urscript>", "exec"), space)  # the tree holds nothing but what is checked above
     program = space[name]
     assert callable(program)
-    begun = program()
-    if not isinstance(begun, Generator):
-        raise ScriptError("it never waits for the next period")
-    return begun
+    return program
 
 
 def _indent(text: str) -> tuple[str, str]:

@@ -17,12 +17,13 @@ from core.cell.session import UniversalRobot
 from core.errors import BadState, ControllerStopped, NotConnected, RobotStateLate, Stopped, WrongRobot
 from core.robot.model import RobotModel
 from core.sessions.command_limits import CommandLimits
-from core.sessions.controller import ANGLE_RAD, POSITION_M, Controller, Kinematics, check_controller
+from core.sessions.controller import ANGLE_RAD, POSITION_M, Kinematics
 from core.sessions.rtde import Rtde, RtdeError, Value
 from core.sessions.sensor_sign import SensorSign
 from core.sessions.session import RobotSession, RobotState
-from core.sessions.ur_controller import PLAYING, ControllerFound, Secondary, read_controller
-from core.sessions.ur_readiness import check_ready, check_safety, explain_end, flange_of
+from core.sessions.ur_connection import check_arm, reach
+from core.sessions.ur_controller import PLAYING, Secondary
+from core.sessions.ur_readiness import check_payload_kept, check_ready, check_safety, explain_end, flange_of, payload_set
 from core.sessions.ur_servo import (
     BRAKE,
     END,
@@ -48,11 +49,9 @@ BEGIN_S = 5.0
 """How long the controller may take to begin the program, and the robot to stand after a stop."""
 LOOK = 25
 """Every so many samples the flange that the controller reports is held against the cell's."""
-LEAST = (5, 10)
-E_SERIES = frozenset({"UR3", "UR5", "UR10", "UR16"})
 OUTPUTS = (
     "timestamp", "actual_q", "actual_qd", "target_q", "target_qd", "actual_TCP_pose", "tcp_offset", "ft_raw_wrench", "robot_mode",
-    "safety_mode", "runtime_state", "speed_scaling", "payload", OBEYS,
+    "safety_mode", "runtime_state", "speed_scaling", "payload", "payload_cog", OBEYS,
 )  # fmt: skip
 
 
@@ -88,6 +87,7 @@ class UniversalRobotsSession(RobotSession):
         self._sensor_sign = SensorSign(cell, self._robot)
         self._rtde: Rtde | None = None
         self._sample: dict[str, Value] = {}
+        self._payload: tuple[float, ...] = ()
         self._number, self._mode, self._moving = 0, WAIT, False
         self._q_cmd = np.array(cell.robot.home_rad)
         self._samples, self._sent = 0, False
@@ -129,11 +129,16 @@ class UniversalRobotsSession(RobotSession):
         """Waits for the controller's next sample.
 
         Raises:
-            ControllerStopped: the controller has stopped the robot or the program.
+            ControllerStopped: the controller has stopped the robot or the program, or was set to another payload.
             RobotStateLate: no sample came; the line is lost.
             BadState, WrongSensor: the flange is not where the cell has it, or the wrench does not turn with it.
         """
         sample = self._next()
+        try:
+            check_payload_kept(self._payload, sample)
+        except ControllerStopped:
+            self.stop()
+            raise
         if self._mode == FOLLOW:
             self._check_obeys(sample)
         else:
@@ -196,31 +201,20 @@ class UniversalRobotsSession(RobotSession):
     def _connect(self) -> None:
         """Reaches the controller and checks that it is the cell's robot, ready to be moved. Nothing moves."""
         host = self._link.host
-        try:
-            found = read_controller(host)
-            self._rtde = Rtde(host)
-            version = self._rtde.find_version()
-            self._rtde.set_up(OUTPUTS, INPUTS, RATE_HZ)
-            self._rtde.start()
-        except RtdeError as error:
-            raise NotConnected("session-ur-rtde-refused", host=host, what=error.what, answer=error.answer) from error
-        except OSError as error:
-            raise NotConnected("session-not-reached", host=host, reason=str(error)[:120]) from error
+        reached = reach(host, OUTPUTS, INPUTS, RATE_HZ)
+        self._rtde = reached.rtde
         self._number, self._mode, self._moving = 0, WAIT, False
         try:
             sample = self._receive()
         except BadState as error:
             raise NotConnected("session-not-reached", host=host, reason=str(error.message.code)) from error
         self._q_cmd = np.array(read_vector(sample, "target_q"))
-        self._check_robot(sample, found, version)
-        check_ready(sample, found, host)
+        check_arm(self.cell, self._robot, reached, sample)
+        self._check_payload(sample)
+        check_ready(sample, reached.found, host)
+        self._payload = payload_set(sample)
 
-    def _check_robot(self, sample: dict[str, Value], found: ControllerFound, version: str) -> None:
-        position, rotation = flange_of(sample)
-        model = f"{found.model}e" if found.model in E_SERIES else found.model  # some versions leave the e of the series away
-        q, limits = np.array(read_vector(sample, "actual_q")), found.configuration
-        said = Controller(model, found.serial, version, q, position, rotation, limits.lower, limits.upper, limits.velocity)
-        check_controller(self.cell, self._robot, said, supported="5.10 to 5.x", least=LEAST)
+    def _check_payload(self, sample: dict[str, Value]) -> None:
         limit, payload = self.cell.robot.payload_limit_kg, read_number(sample, "payload")
         if limit is not None and payload > limit:
             raise WrongRobot("session-payload-beyond-limit", found=payload, expected=limit)

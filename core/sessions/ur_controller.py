@@ -16,7 +16,8 @@ SECONDARY_PORT = 30002
 ROBOT_STATE, CONFIGURATION = 16, 6
 SAFETY_NORMAL, SAFETY_REDUCED = 1, 2
 MODE_RUNNING = 7
-PLAYING, PAUSING, PAUSED = 3, 4, 5
+STOPPED, PLAYING, PAUSING, PAUSED = 1, 2, 3, 4
+"""Runtime states. The maker does not document them; its users have found 0 stopping, these, and 5 resuming."""
 STOPS = {
     3: "session-ur-protective",
     4: "session-ur-recovery",
@@ -75,7 +76,7 @@ class Secondary:
         self._timeout_s = timeout_s
 
     def run(self, program: str) -> None:
-        """Lets the controller run a program; whatever ran before ends."""
+        """Lets the controller run a program. A main program (`def`) ends whatever ran before, a secondary one (`sec`) runs beside it."""
         self._socket.sendall(program.encode())
 
     def read_configuration(self) -> Configuration:

@@ -41,8 +41,11 @@ def check_safety(sample: dict[str, Value], *, braking: bool = False) -> None:
         raise ControllerStopped("session-ur-slider", value=scaling, limit=1.0)
 
 
-def check_ready(sample: dict[str, Value], found: ControllerFound, host: str) -> None:
+def check_ready(sample: dict[str, Value], found: ControllerFound, host: str, *, slider: bool = True) -> None:
     """Nothing where the robot can be moved as it is.
+
+    Args:
+        slider: whether the speed slider has to be up, too.
 
     Raises:
         NotConnected: it cannot.
@@ -50,7 +53,7 @@ def check_ready(sample: dict[str, Value], found: ControllerFound, host: str) -> 
     if not found.remote:
         raise NotConnected("session-ur-not-remote", host=host)
     try:
-        check_safety(sample)
+        check_safety(sample, braking=not slider)
     except ControllerStopped as stopped:
         raise NotConnected("session-not-ready", host=host, why=stopped.message) from stopped
 
@@ -74,3 +77,19 @@ def flange_of(sample: dict[str, Value]) -> tuple[Array, Array]:
     pose, offset = np.array(read_vector(sample, "actual_TCP_pose")), np.array(read_vector(sample, "tcp_offset"))
     rotation = Rotation.from_rotvec(pose[3:]).as_matrix() @ Rotation.from_rotvec(offset[3:]).as_matrix().T
     return pose[:3] - rotation @ offset[:3], rotation
+
+
+def payload_set(sample: dict[str, Value]) -> tuple[float, ...]:
+    """Mass (kg) and centre of mass (m) that the controller is set to."""
+    return (read_number(sample, "payload"), *read_vector(sample, "payload_cog"))
+
+
+def check_payload_kept(before: tuple[float, ...], sample: dict[str, Value]) -> None:
+    """Nothing where the controller still has this payload.
+
+    Raises:
+        ControllerStopped: somebody has set another one; the controller zeroes its force/torque sensor by that.
+    """
+    now = payload_set(sample)
+    if now != before:
+        raise ControllerStopped("session-ur-payload-changed", value=now[0], limit=before[0])

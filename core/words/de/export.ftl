@@ -32,6 +32,9 @@ export-not-determined =
 export-too-large =
     .found = { SIGNIFICANT($inertia_kg_m2, digits: 4) } kg m²
     .expected = höchstens ±{ SIGNIFICANT($most_kg_m2, digits: 6) } kg m², die der Roboter nimmt
+export-negative-moment =
+    .found = { SIGNIFICANT($inertia_kg_m2, digits: 3) } kg m²
+    .expected = 0 oder mehr: kein Körper hat ein negatives Trägheitsmoment, und der Roboter nimmt keines; bestimmen Sie es mit mehr Wiederholungen
 # How exactly it is known, in the file as a remark or beside it.
 export-uncertainty = Halbe Breiten der 95-%-Intervalle, entlang der Achsen des Flansches:
 export-uncertainty-part = { $part } +- { $half_widths }; wiederholt sich auf +- { $repeats }; größter Beitrag: { $mostly }

@@ -34,6 +34,9 @@ export-not-determined =
 export-too-large =
     .found = { SIGNIFICANT($inertia_kg_m2, digits: 4) } kg m2
     .expected = at most +-{ SIGNIFICANT($most_kg_m2, digits: 6) } kg m2, which the robot takes
+export-negative-moment =
+    .found = { SIGNIFICANT($inertia_kg_m2, digits: 3) } kg m2
+    .expected = 0 or more: no body has a negative moment of inertia, and the robot takes none; identify with more repetitions
 # How exactly it is known, in the file as a remark or beside it.
 export-uncertainty = Half-widths of 95 % intervals, along the axes of the flange:
 export-uncertainty-part = { $part } +- { $half_widths }; repeats within +- { $repeats }; mostly { $mostly }

@@ -47,7 +47,7 @@ def test_the_steps_of_the_protocol_are_answered_as_its_description_has_them(serv
             stamp, *q, state = struct.unpack(">7dI", line.recv(size - 3, socket.MSG_WAITALL)[1:])
             stamps.append(stamp)
             np.testing.assert_allclose(q, CELL.robot.home_rad, atol=1e-3)
-            assert state == 2
+            assert state == 1
         np.testing.assert_allclose(np.diff(stamps), 0.008, atol=1e-9)
 
 
