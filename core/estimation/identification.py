@@ -24,6 +24,7 @@ from core.estimation.regression import Thresholds, regression
 from core.estimation.segments import Segment, cut_at_gaps, motionless, segments_of_motion, segments_of_phase
 from core.estimation.setup.check import check_setup
 from core.estimation.setup.refutation import refute
+from core.estimation.turning import identify_by_turning
 from core.estimation.twin_effects import Corrected, TwinEffects, effects_on, fit_with_effects
 from core.estimation.verdict import on_transfers_alone, verdict_of, warnings_of
 from core.estimation.verification import LeaveOneOut
@@ -52,7 +53,12 @@ def identify_recording(recording: Recording, twin: Twin = NOMINAL) -> Identifica
         recording: only read.
         twin: of the cell; what its effects do to the wrench is accounted for.
     """
-    return identify_by_torques(recording) if recording.wrench is None else _identify_by_wrench(recording, recording.wrench, twin)
+    if recording.wrench is None:
+        return identify_by_torques(recording)
+    answer = _identify_by_wrench(recording, recording.wrench, twin)
+    if answer.estimate is not None and answer.estimate.determined[0]:
+        return answer
+    return identify_by_turning(recording, lambda placed: _identify_by_wrench(placed, np.asarray(placed.wrench), twin)) or answer
 
 
 def _identify_by_wrench(recording: Recording, wrench: Array, twin: Twin) -> Identification:
