@@ -28,6 +28,7 @@ HeftError                      exit code 1
 │   │   ├── SensorFrozen           the wrench does not change any more
 │   │   ├── RobotStateLate         the robot's state came too late
 │   │   ├── ControllerStopped      the robot's controller has stopped it, or obeys no longer
+│   │   ├── WrongKinematics        the flange moves otherwise than the cell's kinematics say
 │   │   ├── WrongSensor            the wrench does not turn with the robot as the cell says
 │   │   ├── SensorLate             a sensor with a line of its own sends nothing
 │   │   └── SensorFault            a sensor says that its reading is none
@@ -343,6 +344,10 @@ class RobotStateLate(BadState):
 
 class ControllerStopped(BadState):
     """The robot's controller has stopped it by itself, or takes commands no longer."""
+
+
+class WrongKinematics(BadState):
+    """The flange that a controller reports moves otherwise than the cell's kinematics say: another order or sign of its joints."""
 
 
 class WrongSensor(BadState):

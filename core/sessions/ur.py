@@ -17,7 +17,8 @@ from core.cell.session import UniversalRobot
 from core.errors import BadState, ControllerStopped, NotConnected, RobotStateLate, Stopped, WrongRobot
 from core.robot.model import RobotModel
 from core.sessions.command_limits import CommandLimits
-from core.sessions.controller import ANGLE_RAD, POSITION_M, Kinematics
+from core.sessions.controller import Kinematics
+from core.sessions.flange_watch import FlangeWatch
 from core.sessions.rtde import Rtde, RtdeError, Value
 from core.sessions.sensor_sign import SensorSign
 from core.sessions.session import RobotSession, RobotState
@@ -47,7 +48,7 @@ LINK_S = 0.25
 """Without a sample for this long the line counts as lost; the controller's watchdog has stopped the robot by then."""
 BEGIN_S = 5.0
 """How long the controller may take to begin the program, and the robot to stand after a stop."""
-LOOK = 25
+LOOK = 5
 """Every so many samples the flange that the controller reports is held against the cell's."""
 OUTPUTS = (
     "timestamp", "actual_q", "actual_qd", "target_q", "target_qd", "actual_TCP_pose", "tcp_offset", "ft_raw_wrench", "robot_mode",
@@ -77,6 +78,7 @@ class UniversalRobotsSession(RobotSession):
         self.cell, self._link = cell, cell.session
         self._robot = RobotModel.of_cell(cell)
         self._kinematics = Kinematics(cell, self._robot)
+        self._flange_watch = FlangeWatch(self._kinematics, self._robot.description.joints)
         assert cell.sensor.mount is not None
         self._mount_rotation, self._mount_position = cell.sensor.mount.rotation, cell.sensor.mount.translation
         self._sign = -1.0 if self._link.wrench_acts_on == "robot" else 1.0
@@ -131,7 +133,8 @@ class UniversalRobotsSession(RobotSession):
         Raises:
             ControllerStopped: the controller has stopped the robot or the program, or was set to another payload.
             RobotStateLate: no sample came; the line is lost.
-            BadState, WrongSensor: the flange is not where the cell has it, or the wrench does not turn with it.
+            BadState, WrongKinematics: the flange is not where the cell has it, or moves otherwise.
+            WrongSensor: the wrench does not turn with it.
         """
         sample = self._next()
         try:
@@ -213,6 +216,7 @@ class UniversalRobotsSession(RobotSession):
         self._check_payload(sample)
         check_ready(sample, reached.found, host)
         self._payload = payload_set(sample)
+        self._flange_watch = FlangeWatch(self._kinematics, self._robot.description.joints)
 
     def _check_payload(self, sample: dict[str, Value]) -> None:
         limit, payload = self.cell.robot.payload_limit_kg, read_number(sample, "payload")
@@ -302,23 +306,20 @@ class UniversalRobotsSession(RobotSession):
     def _state_of(self, sample: dict[str, Value]) -> RobotState:
         q = np.array(read_vector(sample, "actual_q"))
         self._samples += 1
+        dq = np.array(read_vector(sample, "actual_qd"))
         if self._samples % LOOK == 0:
-            self._look_at_flange(q, sample)
+            try:
+                self._flange_watch.look(q, dq, *flange_of(sample))
+            except BadState:
+                self.stop()
+                raise
         wrench = self._sign * np.array(read_vector(sample, "ft_raw_wrench"))
         force, R = wrench[:3], self._mount_rotation
         torque = wrench[3:] - np.cross(self._mount_position, force)
-        dq = np.array(read_vector(sample, "actual_qd"))
         state = RobotState(read_number(sample, "timestamp"), q, dq, self._q_cmd, np.concatenate([R.T @ force, R.T @ torque]))
         if self._mode != BRAKE and self._link.sensor is None:
             self._sensor_sign.look(state)
         return state
-
-    def _look_at_flange(self, q: Array, sample: dict[str, Value]) -> None:
-        """Joints near zero hide their sign at the entry, and show it on the way."""
-        far, turned = self._kinematics.distance(q, *flange_of(sample))
-        if far > 2 * POSITION_M or turned > 2 * ANGLE_RAD:  # pose and positions are not quite of the same instant
-            self.stop()
-            raise BadState("session-flange-elsewhere", value=far, limit=2 * POSITION_M, angle_rad=turned)
 
     def _stand(self) -> None:
         """Waits until the robot stands."""

@@ -9,7 +9,7 @@ import pytest
 from core.cell.cell import Cell
 from core.cell.folder import load_cell
 from core.cell.session import UniversalRobot
-from core.errors import ControllerStopped, NotConnected, WrongRobot, WrongSensor
+from core.errors import ControllerStopped, NotConnected, WrongKinematics, WrongRobot, WrongSensor
 from core.fakes.ur_arm import EMERGENCY, PROTECTIVE, UrArm
 from core.fakes.ur_server import UrServer
 from core.sessions.ur import UniversalRobotsSession
@@ -145,6 +145,15 @@ def test_another_robot_than_the_cells_is_refused_with_what_was_found(bench, said
 def test_swapped_joints_are_named(bench):
     with pytest.raises(WrongRobot, match="joints shoulder_lift and elbow swapped they agree"):
         bench.open(bench.swap_joints()).find_start()
+
+
+def test_swapped_joints_that_stand_at_one_angle_are_named_within_a_degree_of_motion(bench):
+    bench.arm.order[:] = [5, 1, 2, 3, 4, 0]  # both at zero: nothing shows at the entry
+    before = bench.where()
+    with pytest.raises(WrongKinematics, match="joints shoulder_pan and wrist_3 swapped it agrees"), bench.open() as session:
+        move(session, bench.cell)
+    Conformance.check_standing(bench)
+    assert 1e-4 < np.abs(bench.where() - before).max() < 0.0175
 
 
 def test_registers_that_somebody_else_writes_are_told(bench):
