@@ -20,6 +20,7 @@ SMALL = {"s": "ms", "kg": "g", "kg m": "g m", "kg m2": "g m²"}
 """Units that become a thousandth below 1."""
 CODES = {
     "about": "report-of-about",
+    "acceleration": "report-of-acceleration",
     "amplitude": "report-of-amplitude",
     "asymmetry": "report-of-asymmetry",
     "at": "report-of-at",

@@ -291,6 +291,7 @@ report-gap-limits = Was diese Aufzeichnung nicht sagen kann
 
 # Wovon die Parameter eines Effekts sind
 report-of-about = um
+report-of-acceleration = Beschleunigung
 report-of-amplitude = Amplitude
 report-of-asymmetry = Asymmetrie
 report-of-at = bei

@@ -293,6 +293,7 @@ report-gap-limits = What this recording cannot say
 
 # What an effect's parameters are of
 report-of-about = about
+report-of-acceleration = acceleration
 report-of-amplitude = amplitude
 report-of-asymmetry = asymmetry
 report-of-at = at

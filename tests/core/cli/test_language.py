@@ -75,7 +75,7 @@ def test_an_export_says_what_it_lacks_in_german(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setenv("HEFT_LANGUAGE", "de")
     file = tmp_path / "result.json"
     file.write_text(answer(cloud(0), None).model_dump_json())
-    said = CliRunner().invoke(app, ["export", str(file), "--target", "kuka_sunrise"])
+    said = CliRunner().invoke(app, ["export", str(file), "--target", "kuka_sunrise", "--mount-xyz", "0", "0", "0"])
     assert said.stderr.count("hat keinen Platz für I") == 3
 
 
